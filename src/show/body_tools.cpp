@@ -75,8 +75,20 @@ void BodyTools::apply(const BodyInput& input) {
 /// Shows the text as it is now, in which bodies and lights have the numbers that they had.
 void BodyTools::show() {
     bodies.look(*session.scene);
-    file.show(bodies.edited.text());
+    file.show(bodies.edited.text(), changed_body());
     pace.redraw(3);
+}
+
+/// Returns the body chosen, if the text of the scene on the screen differs from that to be shown in its block only.
+std::optional<ChangedBody> BodyTools::changed_body() const {
+    const BodyText& body = bodies.body();
+    const std::string& text = bodies.edited.text();
+    if (!bodies.choice() || body.block_end == 0) return std::nullopt;
+    const std::size_t begin = body.block_begin, behind = text.size() - body.block_end;
+    if (good.size() <= begin + behind || good.compare(0, begin, text, 0, begin) != 0 ||
+        good.compare(good.size() - behind, behind, text, body.block_end, behind) != 0)
+        return std::nullopt;
+    return ChangedBody{session.scene, number(), body.context, text.substr(begin, body.block_end - begin)};
 }
 
 /// Shows a text in which there may be more bodies and lights, or fewer.
@@ -204,11 +216,19 @@ void BodyTools::place_handles(const View& view, double scale) {
     } else {
         const Box box = world_bounds(scene.primitives[std::size_t(number())]);
         centre = box.finite() ? box.centre() : bodies.choice()->point;
-        if (mode == HandleMode::scale)
-            if (const auto body = PlacedBody::find(bodies.edited.text(), *session.scene, number())) axes = body->axes();
+        if (mode == HandleMode::scale) axes = own_axes();
     }
     handles.emplace(bodies.light() ? HandleMode::move : mode, centre, axes, handle_pixels * scale, view);
     find_pointed();
+}
+
+/// The axes of the body chosen, along which it is scaled.
+std::array<DVec3, 3> BodyTools::own_axes() {
+    if (axes_scene != session.scene || axes_body != number()) {
+        const auto body = PlacedBody::find(bodies.edited.text(), *session.scene, number());
+        axes = body ? body->axes() : world_axes, axes_scene = session.scene, axes_body = number();
+    }
+    return axes;
 }
 
 bool BodyTools::points_at(const glm::dvec2& point, double reach) {

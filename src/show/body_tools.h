@@ -1,5 +1,6 @@
 // The user's work on bodies and lights: connects clicks, handles, the panel, the file and the silhouette.
 #pragma once
+#include <array>
 #include <functional>
 #include <glm/vec2.hpp>
 #include <memory>
@@ -81,6 +82,8 @@ class BodyTools {
     void take_shown();
     void place_handles(const View& view, double scale);
     void drag_on();
+    std::optional<ChangedBody> changed_body() const;
+    std::array<DVec3, 3> own_axes();
     void find_pointed();
     int number() const;
 
@@ -105,6 +108,10 @@ class BodyTools {
     };
     SceneMoment moment;  // the one of `now`
     Scene now;
+
+    std::array<DVec3, 3> axes{};  // of this body, along which it is scaled
+    std::shared_ptr<const Scene> axes_scene;
+    int axes_body = -1;
 
     HandleMode mode = HandleMode::move;
     bool lights_shown = false;

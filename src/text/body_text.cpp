@@ -7,6 +7,7 @@
 #include "files/words.h"
 #include "num/decimal.h"
 #include "scene/leaves.h"
+#include "text/blocks/blocks.h"
 #include "text/text_items.h"
 
 namespace strahl {
@@ -263,6 +264,17 @@ void add_material(const Material& material, std::vector<BodyValue>& values) {
     std::apply([&](const auto&... field) { (add(field), ...); }, Material::fields);
 }
 
+/// The text of definitions and defaults, in the order of the text.
+std::string context_of(const BodyItems& found) {
+    std::vector<std::string_view> blocks;
+    for (const auto& [name, item] : found.definitions) blocks.push_back(whole_block(item));
+    for (const TextItem& item : found.defaults) blocks.push_back(whole_block(item));
+    std::ranges::sort(blocks, {}, [](std::string_view block) { return block.data(); });
+    std::string text;
+    for (const std::string_view block : blocks) text.append(block).append("\n");
+    return text;
+}
+
 /// The numbers as the value of a parameter.
 std::string value_text(std::span<const double> numbers) {
     return numbers.size() == 3 ? text_of(DVec3(numbers[0], numbers[1], numbers[2])) : text_of(numbers[0]);
@@ -280,6 +292,9 @@ BodyText body_text(const std::string& text, const Scene& scene, int body, int le
     if (!finder.find(leaf)) return add_material(scene.materials[std::size_t(own->material)], result.values), result;
     const std::string_view word = finder.levels().back().item->word;
     result.at = finder.at(word), result.line = finder.line(word);
+    const std::string_view block = whole_block(found.body);
+    result.block_begin = finder.at(block), result.block_end = result.block_begin + block.size();
+    result.context = context_of(found);
     finder.add_shape(own->shape, result.values);
     finder.add_transformations(result.values);
     finder.add_material(result.values);

@@ -38,6 +38,9 @@ struct BodyText {
     std::size_t at = 0;  // where its first word stands in the text
     int line = 0;        // of that, counted from 1; 0 if there is no text of it
     std::vector<BodyValue> values;
+    /// The block of the body of the top level, in the text; and the blocks `define` and `defaultmaterial` before it.
+    std::size_t block_begin = 0, block_end = 0;
+    std::string context{};
 };
 /// Returns what a text without errors says of a leaf of a body; `scene` is that of the text. If the text is empty, as
 /// for scenes that come from elsewhere, values cannot be changed.

@@ -52,6 +52,23 @@ TextItem read_item(Lexer& lexer, int depth) {
     return item;
 }
 
+/// Skips the block of a word that was read, character by character, which takes a tenth of the time of tokens.
+void skip_block(Lexer& lexer, const char* end) {
+    if (lexer.at_end()) throw ParseAbort{};
+    const std::string_view rest(lexer.token().data(), end);
+    int depth = 0;
+    for (std::size_t i = 0; i < rest.size(); ++i) {
+        const char c = rest[i], next = i + 1 < rest.size() ? rest[i + 1] : '\0';
+        if (c == '{') ++depth;
+        if (c == '}' && --depth <= 0) return lexer.rewind(rest.substr(i + 1));
+        if (c == '"') i = rest.find('"', i + 1);
+        if (c == '/' && next == '/') i = rest.find_first_of("\r\n", i);
+        if (c == '/' && next == '*') i = std::min(rest.find("*/", i + 2), rest.size() - 1) + 1;
+        if (i >= rest.size()) break;
+    }
+    throw ParseAbort{};
+}
+
 /// Returns the first item of the top level that is the one looked for, and adds the definitions and defaults before it.
 /// An item without a word if there is none.
 template <class Sought>
@@ -60,13 +77,18 @@ TextItem find_item(std::string_view text, BodyItems& before, const Sought& sough
     Diagnostics diagnostics(text, "");
     Lexer lexer(text, diagnostics);
     while (!lexer.at_end()) {
+        const std::string_view word = lexer.word();
+        if (word.empty()) return {};
+        const bool found = sought(word);
+        if (!found && (word == "light" || is_body_word(word) || before.definitions.contains(word))) {
+            skip_block(lexer, text.data() + text.size());
+            continue;
+        }
+        lexer.rewind(word);
         TextItem item = read_item(lexer, 0);
-        if (item.word == "define")
-            before.definitions.emplace(item.name, std::move(item));
-        else if (item.word == "defaultmaterial")
-            before.defaults.push_back(std::move(item));
-        else if (sought(item))
-            return item;
+        if (found) return item;
+        if (word == "define") before.definitions.emplace(item.name, std::move(item));
+        if (word == "defaultmaterial") before.defaults.push_back(std::move(item));
     }
     return {};
 } catch (const ParseAbort&) {
@@ -82,19 +104,30 @@ const TextItem* TextItem::item(std::string_view item_word) const {
     return found == items.end() ? nullptr : &*found;
 }
 
+std::string_view whole_block(const TextItem& item) {
+    const char* end = item.word.data() + item.word.size();
+    if (!item.end.empty())
+        end = item.end.data() + item.end.size();
+    else if (item.word == "define" && !item.items.empty())
+        end = whole_block(item.items[0]).data() + whole_block(item.items[0]).size();
+    else if (!item.name.empty())
+        end = item.name.data() + item.name.size();
+    return {item.word.data(), std::size_t(end - item.word.data())};
+}
+
 bool is_body_word(std::string_view word) { return contains(body_words, word); }
 
 BodyItems items_of_body(std::string_view text, int number) {
     BodyItems found;
-    found.body = find_item(text, found, [&](const TextItem& item) {
-        return (is_body_word(item.word) || found.definitions.contains(item.word)) && number-- == 0;
+    found.body = find_item(text, found, [&](std::string_view word) {
+        return (is_body_word(word) || found.definitions.contains(word)) && number-- == 0;
     });
     return found;
 }
 
 TextItem item_of_light(std::string_view text, int number) {
     BodyItems before;
-    return find_item(text, before, [&](const TextItem& item) { return item.word == "light" && number-- == 0; });
+    return find_item(text, before, [&](std::string_view word) { return word == "light" && number-- == 0; });
 }
 
 }  // namespace strahl

@@ -18,6 +18,9 @@ struct TextItem {
     const TextItem* item(std::string_view item_word) const;
 };
 
+/// Returns the slice of a block with its word, or of what `define` names, with that.
+std::string_view whole_block(const TextItem& item);
+
 /// The text of one body of the top level, and what applies to it.
 struct BodyItems {
     TextItem body;  // without a word if there is no such body

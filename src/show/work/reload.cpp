@@ -20,6 +20,7 @@
 #include "pov/flight_file.h"
 #include "pov/ini_file.h"
 #include "text/edit_path.h"
+#include "text/parse_body.h"
 #include "text/reading/tracks_file.h"
 #include "trace/tracer.h"
 
@@ -84,7 +85,8 @@ struct Reload::Desk {
     std::condition_variable wake, changed;  // wake: there is something to do; changed: something is done
     bool quit = false, ended = false, left = false;
     bool away = false, writing = false;  // away: in a file that may give no answer
-    std::optional<std::string> to_open, to_show;
+    std::optional<std::string> to_open;
+    std::optional<TextToShow> to_show;
     std::optional<double> to_move;
     std::vector<Request> to_write;
     std::optional<Loaded> result, shown;
@@ -143,7 +145,7 @@ class Reload::FileThread {
         others = std::move(read), known_others = stamps_of(others);
     }
     void tell(Loaded loaded);
-    void show_text(const std::string& changed);
+    void show_text(const TextToShow& changed);
     void notify();
     void open_file(const std::string& file, bool first);
     void check_file();
@@ -210,9 +212,9 @@ void Reload::move_to(double seconds) {
     desk->wake.notify_one();
 }
 
-void Reload::show(std::string text) {
+void Reload::show(std::string text, std::optional<ChangedBody> change) {
     std::lock_guard lock(desk->mutex);
-    desk->to_show = std::move(text);
+    desk->to_show = TextToShow{std::move(text), std::move(change)};
     desk->wake.notify_one();
 }
 
@@ -244,7 +246,8 @@ std::optional<Written> Reload::take_written() {
 void Reload::FileThread::run() {
     open_file(path, true);
     while (true) {
-        std::optional<std::string> other, changed;
+        std::optional<std::string> other;
+        std::optional<TextToShow> changed;
         std::optional<double> moment;
         std::vector<Request> requests;
         bool quit;
@@ -281,8 +284,14 @@ void Reload::FileThread::tell(Loaded loaded) {
     notify();
 }
 
-void Reload::FileThread::show_text(const std::string& changed) {
-    Loaded loaded = load(path, changed, false);
+void Reload::FileThread::show_text(const TextToShow& changed) {
+    Loaded loaded{.path = path, .text = changed.text};
+    if (const auto& change = changed.change) {
+        auto scene = answer(
+            [&] { return with_body(*change->scene, change->body, change->context, change->block, path, read_pixels); });
+        if (scene) loaded.scene = std::make_shared<const Scene>(*std::move(scene));
+    }
+    if (!loaded.scene) loaded = load(path, changed.text, false);
     {
         std::lock_guard lock(desk->mutex);
         desk->shown = std::move(loaded);

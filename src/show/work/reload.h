@@ -52,6 +52,13 @@ struct Written {
     std::string what{};   // of the scene was written: "path", "changes" or "path and changes"
 };
 
+/// The one body in which a text differs from that of a scene, see with_body().
+struct ChangedBody {
+    std::shared_ptr<const Scene> scene;
+    int body = 0;
+    std::string context, block;
+};
+
 /// Checks the file and those that it includes 30 times a second, in a thread of its own. Waits until a file is completely written. The thread
 /// may be left behind in a file that gives no answer, a pipe without a writer or a share without a server: it touches
 /// nothing but its `Desk` then.
@@ -72,8 +79,9 @@ class Reload {
 
     /// Reads a scene that uses POV-Ray's clock for this moment of its flight. Moments that were not read yet are skipped.
     void move_to(double seconds);
-    /// Reads this text as if the file had it, without writing it. Texts that were not read yet are skipped.
-    void show(std::string text);
+    /// Reads this text as if the file had it, without writing it; of `change`, if given, only the body. Texts that were
+    /// not read yet are skipped.
+    void show(std::string text, std::optional<ChangedBody> change = {});
     /// Returns the result of that which was read last, if it was not taken yet.
     std::optional<Loaded> take_shown();
 
@@ -92,6 +100,10 @@ class Reload {
         ChangedText changes;
         bool anyway;
         std::optional<std::vector<Track>> tracks{};  // instead of the flythrough
+    };
+    struct TextToShow {
+        std::string text;
+        std::optional<ChangedBody> change;
     };
     struct Desk;
     class FileThread;

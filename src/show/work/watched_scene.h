@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "show/work/notes.h"
 #include "show/work/reload.h"
@@ -28,8 +29,10 @@ class WatchedScene {
     void open(std::string path) { reload->open(std::move(path)); }
     /// Reads a scene that uses POV-Ray's clock for another moment of its flight.
     void move_to(double seconds);
-    /// Reads this text in place of the file's.
-    void show(const std::string& text) { reload->show(text); }
+    /// Reads this text in place of the file's; of `change`, if given, only the body.
+    void show(const std::string& text, std::optional<ChangedBody> change = {}) {
+        reload->show(text, std::move(change));
+    }
     /// Returns what was read of it since the last call.
     std::optional<Loaded> take_shown() { return reload->take_shown(); }
     /// Returns a scene that was read since the last call. Shows the error if there is one instead, or throws it as

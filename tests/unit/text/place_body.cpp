@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <string>
@@ -15,6 +16,7 @@
 #include "text/body_text.h"
 #include "text/light_text.h"
 #include "text/parse.h"
+#include "text/parse_body.h"
 #include "text/write.h"
 
 using namespace strahl;
@@ -150,6 +152,43 @@ TEST_CASE("bodies are where they were dragged, whatever came before") {
         for (int i = 0; i < 4; ++i) error = std::max(error, length(DVec3(wanted[i]) - DVec3(got[i])));
         CHECK(error < 4e-3);
     }
+}
+
+TEST_CASE("a body that is read alone makes the scene that the whole text makes") {
+    RandomScenes scenes(5);
+    std::mt19937 random(3);
+    int alone = 0, all = 0;
+    for (int run = 0; run < 40; ++run) {
+        const std::string text = "define red material { rgb <1, 0, 0> }\n" + write_scene(scenes.scene()) +
+                                 "defaultmaterial { pow 7 }\nsphere { <0,0,0>, 1 }\nsphere { <0,0,9>, 1 material red }\n"
+                                 "union { sphere { <0,0,0>, 1 } sphere { <1,0,0>, 1 material { pow 3 } } }\n";
+        CAPTURE(text);
+        try {
+            const Scene scene = parse_scene(text, "test", {}, made_up_pixels);
+            for (int body = 0; body < std::ssize(scene.primitives); ++body) {
+                const BodyText now = body_text(text, scene, body, 0);
+                // A number of its shape, its place or its material is another one.
+                const BodyValue& value = now.values[random() % now.values.size()];
+                if (!value.fixed.empty() || (value.slices.empty() && value.own_at == 0)) continue;
+                std::vector<double> numbers = value.numbers;
+                numbers[0] = std::clamp(numbers[0] / 2 + .25, value.range.low, value.range.high);
+                const std::string changed =
+                    value.slices.empty() ? with_own_value(text, value, numbers) : with_numbers(text, value, numbers);
+                if (!value.source.empty() && value.source != no_source) continue;  // it stands in another block
+                const std::string block =
+                    changed.substr(now.block_begin, now.block_end + changed.size() - text.size() - now.block_begin);
+                const auto read = with_body(scene, body, now.context, block, "test", made_up_pixels);
+                ++all, alone += read.has_value();
+                if (!read) continue;
+                CAPTURE(block);
+                CHECK(*read == parse_scene(changed, "test", {}, made_up_pixels));
+            }
+        } catch (const FileError&) {
+            continue;  // invalid by chance
+        }
+    }
+    CHECK(all > 100);
+    CHECK(alone > all / 3);
 }
 
 TEST_CASE("a copy stands behind its body or light, and is removed without a trace") {
