@@ -39,6 +39,13 @@ put "$camera" 'light { position <-5, 0, 10>  color <.9, .9, .9> }' 'light { posi
 cp scene.rt first.rt
 start scene.rt --size 640x400 --depth 2
 
+echo "-- a click on a handle chooses what is behind it"
+xdotool mousemove --window "$id" 212 140 click 1
+await 'chosen: body 1, sphere, line 4'
+find_color FFFFFF
+xdotool click 1
+await 'chosen: body 3, plane, line 7'
+
 echo "-- a ball is dragged upwards along its axis, by round distances with Ctrl, and written in place; undone at once"
 xdotool mousemove --window "$id" 186 160 click 1
 await 'chosen: body 1, sphere, line 4'

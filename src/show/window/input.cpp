@@ -91,17 +91,17 @@ void Input::on_button(int button, int action, int modifiers) {
     if (action == GLFW_PRESS && !on_panel()) {
         held = fixed ? Hold::nothing : handlers.points_at(pointed().x, pointed().y);
         if (held == Hold::handle) handlers.hold(pointed().x, pointed().y);
-        if (held == Hold::nothing) pointer.press({x, y});
-    } else if (!let_go() && pointer.release() && !fixed) {
-        handlers.click(pointed().x, pointed().y);
+        if (held != Hold::divider) pointer.press({x, y});
+    } else {
+        let_go();
+        // A handle that was not dragged does not keep the user from choosing what is behind it.
+        if (pointer.release() && !fixed) handlers.click(pointed().x, pointed().y);
     }
 }
 
-/// Lets go of what is held. False if there is nothing.
-bool Input::let_go() {
-    const Hold before = std::exchange(held, Hold::nothing);
-    if (before == Hold::handle) handlers.let_go();
-    return before != Hold::nothing;
+/// Lets go of what is held.
+void Input::let_go() {
+    if (std::exchange(held, Hold::nothing) == Hold::handle) handlers.let_go();
 }
 
 /// Is Ctrl down?
@@ -142,9 +142,10 @@ void Input::on_cursor(double x, double y) {
     cursor = {x, y};
     if (panels.take_input()) pace.redraw();
     show_hold();
-    if (held != Hold::nothing) return handlers.pull(held, pointed().x, pointed().y, steps());
     const auto way = pointer.move(x, y);
-    if (!way || fixed) return;
+    if (held == Hold::divider || (held == Hold::handle && way))
+        return handlers.pull(held, pointed().x, pointed().y, steps());
+    if (!way || fixed || held != Hold::nothing) return;
     // The view turns by the angle that the pointer crosses in the picture.
     int width = 1;
     glfwGetWindowSize(screen.window(), &width, nullptr);

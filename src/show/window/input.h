@@ -59,7 +59,7 @@ class Input {
     glm::dvec2 pointed() const;
     bool on_panel() const;
     void show_hold();
-    bool let_go();
+    void let_go();
     bool steps() const;
 
     Screen& screen;

@@ -356,7 +356,8 @@ Written Reload::FileThread::write_path(const Request& request) try {
     const OpenedScene before = scene_for_window(content, path, options);  // throws: in texts with errors no block can be found
     const bool same_path = before.scene.flythrough == request.flythrough;
     const RebasedText merged = bodies ? rebased(request.changes, content) : RebasedText{};
-    if (merged.lost) return {.fault = path + " has changed in lines that were changed here; undo, or copy it and reload"};
+    if (merged.lost)
+        return {.fault = path + " has changed in lines that were changed here; undo, or copy it and reload"};
     const std::string text_now = bodies ? text_of(merged.text.changed) : content;
     const std::string changed = same_path ? text_now : with_path(text_now, request.flythrough);
     Loaded loaded = loaded_scene(path, changed, false, options);

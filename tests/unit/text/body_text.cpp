@@ -34,13 +34,15 @@ TEST_CASE("a body is found behind others, whatever stands in their blocks and co
     const std::string text = start +
                              "mesh { file \"a}b/*.ply\" } // }\r\n"
                              "sphere { <1,1,1>, 1 /* } *//* { */ material { rgb <1,1,1> } // }\n}\n"
-                             "define ball sphere { <0,0,0>, 1 /*/ } */ }\nball { } ball{}light { color <1,1,1> }box { }\n";
+                             "define ball sphere { <0,0,0>, 1 /*/ } */ }\n"
+                             "ball { } ball{}light { color <1,1,1> }box { }\n";
     CHECK(items_of_body(text, 4).body.word == "box");
     CHECK(items_of_body(text, 3).body.word == "ball");
     CHECK(items_of_body(text, 1).body.word == "sphere");
     CHECK(items_of_body(text, 5).body.word == "");
     CHECK(item_of_light(text, 0).word == "light");
-    for (const char* odd : {"sphere", "sphere {", "sphere { /* ", "sphere { // }", "sphere { \" }", "sphere }", "box { /"})
+    for (const char* odd :
+         {"sphere", "sphere {", "sphere { /* ", "sphere { // }", "sphere { \" }", "sphere }", "box { /"})
         CHECK(items_of_body(odd, 1).body.word == "");
 }
 

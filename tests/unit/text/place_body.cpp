@@ -160,7 +160,8 @@ TEST_CASE("a body that is read alone makes the scene that the whole text makes")
     int alone = 0, all = 0;
     for (int run = 0; run < 40; ++run) {
         const std::string text = "define red material { rgb <1, 0, 0> }\n" + write_scene(scenes.scene()) +
-                                 "defaultmaterial { pow 7 }\nsphere { <0,0,0>, 1 }\nsphere { <0,0,9>, 1 material red }\n"
+                                 "defaultmaterial { pow 7 }\nsphere { <0,0,0>, 1 }\n"
+                                 "sphere { <0,0,9>, 1 material red }\n"
                                  "union { sphere { <0,0,0>, 1 } sphere { <1,0,0>, 1 material { pow 3 } } }\n";
         CAPTURE(text);
         try {
