@@ -23,10 +23,11 @@ void BodyTools::loaded(const Loaded& scene) {
         bodies.open(scene.text);
     else if (bodies.edited.reload(scene.text))
         notes.announce("the file has other numbers now, which replace yours");
-    drag.reset(), good = scene.text;
+    drag.reset(), awaited = false, next = -1, later.reset();
+    good = scene.text;
     bodies.take_lines(scene.lines);
+    if (bodies.edited.changed()) return show_anew();  // there may be other bodies than in the file
     bodies.look(*session.scene);
-    if (bodies.edited.changed()) show();
 }
 
 /// The scene at the moment of the view.
@@ -146,7 +147,7 @@ void BodyTools::toggle(Action action) {
 }
 
 void BodyTools::approach(const View& view) {
-    if (!bodies.choice()) return notes.note("click a body first; B then moves the camera to it");
+    if (!bodies.choice() || awaited) return notes.note("click a body first; B then moves the camera to it");
     const Box box = world_bounds(scene_seen(view).primitives[std::size_t(number())]);
     if (!std::isfinite(length(box.high - box.low))) return notes.note("this body has no end");
     notes.tell(session.steer({}, pace.now()));

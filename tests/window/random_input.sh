@@ -29,7 +29,7 @@ done
 id=$(xdotool search --pid "$pid" | tail -n 1)
 
 RANDOM=$seed
-keys=(w a s d q e f space p r c h i Tab comma period bracketleft bracketright 1 2 3 shift+1 shift+2 shift+3 F11 F12 ctrl+s
+keys=(m m l ctrl+d ctrl+d ctrl+z w a s d q e f space p r c h i Tab comma period bracketleft bracketright 1 2 3 shift+1 shift+2 shift+3 F11 F12 ctrl+s
     shift+w shift+c n v t t x F2 Home End Left Right Prior Next Insert Delete ctrl+z ctrl+y ctrl+n shift+Right Return F4
     g g shift+g plus minus 0)
 change_file() {

@@ -94,11 +94,11 @@ RebasedText rebased(const ChangedText& text, const std::string& theirs) {
 void EditedText::open(const std::string& text) {
     *this = {};
     saved = present = text;
-    lines.in_file = lines.changed = slots_of(lines_of(text));
 }
 
 /// Makes this the present text. Returns the slots that have changed.
 std::vector<EditedText::ChangedSlot> EditedText::replace(const std::string& newer) {
+    if (lines.in_file.empty()) lines.in_file = lines.changed = slots_of(lines_of(saved));
     const std::vector<std::string_view> old = lines_of(present), now = lines_of(newer);
     const std::size_t shorter = std::min(old.size(), now.size());
     const auto first = std::size_t(std::ranges::mismatch(old, now).in1 - old.begin());

@@ -65,7 +65,7 @@ class EditedText {
     bool move_step(std::vector<Step>& from, std::vector<Step>& into, std::vector<std::string> ChangedSlot::*to,
                    std::size_t others);
 
-    ChangedText lines;
+    ChangedText lines;           // empty until something is changed
     std::string saved, present;  // the same as texts
     std::vector<Step> past, future;
 };
