@@ -17,6 +17,7 @@ Animation Animation::of(const std::optional<IniFile>& ini, std::optional<double>
     all.first = ini->initial_frame.value_or(1);
     all.last = std::max(ini->final_frame.value_or(all.first), all.first);
     all.initial_clock = ini->initial_clock.value_or(0), all.final_clock = ini->final_clock.value_or(1);
+    all.first_shown = all.last_shown = all.first;
     all.counted = all.last > all.first;
     if (!all.counted) return all;
     all.cyclic = ini->cyclic;

@@ -10,8 +10,8 @@ namespace strahl::pov {
 /// The path of the flight's file.
 std::string flight_path(const std::string& scene);
 
-/// Reads the text of a flight, in the coordinates of the .pov. Nothing if there is no path in it. Throws FileError, also
-/// for anything but a flythrough.
+/// Reads the text of a flight, in the coordinates of the .pov. Nothing if there is no path in it. Throws FileError,
+/// also for anything but a flythrough.
 std::optional<Flythrough> parse_flight(const std::string& text, const std::string& path);
 
 /// Returns the flight in the coordinates of the scene, which is the mirror image in z of the .pov if `mirrored`. Throws

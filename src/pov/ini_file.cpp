@@ -15,12 +15,12 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t most_ini_text = 1 << 20;
 
-/// The switches that stand for options: a longer one comes before its beginning.
+/// The switches that stand for options. A longer one comes before its beginning.
 constexpr std::array switches{
-    std::pair{"KFI", "Initial_Frame"}, std::pair{"KFF", "Final_Frame"},        std::pair{"KC", "Cyclic_Animation"},
-    std::pair{"KI", "Initial_Clock"},  std::pair{"KF", "Final_Clock"},         std::pair{"K", "Clock"},
+    std::pair{"KFI", "Initial_Frame"},   std::pair{"KFF", "Final_Frame"},       std::pair{"KC", "Cyclic_Animation"},
+    std::pair{"KI", "Initial_Clock"},    std::pair{"KF", "Final_Clock"},        std::pair{"K", "Clock"},
     std::pair{"EF", "Subset_End_Frame"}, std::pair{"SF", "Subset_Start_Frame"}, std::pair{"W", "Width"},
-    std::pair{"H", "Height"},          std::pair{"I", "Input_File_Name"},      std::pair{"L", "Library_Path"}};
+    std::pair{"H", "Height"},            std::pair{"I", "Input_File_Name"},     std::pair{"L", "Library_Path"}};
 
 bool has_prefix(std::string_view text, std::string_view beginning) {
     return same_word(text.substr(0, beginning.size()), beginning);
@@ -105,12 +105,13 @@ class IniReader {
     void one_switch() {
         const bool on = text[at++] == '+';
         const std::string_view word = until(";# \t\"'");
-        const auto known = std::ranges::find_if(switches, [&](const auto& each) { return has_prefix(word, each.first); });
+        const auto known =
+            std::ranges::find_if(switches, [&](const auto& each) { return has_prefix(word, each.first); });
         if (known != switches.end() && (on || same_word(known->second, "Cyclic_Animation"))) {
             std::string_view rest = word.substr(std::string_view(known->first).size());
             if (rest.empty() && !at_end() && (text[at] == '"' || text[at] == '\'')) rest = value(false);
             option(known->second, same_word(known->second, "Cyclic_Animation") ? (on ? "on" : "off") : rest);
-        } else if (has_prefix(word, "A") && !has_prefix(word, "AM") && !has_prefix(word, "AG") && !has_prefix(word, "AC")) {
+        } else if (has_prefix(word, "A") && (word.size() == 1 || std::string_view(".0123456789").find(word[1]) < 11)) {
             ini.antialias = on;
         } else {
             over_read(word);

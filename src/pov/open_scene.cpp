@@ -28,7 +28,8 @@ std::vector<std::string> library_of(pov::IniFile& ini, std::vector<std::string> 
         if (std::ranges::any_of(known, [&](const std::string& other) { return pov::lies_in(folder, other); }))
             inside.push_back(folder);
         else
-            ini.notes.push_back(ini.path + ": Library_Path " + strahl::quoted(each) + " is not read; --library allows it");
+            ini.notes.push_back(ini.path + ": Library_Path " + strahl::quoted(each) +
+                                " is not read; --library allows it");
     }
     return inside;
 }

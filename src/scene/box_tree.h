@@ -59,7 +59,19 @@ class BoxTree {
         if (!boxes.empty()) within(root(), visitor);
     }
 
+    /// Calls found(i) with the number of each box that `accepts`, which accepts the boxes around it as well.
+    template <class Accepts, class Found>
+    void visit(const Accepts& accepts, const Found& found) const {
+        if (!boxes.empty()) visit(root(), accepts, found);
+    }
+
   private:
+    template <class Accepts, class Found>
+    void visit(const Subtree& some, const Accepts& accepts, const Found& found) const {
+        if (!accepts(box(some))) return;
+        if (some.count == 1) return found(first(some));
+        visit(some.lower(), accepts, found), visit(some.upper(), accepts, found);
+    }
     Subtree root() const { return {0, 0, boxes.size()}; }
 
     void build(const Subtree& some) {

@@ -29,15 +29,25 @@ bool meets(const Box& box, const Ray<double>& ray) {
     return near <= far * (1 + 1e-9) + 1e-9;
 }
 
+/// Returns a box around a triangle, a little wider than that.
+Box box_of(const MeshData& mesh, std::size_t triangle) {
+    Box box;
+    for (const std::int32_t corner : mesh.triangles[triangle]) box.add(mesh.points[static_cast<std::size_t>(corner)]);
+    const DVec3 margin = 1e-9 * (abs(box.low) + abs(box.high) + DVec3(1e-6));
+    return {box.low - margin, box.high + margin};
+}
+
 /// Returns the triangles of a mesh whose boxes the ray meets; the ray is in the mesh's space.
-Mesh met_by(const Mesh& mesh, const Ray<double>& ray) {
+Mesh met_by(const Mesh& mesh, const Ray<double>& ray, MeshTrees* trees) {
     const MeshData& all = *mesh.data;
+    std::vector<std::size_t> met;
+    if (trees)
+        met = trees->met_by(ray, mesh.data);
+    else
+        for (std::size_t i = 0; i < all.triangles.size(); ++i)
+            if (meets(box_of(all, i), ray)) met.push_back(i);
     MeshData some;
-    for (std::size_t i = 0; i < all.triangles.size(); ++i) {
-        Box box;
-        for (const std::int32_t corner : all.triangles[i]) box.add(all.points[static_cast<std::size_t>(corner)]);
-        const DVec3 margin = 1e-9 * (abs(box.low) + abs(box.high) + DVec3(1e-6));
-        if (!meets({box.low - margin, box.high + margin}, ray)) continue;
+    for (const std::size_t i : met) {
         const auto first = static_cast<std::int32_t>(some.points.size());
         some.triangles.push_back({first, first + 1, first + 2});
         for (const std::int32_t corner : all.triangles[i])
@@ -52,7 +62,7 @@ Mesh met_by(const Mesh& mesh, const Ray<double>& ray) {
 
 /// Adds where a ray crosses the surface of a simple body.
 void add_crossings(std::vector<RayHit>& all, const Primitive& leaf, int number, const glm::dmat4& to_world,
-                   const Ray<double>& ray, double from) {
+                   const Ray<double>& ray, double from, MeshTrees* trees) {
     const auto look = [&](const auto& kernel) {
         const auto add = [&](double t, double face) {
             if constexpr (requires { kernel.at(ray, t, face); })
@@ -75,7 +85,7 @@ void add_crossings(std::vector<RayHit>& all, const Primitive& leaf, int number, 
             if constexpr (std::is_same_v<Kind, Mesh>) {
                 const glm::dmat4 back = glm::inverse(to_world);
                 const Ray<double> own{transform_point(back, ray.origin), glm::dmat3(back) * ray.direction, {}};
-                met_by(kind, own).template emit<double>(there, look);
+                met_by(kind, own, trees).template emit<double>(there, look);
             } else {
                 kind.template emit<double>(there, look);
             }
@@ -85,13 +95,26 @@ void add_crossings(std::vector<RayHit>& all, const Primitive& leaf, int number, 
 
 }  // namespace
 
-std::vector<RayHit> ray_hits(const Primitive& body, const Ray<double>& ray, double from, double to) {
+std::vector<std::size_t> MeshTrees::met_by(const Ray<double>& ray, const std::shared_ptr<const MeshData>& mesh) {
+    auto known = trees.find(mesh);
+    if (known == trees.end()) {
+        std::vector<Box> boxes;
+        for (std::size_t i = 0; i < mesh->triangles.size(); ++i) boxes.push_back(box_of(*mesh, i));
+        known = trees.emplace(mesh, BoxTree(std::move(boxes))).first;
+    }
+    std::vector<std::size_t> met;
+    known->second.visit([&](const Box& box) { return meets(box, ray); }, [&](std::size_t i) { met.push_back(i); });
+    std::ranges::sort(met);
+    return met;
+}
+
+std::vector<RayHit> ray_hits(const Primitive& body, const Ray<double>& ray, double from, double to, MeshTrees* trees) {
     std::vector<RayHit> all, hits;
     bool simple = true;
     int leaves = 0;
     for_each_leaf(body, [&](const Primitive& leaf, const glm::dmat4& m) {
         simple &= &leaf == &body;
-        add_crossings(all, leaf, leaves++, m, ray, from);
+        add_crossings(all, leaf, leaves++, m, ray, from, trees);
     });
     std::ranges::sort(all, {}, &RayHit::t);
     const auto is_inside = [&](double t) { return contains(body, ray.origin + t * ray.direction); };

@@ -1,12 +1,26 @@
 // Finds where a single ray meets bodies, in double.
 #pragma once
+#include <cstddef>
 #include <limits>
+#include <map>
+#include <memory>
 #include <vector>
 
 #include "num/ray.h"
+#include "scene/box_tree.h"
 #include "scene/scene.h"
 
 namespace strahl {
+
+/// Trees of the triangles of meshes, for those who look along many rays.
+class MeshTrees {
+  public:
+    /// Returns the numbers of the triangles whose boxes the ray meets, in ascending order.
+    std::vector<std::size_t> met_by(const Ray<double>& ray, const std::shared_ptr<const MeshData>& mesh);
+
+  private:
+    std::map<std::shared_ptr<const MeshData>, BoxTree> trees;
+};
 
 /// A place where a ray meets the surface of a body.
 struct RayHit {
@@ -18,9 +32,9 @@ struct RayHit {
 
 /// Returns where the ray meets the surface of a body, nearest first, if that is further than `from` and nearer than
 /// `to`. The surface of a composite is where one of its parts has one and only one side of it is inside. The ray's
-/// direction has the length 1.
+/// direction has the length 1. Without trees each triangle of a mesh is looked at.
 std::vector<RayHit> ray_hits(const Primitive& body, const Ray<double>& ray, double from,
-                             double to = std::numeric_limits<double>::infinity());
+                             double to = std::numeric_limits<double>::infinity(), MeshTrees* trees = nullptr);
 
 /// The first place where a ray meets a body of a scene.
 struct BodyHit {

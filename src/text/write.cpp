@@ -228,7 +228,8 @@ std::string write_scene(const Scene& scene) {
     if (!scene.lights.empty()) text += "\n";
     for (const Light& light : scene.lights) text += light_text(light);
     if (!scene.primitives.empty()) text.append("\n").append(primitives_text(scene.primitives, scene.materials));
-    if (scene.flythrough && !scene.flythrough->keys.empty()) text.append("\n").append(write_flythrough(*scene.flythrough));
+    if (scene.flythrough && !scene.flythrough->keys.empty())
+        text.append("\n").append(write_flythrough(*scene.flythrough));
     return text;
 }
 

@@ -1,5 +1,6 @@
 // Any bytes, read as the language of POV-Ray's scenes, either end with a FileError or are read to their end, within the
-// limits of steps and memory.
+// limits of steps and memory; and so they do as scene text with directives, as an .ini file, and as a flight.
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -7,6 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include "pov/animation.h"
+#include "pov/expand.h"
+#include "pov/flight_file.h"
+#include "pov/ini_file.h"
 #include "pov/language/interpreter.h"
 #include "tests/attack/written_again.h"
 
@@ -14,6 +19,7 @@ namespace {
 
 using namespace strahl::pov;
 using strahl::DVec3;
+using strahl::attack::fail;
 
 /// Takes any token for a body, and any block for a texture.
 struct AnyLayer : SceneLayer {
@@ -32,18 +38,51 @@ struct AnyLayer : SceneLayer {
     std::pair<DVec3, DVec3> extent(Interpreter&, const Thing&) override { return {DVec3(-1), DVec3(1)}; }
 };
 
+InterpreterOptions few_steps() {
+    InterpreterOptions options;
+    options.file = "fuzz";
+    options.limits.steps = 20'000;
+    options.limits.bytes = 8 << 20;
+    return options;
+}
+
+/// Scene text without its directives gives a scene that survives being written.
+void expand_text(const std::string& text) {
+    const ExpandedText expanded = expand(text, few_steps());
+    strahl::TextLimits limits;
+    limits.primitives = 1000;
+    const auto scene =
+        strahl::parse_scene(expanded.text, "fuzz", limits, strahl::made_up_pixels, nullptr, expanded.origins);
+    strahl::attack::written_again(scene);
+}
+
+/// The clock of any .ini file is finite and its frames follow each other.
+void read_ini_file(const std::string& text) {
+    const Animation all = Animation::of(parse_ini(text, "fuzz"), 4.);
+    for (const double time : {0., .04, 3.7, 1e9})
+        if (!std::isfinite(all.clock_at(time))) fail("the clock is no number:", text);
+    if (all.frames().first < 0 || all.frames().second < all.frames().first || !(all.seconds > 0))
+        fail("the frames do not follow each other:", text);
+}
+
+/// A flight that is read is the same after it was written, and keeps the comments of its text.
+void read_flight(const std::string& text) {
+    const auto flight = parse_flight(text, "fuzz");
+    if (!flight) return;
+    if (parse_flight(with_flight("", flight, false), "fuzz") != flight) fail("a flight is another one:", text);
+    const std::string written = with_flight(text, flight, false);
+    if (parse_flight(written, "fuzz") != flight) fail("a flight is written as another one:", written);
+}
+
 }  // namespace
 
 std::vector<std::string> attacked_words() { return {reserved_words.begin(), reserved_words.end()}; }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    InterpreterOptions options;
-    options.file = "fuzz";
-    options.limits.steps = 20'000;
-    options.limits.bytes = 8 << 20;
+    const std::string text(reinterpret_cast<const char*>(data), size);
     AnyLayer layer;
     try {
-        Interpreter in({reinterpret_cast<const char*>(data), size}, options, layer);
+        Interpreter in(text, few_steps(), layer);
         while (!in.at_end()) {
             if (in.at_color())
                 in.read_color();
@@ -57,5 +96,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     } catch (const strahl::FileError& error) {
         strahl::attack::check_message(error, 6000);
     }
+    for (const auto read : {expand_text, read_ini_file, read_flight}) try {
+            read(text);
+        } catch (const strahl::FileError& error) {
+            strahl::attack::check_message(error, 20000);
+        }
     return 0;
 }

@@ -86,7 +86,8 @@ std::vector<std::string> with_command(const CLI::App& app, int argc, char** argv
         return std::filesystem::exists(first, error) && !std::filesystem::is_directory(first, error);
     };
     // The disk is asked last: it may give no answer, which the window says.
-    const bool scene = first == "-" || first.ends_with(".rt") || pov::is_ini(first) || (!first.starts_with('-') && !known && is_file());
+    const bool scene = first == "-" || first.ends_with(".rt") || pov::is_ini(first) ||
+                       (!first.starts_with('-') && !known && is_file());
     if (!known && scene) {
         arguments.insert(arguments.begin(), "view");
     } else if (first == "help") {

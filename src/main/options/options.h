@@ -117,8 +117,8 @@ inline CLI::Validator numbers(double low, double high) {
 inline void add_opening(CLI::App* command, OpeningOptions& options) {
     command
         ->add_option("--clock", options.clock,
-                     "Value of clock in a .pov file at all times; by default it runs from 0 to 1 during the flight, or as "
-                     "an .ini file says")
+                     "Value of clock in a .pov file at all times; by default it runs from 0 to 1 during the flight, or "
+                     "as an .ini file says")
         ->check(numbers(-1e9, 1e9))
         ->type_name("T");
     command

@@ -163,7 +163,15 @@ std::optional<SceneMaker::Part> SceneMaker::build(const ObjectThing& object, con
         }
         Steps steps = object.steps;
         fold_matrix(shape, steps);
-        if (mirrored) shape = mirrored_shape(shape);
+        if (mirrored) {
+            auto* const own = std::get_if<Mesh>(&shape);
+            std::shared_ptr<const MeshData>* const known = own ? &mirrored_meshes[own->data] : nullptr;
+            if (known && *known)
+                own->data = *known;
+            else
+                shape = mirrored_shape(shape);
+            if (known) *known = std::get<Mesh>(shape).data;
+        }
         if (const char* const fault = fault_of(shape)) {
             notes.left_out(object.place, std::string("a body: ") + fault);
             return std::nullopt;

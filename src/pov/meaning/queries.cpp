@@ -48,7 +48,7 @@ bool PovLayer::trace(Interpreter& in, const Thing& object, const DVec3& from, co
     const Ray<double> ray{from, direction / size, {}};
     double nearest = most;
     for (const Primitive& body : bodies_of(in, object))
-        if (const auto hits = ray_hits(body, ray, least, nearest); !hits.empty())
+        if (const auto hits = ray_hits(body, ray, least, nearest, &trees); !hits.empty())
             nearest = hits[0].t, normal = hits[0].normal;
     if (nearest == most) return false;
     hit = from + nearest * ray.direction;

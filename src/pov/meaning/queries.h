@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "pov/reading/reader.h"
+#include "scene/ray_hits.h"
 
 namespace strahl::pov {
 
@@ -14,6 +15,9 @@ class PovLayer final : public PovReader {
                DVec3& normal) override;
     bool inside(Interpreter& in, const Thing& object, const DVec3& point) override;
     std::pair<DVec3, DVec3> extent(Interpreter& in, const Thing& object) override;
+
+  private:
+    MeshTrees trees;
 };
 
 }  // namespace strahl::pov

@@ -1,5 +1,7 @@
 // Makes a scene of what a POV-Ray file declares.
 #pragma once
+#include <map>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -86,6 +88,8 @@ class SceneMaker {
     std::vector<Seen> shown;  // of each primitive
     std::vector<TextPlace> kept_places;
     int surfaces_made = 0;    // meshes of bodies that functions define
+    // By their originals, of which all uses share one.
+    std::map<std::shared_ptr<const MeshData>, std::shared_ptr<const MeshData>> mirrored_meshes;
 };
 
 }  // namespace strahl::pov

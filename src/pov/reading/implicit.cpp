@@ -1,7 +1,9 @@
 // Reads bodies that are defined by functions, and makes them meshes: blobs, polynomials and isosurfaces.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "files/words.h"
 #include "num/vec_math.h"
@@ -37,6 +39,45 @@ struct BlobPart {
             box.add(transform_point(m, base + side)), box.add(transform_point(m, base + axis + side));
         }
     }
+};
+
+/// The parts of a blob by the cells of a grid that they reach.
+class BlobField {
+  public:
+    BlobField(const std::vector<BlobPart>& parts, const Box& box) : box(box), near(side * side * side) {
+        for (const BlobPart& part : parts) {
+            Box own;
+            part.add_to(own);
+            const DVec3 margin = 1e-9 * (abs(own.low) + abs(own.high));
+            const std::array<int, 3> from = cell_of(own.low - margin), to = cell_of(own.high + margin);
+            for (int k = from[2]; k <= to[2]; ++k)
+                for (int j = from[1]; j <= to[1]; ++j)
+                    for (int i = from[0]; i <= to[0]; ++i) near[number({i, j, k})].push_back(&part);
+        }
+    }
+    /// Returns the threshold less the fields of all parts, in their order.
+    double value(double threshold, const DVec3& p) const {
+        for (const BlobPart* part : near[number(cell_of(p))]) threshold -= part->field(p);
+        return threshold;
+    }
+
+  private:
+    static constexpr int side = 16;
+
+    std::array<int, 3> cell_of(const DVec3& p) const {
+        std::array<int, 3> cell{};
+        for (int i = 0; i < 3; ++i) {
+            const double at = side * (p[i] - box.low[i]) / (box.high[i] - box.low[i]);
+            cell[std::size_t(i)] = at > 0 ? static_cast<int>(std::min(at, side - 1.)) : 0;
+        }
+        return cell;
+    }
+    static std::size_t number(const std::array<int, 3>& cell) {
+        return std::size_t((cell[2] * side + cell[1]) * side + cell[0]);
+    }
+
+    Box box;
+    std::vector<std::vector<const BlobPart*>> near;
 };
 
 std::vector<double> read_coefficients(Interpreter& in, int order) {
@@ -100,11 +141,8 @@ void PovReader::read_blob(Interpreter& in, ObjectThing& object) {
     for (const BlobPart& part : parts) part.add_to(box);
     if (parts.empty()) return object.left_out("a blob without parts");
     set_surface(object, "blob", [threshold, parts, box](int cells) {
-        const Inside value = [&](const DVec3& p) {
-            double sum = threshold;
-            for (const BlobPart& part : parts) sum -= part.field(p);
-            return sum;
-        };
+        const BlobField field(parts, box);
+        const Inside value = [&](const DVec3& p) { return field.value(threshold, p); };
         return level_surface(value, box, cells);
     });
 }

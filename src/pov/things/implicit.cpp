@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "pov/things/mesh_builder.h"
@@ -30,22 +32,28 @@ struct ValuesOnGrid {
     }
 };
 
+/// A corner of a cell: bit 0 of `corner` says whether it is the one with the larger x, bits 1 and 2 y and z.
 struct GridPoint {
     std::size_t number;
     DVec3 p;
     double value;
+    std::size_t corner;
+};
+
+/// A point of the surface.
+struct LevelPoint {
+    DVec3 p, normal;
 };
 
 /// Returns where the function is 0 between two points on different sides, by four steps of the regula falsi.
 DVec3 crossing(const Inside& value, GridPoint a, GridPoint b) {
-    if (a.number > b.number) std::swap(a, b);  // an edge gives the same point to all its cells
     DVec3 p = a.p;
     for (int i = 0; i < 4; ++i) {
         const double share = std::clamp(a.value / (a.value - b.value), .01, .99);
         p = a.p + share * (b.p - a.p);
         const double own = value(p);
         if (!std::isfinite(own) || own == 0) break;
-        ((own < 0) == (a.value < 0) ? a : b) = {0, p, own};
+        ((own < 0) == (a.value < 0) ? a : b) = {0, p, own, 0};
     }
     return p;
 }
@@ -64,18 +72,32 @@ MeshData level_surface(const Inside& value, const Box& box, int cells) {
         return std::isfinite(n.x + n.y + n.z) ? n : DVec3(0);
     };
     MeshBuilder mesh;
-    const auto add = [&](const DVec3& a, const DVec3& b, const DVec3& c) {
-        mesh.add_triangle({a, b, c}, {slope(a), slope(b), slope(c)}, true);
+    // From each point of the grid seven edges lead to points with larger coordinates. The cells around an edge share
+    // its point, which costs ten values of the function.
+    std::vector<std::int32_t> numbers(7 * grid.values.size(), -1);
+    std::vector<LevelPoint> known;
+    const auto between_points = [&](GridPoint a, GridPoint b) {
+        if (a.number > b.number) std::swap(a, b);
+        std::int32_t& number = numbers[7 * a.number + (b.corner - a.corner) - 1];
+        if (number < 0) {
+            number = static_cast<std::int32_t>(known.size());
+            const DVec3 p = crossing(value, a, b);
+            known.push_back({p, slope(p)});
+        }
+        return known[static_cast<std::size_t>(number)];
+    };
+    const auto add = [&](const LevelPoint& a, const LevelPoint& b, const LevelPoint& c) {
+        mesh.add_triangle({a.p, b.p, c.p}, {a.normal, b.normal, c.normal}, true);
     };
     const auto tetrahedron = [&](const std::array<GridPoint, 4>& corners) {
         std::array<GridPoint, 4> in{}, out{};
         std::size_t inside = 0, outside = 0;
         for (const GridPoint& own : corners) (own.value < 0 ? in[inside++] : out[outside++]) = own;
-        const auto at = [&](std::size_t i, std::size_t o) { return crossing(value, in[i], out[o]); };
+        const auto at = [&](std::size_t i, std::size_t o) { return between_points(in[i], out[o]); };
         if (inside == 1) add(at(0, 0), at(0, 1), at(0, 2));
         if (inside == 3) add(at(0, 0), at(1, 0), at(2, 0));
         if (inside != 2) return;
-        const DVec3 a = at(0, 0), b = at(0, 1), c = at(1, 1), d = at(1, 0);
+        const LevelPoint a = at(0, 0), b = at(0, 1), c = at(1, 1), d = at(1, 0);
         add(a, b, c), add(a, c, d);
     };
     for (int k = 0; k < cells; ++k)
@@ -86,7 +108,7 @@ MeshData level_surface(const Inside& value, const Box& box, int cells) {
                 for (int n = 0; n < 8; ++n) {
                     const int x = i + (n & 1), y = j + (n >> 1 & 1), z = k + (n >> 2);
                     const std::size_t number = grid.number(x, y, z);
-                    corners[std::size_t(n)] = {number, grid.point(x, y, z), grid.values[number]};
+                    corners[std::size_t(n)] = {number, grid.point(x, y, z), grid.values[number], std::size_t(n)};
                     below += grid.values[number] < 0;
                 }
                 if (below == 0 || below == 8) continue;

@@ -26,7 +26,8 @@ std::optional<Flythrough> path_in(const Scene& scene) {
 
 std::optional<double> motion_end_of(const Scene& scene) {
     const Movers movers(scene);
-    if (scene.flythrough && scene.flythrough->keys.empty()) return std::max(scene.flythrough->duration, movers.last_key);
+    if (scene.flythrough && scene.flythrough->keys.empty())
+        return std::max(scene.flythrough->duration, movers.last_key);
     return movers.any() || !scene.camera_follows.empty() ? std::optional(movers.last_key) : std::nullopt;
 }
 

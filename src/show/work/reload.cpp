@@ -353,7 +353,8 @@ Written Reload::FileThread::write_path(const Request& request) try {
     if (is_pov(path)) return write_flight(request.flythrough);
     const std::string content = read(path);
     if (content != text && !request.anyway) return {.file = path, .asks = true};
-    const OpenedScene before = scene_for_window(content, path, options);  // throws: in texts with errors no block can be found
+    // Throws: in texts with errors no block can be found.
+    const OpenedScene before = scene_for_window(content, path, options);
     const bool same_path = before.scene.flythrough == request.flythrough;
     const RebasedText merged = bodies ? rebased(request.changes, content) : RebasedText{};
     if (merged.lost)

@@ -59,9 +59,9 @@ struct ChangedBody {
     std::string context, block;
 };
 
-/// Checks the file and those that it includes 30 times a second, in a thread of its own. Waits until a file is completely written. The thread
-/// may be left behind in a file that gives no answer, a pipe without a writer or a share without a server: it touches
-/// nothing but its `Desk` then.
+/// Checks the file and those that it includes 30 times a second, in a thread of its own. Waits until a file is
+/// completely written. The thread may be left behind in a file that gives no answer, a pipe without a writer or a share
+/// without a server: it touches nothing but its `Desk` then.
 class Reload {
   public:
     /// Reads `path`, whatever sort of file it is, or standard input for "-". Then watches it, if it is a regular file.
@@ -77,7 +77,8 @@ class Reload {
     /// Returns what was read last, if it was not taken yet. Waits for it this long.
     std::optional<Loaded> take(double seconds = 0);
 
-    /// Reads a scene that uses POV-Ray's clock for this moment of its flight. Moments that were not read yet are skipped.
+    /// Reads a scene that uses POV-Ray's clock for this moment of its flight. Moments that were not read yet are
+    /// skipped.
     void move_to(double seconds);
     /// Reads this text as if the file had it, without writing it; of `change`, if given, only the body. Texts that were
     /// not read yet are skipped.
@@ -85,10 +86,10 @@ class Reload {
     /// Returns the result of that which was read last, if it was not taken yet.
     std::optional<Loaded> take_shown();
 
-    /// Replaces the flythrough and the changed lines in the watched file and leaves the rest as it is. The flythrough of
-    /// a scene of POV-Ray is written into a file beside it. A file that
-    /// others have changed since it was read is only written if `anyway`; a file with an error never, nor one in which
-    /// others have changed the same lines. FILE~ becomes a copy of the file as it was, unless Strahl wrote that.
+    /// Replaces the flythrough and the changed lines in the watched file and leaves the rest as it is; the flythrough
+    /// of a scene of POV-Ray goes into a file beside it. A file that others have changed since it was read is only
+    /// written if `anyway`; a file with an error never, nor one in which others have changed the same lines. FILE~
+    /// becomes a copy of the file as it was, unless Strahl wrote that.
     void write(std::optional<Flythrough> flythrough, ChangedText changes, bool anyway);
     /// Writes these tracks into the file beside the watched one, with a copy likewise.
     void write(std::vector<Track> tracks);

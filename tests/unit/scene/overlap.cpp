@@ -10,7 +10,10 @@
 #include <memory>
 #include <random>
 
+#include "num/vec_math.h"
 #include "scene/leaves.h"
+#include "scene/ray_hits.h"
+#include "tests/referee/dice.h"
 #include "tests/unit/sanitized.h"
 
 namespace strahl {
@@ -86,6 +89,31 @@ TEST_CASE("a hundred thousand glass balls are searched in no time, along any axi
         add_ball(scene, (balls - 1.) * step, 1);
         CHECK(transparent_bodies_overlap(scene));
     }
+}
+
+TEST_CASE("rays meet the same triangles of a mesh with and without a tree") {
+    Dice dice(7);
+    auto mesh = std::make_shared<MeshData>();
+    const auto anywhere = [&](double size) {
+        return dice.vector(-size, size);
+    };
+    for (std::int32_t i = 0; i < 300; ++i) {
+        const DVec3 middle = anywhere(4);
+        for (int k = 0; k < 3; ++k) mesh->points.push_back(middle + anywhere(1));
+        mesh->triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    const Primitive body{Mesh{mesh, ""}, 0, {Translate{DVec3(1, 0, 0)}, Scale{DVec3(1, 2, -1)}}};
+    MeshTrees trees;
+    std::size_t found = 0;
+    for (int i = 0; i < 200; ++i) {
+        const DVec3 from = anywhere(9);
+        const Ray<double> ray{from, normalize(anywhere(3) - from), {}};
+        const std::vector<RayHit> hits = ray_hits(body, ray, 0), again = ray_hits(body, ray, 0, 1e9, &trees);
+        REQUIRE(hits.size() == again.size());
+        found += hits.size();
+        for (std::size_t k = 0; k < hits.size(); ++k) CHECK(hits[k].t == again[k].t);
+    }
+    CHECK(found > 200);
 }
 
 }  // namespace
