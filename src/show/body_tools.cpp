@@ -104,7 +104,7 @@ bool BodyTools::undo(Action action) {
     const bool done = action == Action::undo ? bodies.edited.undo(others) : bodies.edited.redo(others);
     if (!done) return false;
     notes.note(action == Action::undo ? "undone" : "redone");
-    next = -1;
+    next = -1, undone = true;
     show_anew();
     return true;
 }
@@ -185,6 +185,7 @@ void BodyTools::take_shown() {
         drag.reset(), next = -1;
     }
     if (newest) {
+        if (std::exchange(undone, false)) bodies.find_point(*session.scene);
         awaited = false;
         if (const int chosen = std::exchange(next, -1); chosen >= 0) bodies.choose_next(chosen, *session.scene);
     }

@@ -96,6 +96,7 @@ class BodyTools {
     std::string good;                    // the last text that was shown
     std::string asked_about;             // a text
     bool awaited = false;                // the scene of a text with other bodies; until then nothing is changed
+    bool undone = false;        // what was chosen may be elsewhere then
     std::optional<bool> later;  // what is chosen is copied or removed then
     int next = -1;                       // number of the body or the light to be chosen then
     std::shared_ptr<const Scene> still;  // a scene, if nothing moves in it

@@ -52,6 +52,13 @@ void BodyEditor::choose_next(int number, const Scene& scene) {
     look(scene);
 }
 
+void BodyEditor::find_point(const Scene& scene) {
+    if (!chosen || !clicked || chosen->at.body >= std::ssize(scene.primitives)) return;
+    const auto hits = ray_hits(scene.primitives[std::size_t(chosen->at.body)], *clicked, 0);
+    if (hits.empty()) return;
+    chosen->at.hit.t = hits[0].t, chosen->point = clicked->origin + hits[0].t * clicked->direction;
+}
+
 void BodyEditor::look(const Scene& scene) {
     other_file.clear();
     if (chosen_light) {

@@ -55,6 +55,8 @@ class BodyEditor {
     bool any() const { return chosen || chosen_light; }
     /// To be called when the body chosen was moved: the point that was clicked moves with it.
     void move_point(const DVec3& to) { chosen->point = to; }
+    /// Looks for that point again along the line of the click, where the body may be back.
+    void find_point(const Scene& scene);
     /// The words and values of the body or the light chosen.
     const BodyText& body() const { return description; }
     /// The file in which it stands, if that is not the scene's own; else "".

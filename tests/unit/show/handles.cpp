@@ -141,8 +141,12 @@ TEST_CASE("a body follows the pointer, and undo takes back the whole drag") {
     const Scene moved = parse_scene(editor.edited.text(), "test");
     CHECK(pixels_between(*place_in(view, std::get<Sphere>(moved.primitives[0].shape).centre), to) < 1);
     CHECK(editor.edited.unwritten().size() == 1);
+    const DVec3 before = editor.choice()->point;
+    editor.move_point(before + DVec3(0, 0, 3));
     CHECK(editor.edited.undo(0));
     CHECK(editor.edited.text() == scene_text);
+    editor.find_point(*scene);
+    CHECK(length(editor.choice()->point - before) < 1e-9);
     CHECK(!editor.edited.undo(0));
 }
 
