@@ -41,7 +41,6 @@ same window.jpg 600
 quit
 
 start "$here/../../scenes/spotlights.rt" --size 960x600
-await 'first picture'
 xdotool mousemove --window "$id" 430 400 click 1 key l
 same handles.jpg 600
 quit
