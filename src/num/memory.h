@@ -3,6 +3,7 @@
 #include <array>
 #include <bit>
 #include <cstddef>
+#include <cstring>
 
 #include "num/pack.h"
 
@@ -13,22 +14,29 @@ STRAHL_INLINE S load_lanes(const Element<S>* from) {
     if constexpr (width<S> == 1)
         return *from;
     else
-        return S(typename S::Register(from, std::experimental::element_aligned));
+        return S(load_register<typename S::Register>(from));
 }
 /// Loads lanes from numbers of another type and converts them.
 template <class S, class T>
 STRAHL_INLINE S load_converted(const T* from) {
-    if constexpr (width<S> == 1)
+    if constexpr (width<S> == 1) {
         return static_cast<S>(*from);
-    else
-        return S(typename S::Register(from, std::experimental::element_aligned));
+    } else if constexpr (sizeof(T) < sizeof(Element<S>)) {
+        typename S::Register result;
+        widen(&result, from);
+        return S(result);
+    } else {
+        T source [[gnu::vector_size(width<S> * sizeof(T))]];
+        std::memcpy(&source, from, sizeof source);
+        return S(__builtin_convertvector(source, typename S::Register));
+    }
 }
 template <class S>
 STRAHL_INLINE void store_lanes(Element<S>* to, S value) {
     if constexpr (width<S> == 1)
         *to = value;
     else
-        value.v.copy_to(to, std::experimental::element_aligned);
+        std::memcpy(to, &value.v, sizeof value.v);
 }
 /// Returns 0, 1, 2, ... in the lanes.
 template <class S>
@@ -36,7 +44,7 @@ STRAHL_INLINE S iota() {
     if constexpr (width<S> == 1)
         return S(0);
     else
-        return S(typename S::Register([](auto i) { return static_cast<Element<S>>(i); }));
+        return lane_numbers<Element<S>>();
 }
 /// Returns the mask of the first n lanes.
 template <class S>

@@ -2,14 +2,13 @@
 // processor are in pack_x86.h and pack_neon.h; on any other processor only the scalar kernel is built.
 //
 // It is compiled once per instruction set, inside an inline namespace named by STRAHL_LEVEL (v2, v3, v4, neon), so that
-// packs of different width are different types and never merge at link time. The wrapper around std::experimental::simd
-// exists because numeric_limits must be specialised for vectors of packs, which std forbids for its own type, and
-// because g++ 12 turns the standard's fma of 16 floats into scalar calls.
+// packs of different width are different types and never merge at link time. Registers are the compiler's vector types,
+// which have + - * / and comparisons: kernels compile twice as fast as with std::experimental::simd, whose operators are
+// calls of calls.
 #pragma once
 #include <array>
 #include <bit>
 #include <cstring>
-#include <experimental/simd>
 #include <limits>
 
 #include "num/lanes.h"
@@ -21,24 +20,48 @@
 #include "num/pack_plain.h"
 #endif
 
+namespace strahl {
+
+// Compare each lane. A mask is a number of -1 or 0 in each lane; where a processor has registers for masks, it is their
+// bits, and its own functions are preferred to these.
+template <class R>
+STRAHL_INLINE auto less(R a, R b) {
+    return a < b;
+}
+template <class R>
+STRAHL_INLINE auto less_or_equal(R a, R b) {
+    return a <= b;
+}
+template <class R>
+STRAHL_INLINE auto equal(R a, R b) {
+    return a == b;
+}
+
+}  // namespace strahl
+
 namespace strahl::inline STRAHL_LEVEL {
 
 template <class T>
+struct Pack;
+
+template <class T>
 struct PackMask {
-    typename std::experimental::native_simd<T>::mask_type m;
-    STRAHL_INLINE friend PackMask operator&(PackMask a, PackMask b) { return {a.m && b.m}; }
-    STRAHL_INLINE friend PackMask operator|(PackMask a, PackMask b) { return {a.m || b.m}; }
-    STRAHL_INLINE PackMask operator!() const { return {!m}; }
+    using Register = typename Native<T, register_bytes>::Register;
+    using Lanes = decltype(less(Register(), Register()));
+    Lanes m;
+    STRAHL_INLINE friend PackMask operator&(PackMask a, PackMask b) { return {static_cast<Lanes>(a.m & b.m)}; }
+    STRAHL_INLINE friend PackMask operator|(PackMask a, PackMask b) { return {static_cast<Lanes>(a.m | b.m)}; }
+    STRAHL_INLINE PackMask operator!() const { return {static_cast<Lanes>(~m)}; }
 };
 
 template <class T>
 struct Pack {
-    using Register = std::experimental::native_simd<T>;
-    static constexpr int size = static_cast<int>(Register::size());
+    using Register = typename PackMask<T>::Register;
+    static constexpr int size = sizeof(Register) / sizeof(T);
     Register v;
 
     Pack() = default;
-    STRAHL_INLINE Pack(T x) : v(x) {}
+    STRAHL_INLINE Pack(T x) : v(x - Register{}) {}  // in every lane; + would make 0 of -0
     STRAHL_INLINE explicit Pack(Register r) : v(r) {}
     STRAHL_INLINE friend Pack operator+(Pack a, Pack b) { return Pack(a.v + b.v); }
     STRAHL_INLINE friend Pack operator-(Pack a, Pack b) { return Pack(a.v - b.v); }
@@ -48,27 +71,21 @@ struct Pack {
     STRAHL_INLINE Pack& operator+=(Pack b) { return v += b.v, *this; }
     STRAHL_INLINE Pack& operator-=(Pack b) { return v -= b.v, *this; }
     STRAHL_INLINE Pack& operator*=(Pack b) { return v *= b.v, *this; }
-    STRAHL_INLINE friend PackMask<T> operator<(Pack a, Pack b) { return {a.v < b.v}; }
-    STRAHL_INLINE friend PackMask<T> operator<=(Pack a, Pack b) { return {a.v <= b.v}; }
-    STRAHL_INLINE friend PackMask<T> operator>(Pack a, Pack b) { return {a.v > b.v}; }
-    STRAHL_INLINE friend PackMask<T> operator>=(Pack a, Pack b) { return {a.v >= b.v}; }
-    STRAHL_INLINE friend PackMask<T> operator==(Pack a, Pack b) { return {a.v == b.v}; }
+    STRAHL_INLINE friend PackMask<T> operator<(Pack a, Pack b) { return {less(a.v, b.v)}; }
+    STRAHL_INLINE friend PackMask<T> operator<=(Pack a, Pack b) { return {less_or_equal(a.v, b.v)}; }
+    STRAHL_INLINE friend PackMask<T> operator>(Pack a, Pack b) { return {less(b.v, a.v)}; }
+    STRAHL_INLINE friend PackMask<T> operator>=(Pack a, Pack b) { return {less_or_equal(b.v, a.v)}; }
+    STRAHL_INLINE friend PackMask<T> operator==(Pack a, Pack b) { return {equal(a.v, b.v)}; }
 };
 
 }  // namespace strahl::inline STRAHL_LEVEL
 
 namespace strahl {
 
-/// The register as intrinsics take it.
-template <class T>
-STRAHL_INLINE auto raw(Pack<T> a) {
-    return static_cast<typename Native<T, sizeof(Pack<T>)>::Register>(a.v);
-}
-
 template <class T>
 STRAHL_INLINE Pack<T> fma(Pack<T> a, Pack<T> b, Pack<T> c) {
     if constexpr (has_fma)
-        return Pack<T>(typename Pack<T>::Register(fused(raw(a), raw(b), raw(c))));
+        return Pack<T>(fused(a.v, b.v, c.v));
     else
         return a * b + c;
 }
@@ -76,67 +93,95 @@ template <class T>
 inline constexpr bool fuses<Pack<T>> = has_fma;
 template <class T>
 STRAHL_INLINE Pack<T> sqrt(Pack<T> a) {
-    return Pack<T>(std::experimental::sqrt(a.v));
+    return Pack<T>(root(a.v));
+}
+/// Loads a vector, at any address.
+template <class R, class T>
+STRAHL_INLINE R load_register(const T* from) {
+    R result;
+    std::memcpy(&result, from, sizeof result);
+    return result;
+}
+/// The first `width` values of `f`.
+template <class T, int width, auto f>
+inline constexpr std::array<T, width> table_of = [] {
+    std::array<T, width> result{};
+    for (int i = 0; i < width; ++i) result[i] = f(i);
+    return result;
+}();
+/// Returns 0, 1, 2, ... in the lanes.
+template <class T>
+STRAHL_INLINE Pack<T> lane_numbers() {
+    return Pack<T>(load_register<typename Pack<T>::Register>(table_of<T, Pack<T>::size, [](int i) { return i; }>.data()));
 }
 /// Returns the mask as bits: bit i is lane i.
 template <class T>
 STRAHL_INLINE unsigned bits(PackMask<T> mask) {
-    return static_cast<unsigned>(mask.m.__to_bitset().to_ulong());
+    if constexpr (has_mask_registers)
+        return mask.m;
+    else
+        return mask_bits(reinterpret_cast<typename Pack<T>::Register>(mask.m));
 }
 /// The lanes whose bits are set.
 template <class S>
 STRAHL_INLINE Mask<S> mask_of(unsigned bits) {
-    if constexpr (width<S> == 1)
+    if constexpr (width<S> == 1) {
         return bits & 1;
-    else
-        return {S::Register::mask_type::__from_bitset(bits)};
-}
-template <class T>
-STRAHL_INLINE Pack<T> select(PackMask<T> mask, Pack<T> yes, Pack<T> no) {
-    if constexpr (has_mask_registers) {  // the standard's way keeps g++ 12 from putting it into the instruction before
-        return Pack<T>(typename Pack<T>::Register(chosen(bits(mask), raw(yes), raw(no))));
     } else {
-        std::experimental::where(mask.m, no.v) = yes.v;
-        return no;
+        using Lanes = typename Mask<S>::Lanes;
+        if constexpr (has_mask_registers) {
+            return {static_cast<Lanes>(bits)};
+        } else {
+            using Lane = std::conditional_t<sizeof(Element<S>) == 4, int, long>;
+            const auto powers = load_register<Lanes>(table_of<Lane, width<S>, [](int i) { return 1 << i; }>.data());
+            return {(powers & static_cast<Lane>(bits)) == powers};
+        }
     }
 }
 template <class T>
+STRAHL_INLINE Pack<T> select(PackMask<T> mask, Pack<T> yes, Pack<T> no) {
+    if constexpr (has_mask_registers)
+        return Pack<T>(chosen(mask.m, yes.v, no.v));
+    else
+        return Pack<T>(chosen(reinterpret_cast<typename Pack<T>::Register>(mask.m), yes.v, no.v));
+}
+template <class T>
 STRAHL_INLINE Pack<T> abs(Pack<T> a) {
-    return Pack<T>(std::experimental::abs(a.v));
+    return Pack<T>(absolute(a.v));
 }
 // As the scalar functions do, returns the second operand if one is NaN or both are zeros.
 template <class T>
 STRAHL_INLINE Pack<T> min(Pack<T> a, Pack<T> b) {
-    return Pack<T>(typename Pack<T>::Register(minimum(raw(b), raw(a))));
+    return Pack<T>(minimum(b.v, a.v));
 }
 template <class T>
 STRAHL_INLINE Pack<T> max(Pack<T> a, Pack<T> b) {
-    return Pack<T>(typename Pack<T>::Register(maximum(raw(b), raw(a))));
+    return Pack<T>(maximum(b.v, a.v));
 }
 template <class T>
 STRAHL_INLINE Pack<T> floor(Pack<T> a) {
-    return Pack<T>(std::experimental::floor(a.v));
+    return Pack<T>(rounded_down(a.v));
 }
 template <class T>
 STRAHL_INLINE bool any(PackMask<T> mask) {
-    return std::experimental::any_of(mask.m);
+    return bits(mask) != 0;
 }
 template <class T>
 STRAHL_INLINE bool all(PackMask<T> mask) {
-    return std::experimental::all_of(mask.m);
+    return bits(mask) == (1u << Pack<T>::size) - 1;
 }
 template <class T>
 STRAHL_INLINE bool none(PackMask<T> mask) {
-    return std::experimental::none_of(mask.m);
+    return bits(mask) == 0;
 }
 template <class T>
 STRAHL_INLINE int count(PackMask<T> mask) {
-    return std::experimental::popcount(mask.m);
+    return std::popcount(bits(mask));
 }
 /// The lowest lane that is set; the mask must not be empty.
 template <class T>
 STRAHL_INLINE int first(PackMask<T> mask) {
-    return std::experimental::find_first_set(mask.m);
+    return __builtin_ctz(bits(mask));
 }
 template <class T>
 STRAHL_INLINE T lane(const Pack<T>& a, int i) {  // from where it lies: no copy of all lanes for the sake of one
@@ -146,25 +191,21 @@ STRAHL_INLINE T lane(const Pack<T>& a, int i) {  // from where it lies: no copy 
 }
 template <class T>
 STRAHL_INLINE Pack<T> with_lane(Pack<T> a, int i, T value) {  // a whole pack read after one lane was written waits
-    const Pack<T> numbers{typename Pack<T>::Register([](auto n) { return static_cast<T>(n); })};
-    return select(numbers == Pack<T>(static_cast<T>(i)), Pack<T>(value), a);
+    return select(lane_numbers<T>() == Pack<T>(static_cast<T>(i)), Pack<T>(value), a);
 }
 /// The smallest of the lanes.
 template <class T>
 STRAHL_INLINE T least(Pack<T> a) {
-    if constexpr (has_least)
-        return least_of(raw(a));
-    else
-        return std::experimental::hmin(a.v);
+    return least_of(a.v);
 }
 template <class T>
 STRAHL_INLINE void compress(T* to, Pack<T> value, PackMask<T> mask) {
     if constexpr (has_mask_registers) {
-        store_compressed(to, bits(mask), raw(value));
+        store_compressed(to, mask.m, value.v);
     } else {
         for (int i = 0; i < Pack<T>::size; ++i) {
             *to = value.v[i];
-            to += mask.m[i];
+            to += mask.m[i] != 0;
         }
     }
 }
@@ -173,7 +214,7 @@ STRAHL_INLINE void compress(T* to, Pack<T> value, PackMask<T> mask) {
 template <class T>
 STRAHL_INLINE void store_whole(int* to, const Pack<T>& numbers) {
     if constexpr (has_fours)
-        store_whole(to, raw(numbers));
+        store_whole(to, numbers.v);
     else
         for (int i = 0; i < Pack<T>::size; ++i) to[i] = static_cast<int>(numbers.v[i]);
 }
@@ -186,9 +227,9 @@ inline constexpr int fields_at_once<Pack<T>> = has_fours ? 4 : 1;
 /// Loads the numbers at from[k] + f into lane k of to[f].
 template <class T>
 STRAHL_INLINE void load_fields(const T* const* from, Pack<T>* to) {
-    typename Native<T, sizeof(Pack<T>)>::Register registers[fields_at_once<Pack<T>>];
+    typename Pack<T>::Register registers[fields_at_once<Pack<T>>];
     load_fours(from, registers);
-    for (int f = 0; f < fields_at_once<Pack<T>>; ++f) to[f] = Pack<T>(typename Pack<T>::Register(registers[f]));
+    for (int f = 0; f < fields_at_once<Pack<T>>; ++f) to[f] = Pack<T>(registers[f]);
 }
 
 /// Is there an interleave()?
@@ -199,7 +240,7 @@ inline constexpr bool interleaves<Pack<T>> = has_fours;
 /// Writes (x, y, z, 0) of lane k from 4 * interleaved<Pack<T>>(k) on: then one add_four serves all three.
 template <class T>
 STRAHL_INLINE void interleave(T* to, Pack<T> x, Pack<T> y, Pack<T> z) {
-    interleave(to, raw(x), raw(y), raw(z));
+    interleave(to, x.v, y.v, z.v);
 }
 /// Returns where interleave() writes lane k: in unpacking's order, every fourth float or every second double in a row.
 template <class S>

@@ -5,6 +5,7 @@ namespace strahl {
 
 template <class T, int bytes>
 struct Native;
-inline constexpr bool has_fma = false, has_mask_registers = false, has_least = false, has_fours = false;
+inline constexpr int register_bytes = 16;
+inline constexpr bool has_fma = false, has_mask_registers = false, has_fours = false;
 
 }  // namespace strahl

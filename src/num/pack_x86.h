@@ -6,16 +6,14 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
-#if defined(__FMA__)
-inline constexpr bool has_fma = true, has_fours = true;
-#else
-inline constexpr bool has_fma = false, has_fours = false;
-#endif
 #if defined(__AVX512F__)
-inline constexpr bool has_mask_registers = true, has_least = true;
+inline constexpr int register_bytes = 64;
+#elif defined(__FMA__)
+inline constexpr int register_bytes = 32;
 #else
-inline constexpr bool has_mask_registers = false, has_least = false;
+inline constexpr int register_bytes = 16;
 #endif
+inline constexpr bool has_fma = register_bytes > 16, has_fours = has_fma, has_mask_registers = register_bytes == 64;
 
 }  // namespace strahl::inline STRAHL_LEVEL
 
@@ -27,9 +25,31 @@ struct Native {
     using Register [[gnu::vector_size(bytes)]] = T;
 };
 
-// Each function is one instruction on one register. Those of four floats are in quad.h.
+// Each function is one instruction on one register, but least_of(). minimum() and maximum() of four floats are in quad.h.
+// Masks have all bits of a lane or none.
 STRAHL_INLINE __m128d minimum(__m128d a, __m128d b) { return _mm_min_pd(a, b); }
 STRAHL_INLINE __m128d maximum(__m128d a, __m128d b) { return _mm_max_pd(a, b); }
+STRAHL_INLINE __m128 root(__m128 a) { return _mm_sqrt_ps(a); }
+STRAHL_INLINE __m128d root(__m128d a) { return _mm_sqrt_pd(a); }
+STRAHL_INLINE __m128 absolute(__m128 a) { return _mm_andnot_ps(_mm_set1_ps(-0.f), a); }
+STRAHL_INLINE __m128d absolute(__m128d a) { return _mm_andnot_pd(_mm_set1_pd(-0.), a); }
+STRAHL_INLINE unsigned mask_bits(__m128 mask) { return static_cast<unsigned>(_mm_movemask_ps(mask)); }
+STRAHL_INLINE unsigned mask_bits(__m128d mask) { return static_cast<unsigned>(_mm_movemask_pd(mask)); }
+/// Loads floats as doubles. g++ 12 would take a second instruction.
+STRAHL_INLINE void widen(__m128d* to, const float* from) {
+    *to = _mm_cvtps_pd(_mm_castsi128_ps(_mm_loadu_si64(from)));
+}
+STRAHL_INLINE float least_of(__m128 a) {
+    a = _mm_min_ps(a, _mm_shuffle_ps(a, a, 0b00'01'10'11));
+    return _mm_cvtss_f32(_mm_min_ss(a, _mm_movehl_ps(a, a)));
+}
+STRAHL_INLINE double least_of(__m128d a) { return _mm_cvtsd_f64(_mm_min_sd(a, _mm_unpackhi_pd(a, a))); }
+#if defined(__SSE4_1__)
+STRAHL_INLINE __m128 rounded_down(__m128 a) { return _mm_floor_ps(a); }
+STRAHL_INLINE __m128d rounded_down(__m128d a) { return _mm_floor_pd(a); }
+STRAHL_INLINE __m128 chosen(__m128 mask, __m128 yes, __m128 no) { return _mm_blendv_ps(no, yes, mask); }
+STRAHL_INLINE __m128d chosen(__m128d mask, __m128d yes, __m128d no) { return _mm_blendv_pd(no, yes, mask); }
+#endif
 #if defined(__FMA__)
 STRAHL_INLINE __m256 minimum(__m256 a, __m256 b) { return _mm256_min_ps(a, b); }
 STRAHL_INLINE __m256d minimum(__m256d a, __m256d b) { return _mm256_min_pd(a, b); }
@@ -37,8 +57,24 @@ STRAHL_INLINE __m256 maximum(__m256 a, __m256 b) { return _mm256_max_ps(a, b); }
 STRAHL_INLINE __m256d maximum(__m256d a, __m256d b) { return _mm256_max_pd(a, b); }
 STRAHL_INLINE __m256 fused(__m256 a, __m256 b, __m256 c) { return _mm256_fmadd_ps(a, b, c); }
 STRAHL_INLINE __m256d fused(__m256d a, __m256d b, __m256d c) { return _mm256_fmadd_pd(a, b, c); }
-#endif
-#if defined(__FMA__)
+STRAHL_INLINE __m256 root(__m256 a) { return _mm256_sqrt_ps(a); }
+STRAHL_INLINE __m256d root(__m256d a) { return _mm256_sqrt_pd(a); }
+STRAHL_INLINE __m256 absolute(__m256 a) { return _mm256_andnot_ps(_mm256_set1_ps(-0.f), a); }
+STRAHL_INLINE __m256d absolute(__m256d a) { return _mm256_andnot_pd(_mm256_set1_pd(-0.), a); }
+STRAHL_INLINE __m256 rounded_down(__m256 a) { return _mm256_floor_ps(a); }
+STRAHL_INLINE __m256d rounded_down(__m256d a) { return _mm256_floor_pd(a); }
+STRAHL_INLINE unsigned mask_bits(__m256 mask) { return static_cast<unsigned>(_mm256_movemask_ps(mask)); }
+STRAHL_INLINE unsigned mask_bits(__m256d mask) { return static_cast<unsigned>(_mm256_movemask_pd(mask)); }
+STRAHL_INLINE __m256 chosen(__m256 mask, __m256 yes, __m256 no) { return _mm256_blendv_ps(no, yes, mask); }
+STRAHL_INLINE __m256d chosen(__m256d mask, __m256d yes, __m256d no) { return _mm256_blendv_pd(no, yes, mask); }
+STRAHL_INLINE void widen(__m256d* to, const float* from) { *to = _mm256_cvtps_pd(_mm_loadu_ps(from)); }
+STRAHL_INLINE float least_of(__m256 a) {
+    return least_of(_mm_min_ps(_mm256_castps256_ps128(a), _mm256_extractf128_ps(a, 1)));
+}
+STRAHL_INLINE double least_of(__m256d a) {
+    return least_of(_mm_min_pd(_mm256_castpd256_pd128(a), _mm256_extractf128_pd(a, 1)));
+}
+
 // Store whole numbers, for addresses. If g++ knew what is in memory, it would extract the lanes one by one.
 STRAHL_INLINE void store_whole(int* to, __m256 numbers) {
     _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm256_cvttps_epi32(numbers));
@@ -111,12 +147,21 @@ STRAHL_INLINE __m512 maximum(__m512 a, __m512 b) { return _mm512_max_ps(a, b); }
 STRAHL_INLINE __m512d maximum(__m512d a, __m512d b) { return _mm512_max_pd(a, b); }
 STRAHL_INLINE __m512 fused(__m512 a, __m512 b, __m512 c) { return _mm512_fmadd_ps(a, b, c); }
 STRAHL_INLINE __m512d fused(__m512d a, __m512d b, __m512d c) { return _mm512_fmadd_pd(a, b, c); }
-STRAHL_INLINE __m512 chosen(unsigned mask, __m512 yes, __m512 no) {
-    return _mm512_mask_mov_ps(no, static_cast<__mmask16>(mask), yes);
-}
-STRAHL_INLINE __m512d chosen(unsigned mask, __m512d yes, __m512d no) {
-    return _mm512_mask_mov_pd(no, static_cast<__mmask8>(mask), yes);
-}
+STRAHL_INLINE __m512 root(__m512 a) { return _mm512_sqrt_ps(a); }
+STRAHL_INLINE __m512d root(__m512d a) { return _mm512_sqrt_pd(a); }
+STRAHL_INLINE __m512 absolute(__m512 a) { return _mm512_abs_ps(a); }
+STRAHL_INLINE __m512d absolute(__m512d a) { return _mm512_abs_pd(a); }
+STRAHL_INLINE __m512 rounded_down(__m512 a) { return _mm512_floor_ps(a); }
+STRAHL_INLINE __m512d rounded_down(__m512d a) { return _mm512_floor_pd(a); }
+STRAHL_INLINE __mmask16 less(__m512 a, __m512 b) { return _mm512_cmp_ps_mask(a, b, _CMP_LT_OS); }
+STRAHL_INLINE __mmask8 less(__m512d a, __m512d b) { return _mm512_cmp_pd_mask(a, b, _CMP_LT_OS); }
+STRAHL_INLINE __mmask16 less_or_equal(__m512 a, __m512 b) { return _mm512_cmp_ps_mask(a, b, _CMP_LE_OS); }
+STRAHL_INLINE __mmask8 less_or_equal(__m512d a, __m512d b) { return _mm512_cmp_pd_mask(a, b, _CMP_LE_OS); }
+STRAHL_INLINE __mmask16 equal(__m512 a, __m512 b) { return _mm512_cmp_ps_mask(a, b, _CMP_EQ_OQ); }
+STRAHL_INLINE __mmask8 equal(__m512d a, __m512d b) { return _mm512_cmp_pd_mask(a, b, _CMP_EQ_OQ); }
+STRAHL_INLINE __m512 chosen(__mmask16 mask, __m512 yes, __m512 no) { return _mm512_mask_mov_ps(no, mask, yes); }
+STRAHL_INLINE __m512d chosen(__mmask8 mask, __m512d yes, __m512d no) { return _mm512_mask_mov_pd(no, mask, yes); }
+STRAHL_INLINE void widen(__m512d* to, const float* from) { *to = _mm512_cvtps_pd(_mm256_loadu_ps(from)); }
 STRAHL_INLINE float least_of(__m512 a) { return _mm512_reduce_min_ps(a); }
 STRAHL_INLINE double least_of(__m512d a) { return _mm512_reduce_min_pd(a); }
 

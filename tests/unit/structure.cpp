@@ -51,7 +51,7 @@ const std::vector<std::pair<std::regex, std::string>> libraries{
     {std::regex("OpenImageIO/.*|zlib\\.h"), "image"},
     {std::regex("(GLFW|GL|GLES[0-9]*|EGL|AL|vorbis)/.*|imgui.*"), "show"},
     {std::regex("(CLI(11)?|nlohmann)/.*"), "main"},
-    {std::regex("[a-z0-9]*intrin\\.h|arm_neon\\.h|experimental/simd"), "num"},
+    {std::regex("[a-z0-9]*intrin\\.h|arm_neon\\.h"), "num"},
 };
 
 /// The room of a file, from its path below the folder of modules: "kernel" of trace/kernel/shade.h, "" of

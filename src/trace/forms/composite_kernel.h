@@ -342,7 +342,7 @@ class CompositeWalk {
         stretch.low = select(lanes, max(stretch.low, enters), S(inf));
         if (none(lanes)) return;
         end.list = std::min(list_count++, most_lists - 1);
-        lists[end.list] = {};
+        lists[end.list] = MeshCrossings<S>{};
         lists[end.list].clear(first_lanes<S>(width<S>));
         end.pairs = 1;
         end.near[0] = end.far[0] = S(inf), end.far[1] = S(0);
