@@ -1,6 +1,6 @@
 // The SIMD levels: their names, and which of their kernels this program has. Their macros are defined for this file
-// only, by kernels.cmake: STRAHL_KERNEL_v3 and so on for the levels that are built, STRAHL_LEAST if only some of their
-// kernels are.
+// only, by kernels.cmake: STRAHL_KERNEL_v3 and so on for the levels that are built. Without the scalar level no kernels
+// of proofs are.
 #include <stdexcept>
 #include <type_traits>
 
@@ -10,10 +10,10 @@
 namespace strahl {
 namespace {
 
-#ifdef STRAHL_LEAST
-constexpr bool least = true;
-#else
+#ifdef STRAHL_KERNEL_scalar
 constexpr bool least = false;
+#else
+constexpr bool least = true;
 #endif
 
 }  // namespace
@@ -110,8 +110,12 @@ int lanes(Precision precision, Simd simd) {
 
 template <class T, class Purpose>
 Kernel<T> kernel_for([[maybe_unused]] Simd simd) {
-    constexpr bool proving = std::is_same_v<Purpose, ForProofs>, extended = std::is_same_v<T, long double>;
-    if constexpr (!extended && !(proving && least)) {
+    constexpr bool proving = std::is_same_v<Purpose, ForProofs>;
+    if constexpr (proving && least) {
+        return {};
+    } else if constexpr (std::is_same_v<T, long double>) {
+        return long_double::kernel<T, Purpose>();
+    } else {
 #if defined(STRAHL_KERNEL_v2)
         if constexpr (!proving)
             if (simd == Simd::v2) return v2::kernel<T, Purpose>();
@@ -125,11 +129,11 @@ Kernel<T> kernel_for([[maybe_unused]] Simd simd) {
 #if defined(STRAHL_KERNEL_neon)
         if (simd == Simd::neon) return neon::kernel<T, Purpose>();
 #endif
+        if constexpr (least)
+            return {};
+        else
+            return scalar::kernel<T, Purpose>();
     }
-    if constexpr (!least || (extended && !proving))
-        return scalar::kernel<T, Purpose>();
-    else
-        return {};
 }
 template Kernel<float> kernel_for<float, ForPictures>(Simd);
 template Kernel<double> kernel_for<double, ForPictures>(Simd);

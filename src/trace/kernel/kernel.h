@@ -177,7 +177,11 @@ struct Kernel {
 struct ForPictures;
 
 // One inline namespace for each SIMD level; the kernel's own code lives in them, so that nothing merges when linked.
-// There are kernels for float and double at each level, and for long double at the scalar one.
+// There are kernels for float and double at each level but `long_double`, which has one lane as `scalar` has.
+inline namespace long_double {
+template <class T, class Purpose>
+Kernel<T> kernel();
+}  // namespace long_double
 inline namespace scalar {
 template <class T, class Purpose>
 Kernel<T> kernel();

@@ -27,7 +27,7 @@ function(strahl_instances file headers structs elements)
   file(CONFIGURE OUTPUT ${file} CONTENT "${content}}\n")
 endfunction()
 
-set(STRAHL_KERNELS "" CACHE PATH "A build folder to take SIMD kernels from in place of compiling them once more")
+set(STRAHL_KERNELS "" CACHE PATH "A build folder to take all kernels but long double from in place of compiling them once more")
 function(strahl_kernel level elements)
   set(folder ${CMAKE_BINARY_DIR}/kernels/${level})
   set(sources)
@@ -55,7 +55,7 @@ function(strahl_kernel level elements)
     list(APPEND sources ${folder}/pattern_bounds.cpp)
   endif()
   set_property(SOURCE src/trace/simd.cpp APPEND PROPERTY COMPILE_DEFINITIONS STRAHL_KERNEL_${level})
-  if(STRAHL_KERNELS AND NOT level STREQUAL scalar)
+  if(STRAHL_KERNELS AND NOT level STREQUAL long_double)
     # The sources are the same, compiled the same way.
     list(TRANSFORM sources REPLACE "^${CMAKE_BINARY_DIR}/(.*)$" "${STRAHL_KERNELS}/CMakeFiles/kernel_${level}.dir/\\1.o")
     set_source_files_properties(${sources} PROPERTIES EXTERNAL_OBJECT ON GENERATED ON)
@@ -70,8 +70,8 @@ function(strahl_kernel level elements)
   # what else is linked changes the speed by about 5 %.
   target_compile_options(kernel_${level} PRIVATE -O3 -falign-functions=64
     $<$<CXX_COMPILER_ID:GNU>:-fno-tree-pta$<SEMICOLON>-fschedule-insns$<SEMICOLON>-fsched-pressure> ${ARGN})
-  if(STRAHL_SANITIZE AND NOT level STREQUAL scalar)
-    # Instrumented packs take g++ a quarter of an hour to compile. The scalar level is compiled from the same sources.
+  if(STRAHL_SANITIZE AND NOT level MATCHES "scalar|long_double")
+    # Instrumented packs take g++ a quarter of an hour to compile. Scalars are compiled from the same sources.
     set_target_properties(kernel_${level} PROPERTIES UNSANITIZED ON)
   elseif(STRAHL_SANITIZE)
     target_compile_options(kernel_${level} PRIVATE -O1 -fno-schedule-insns)
@@ -80,8 +80,8 @@ function(strahl_kernel level elements)
 endfunction()
 
 # The levels to build: all that the compiler can; those that this machine can run; its best; or `least`, its best without
-# the kernels of proofs. The scalar level, which traces in extended precision, and where no other level runs, is always
-# built, but with `least` for extended precision only: that compiles in half the time, and pictures need no more.
+# the kernels of proofs. Extended precision is always built; float and double of one lane, which trace where no other
+# level runs, are not with `least`: pictures need no more.
 set(STRAHL_LEVELS all CACHE STRING "SIMD levels to build: all, runnable for those of this machine, host for its best, \
 or least for what pictures need of that")
 set(strahl_levels v2 v3 v4 neon)
@@ -106,11 +106,9 @@ endfunction()
 
 # The only file that depends on which kernels are built.
 set_source_files_properties(src/trace/simd.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-if(STRAHL_LEVELS STREQUAL least)
-  strahl_kernel(scalar "long double" -DSTRAHL_SCALAR)
-  set_property(SOURCE src/trace/simd.cpp APPEND PROPERTY COMPILE_DEFINITIONS STRAHL_LEAST)
-else()
-  strahl_kernel(scalar "float;double;long double" -DSTRAHL_SCALAR)
+strahl_kernel(long_double "long double" -DSTRAHL_SCALAR)
+if(NOT STRAHL_LEVELS STREQUAL least)
+  strahl_kernel(scalar "float;double" -DSTRAHL_SCALAR)
 endif()
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   strahl_level(v2 -march=x86-64-v2)

@@ -20,7 +20,10 @@ class PictureCheck {
     /// Returns the faults of this scene's pictures, a line each, which starts with the setting.
     std::vector<std::string> faults(const WildScene& scene);
 
-    std::vector<Precision> precisions{Precision::float64, Precision::float32};
+    // In the sanitize build of tests/run only the kernels of long double are instrumented.
+    std::vector<Precision> precisions = sanitized()
+                                            ? std::vector{Precision::extended, Precision::float64, Precision::float32}
+                                            : std::vector{Precision::float64, Precision::float32};
 
   private:
     using Values = std::vector<double>;
