@@ -17,7 +17,7 @@ SCRIPT
 chmod +x bin/ffmpeg
 system_path=$PATH
 export PATH="$work/bin:$PATH"
-options=(--size 32x24 --fps 2)
+options=(--size 32x24 --fps 2 --samples 1)
 
 # The whole flight by default; a list of frames as well.
 "$strahl" render scene.rt -o - --format y4m --frames 0-7 "${options[@]}" >whole
@@ -63,8 +63,8 @@ expect_only bin bin/ffmpeg scene.rt whole some film.mp4 no_codec arguments
 rm no_codec
 echo yes >full
 expect 1 "ffmpeg failed: no space left
-the film so far is in 'film.part.mp4'" render scene.rt -o film.mp4 --size 320x240
-head -c 3000 <("$strahl" render scene.rt -o - --format y4m --size 320x240 --frames 0) | cmp - film.part.mp4
+the film so far is in 'film.part.mp4'" render scene.rt -o film.mp4 --samples 1 --size 320x240
+head -c 3000 <("$strahl" render scene.rt -o - --format y4m --samples 1 --size 320x240 --frames 0) | cmp - film.part.mp4
 expect_only bin bin/ffmpeg scene.rt whole some film.mp4 film.part.mp4 full arguments
 [[ $(<film.mp4) == "an older film" ]] || fault "the older film is gone"
 rm full film.part.mp4 arguments
@@ -96,7 +96,7 @@ expect_only bin bin/ffmpeg scene.rt whole some film.mp4
 # begun SIZE: starts a film that would take minutes, and waits until ffmpeg has got some of it.
 begun() {
     local waited
-    "$strahl" render scene.rt -o film.mp4 --size "$1" --fps 100000 2>said &
+    "$strahl" render scene.rt -o film.mp4 --size "$1" --fps 100000 --samples 1 2>said &
     pid=$!
     for ((waited = 0; waited < 1200; ++waited)); do
         compgen -G '.strahl-*.copy' >/dev/null && (($(stat -c %s .strahl-*.copy) > 300000)) && return
@@ -133,22 +133,22 @@ head -1 .strahl-*.copy | grep -q YUV4MPEG2 || fault "the film of a killed run is
 # ffmpeg itself, if it is here: its film has the colours of the frames.
 PATH=$system_path
 if command -v ffmpeg >/dev/null; then
-    expect 0 "" render scene.rt -o long.mp4 --size 16x16 --fps 119.88
+    expect 0 "" render scene.rt -o long.mp4 --size 16x16 --fps 119.88 --samples 1
     length=$(ffmpeg -i long.mp4 2>&1 | sed -n 's/ *Duration: \([^,]*\),.*/\1/p')
     [[ $length == 00:00:04.00 ]] || fault "480 frames at 120000/1001 last $length"
     [[ $(ffmpeg -i long.mp4 2>&1) == *" 119.88 fps"* ]] || fault "the film of 119.88: $(ffmpeg -i long.mp4 2>&1)"
     for ending in mp4 mkv webm; do
-        expect 0 "" render scene.rt -o "real.$ending" --size 96x72 --fps 3
+        expect 0 "" render scene.rt -o "real.$ending" --size 96x72 --fps 3 --samples 1
         rm -f ./*.png
         ffmpeg -v error -i "real.$ending" frame-%02d.png || fault "ffmpeg cannot read real.$ending"
         [[ $(echo frame-*.png) == *frame-12.png ]] || fault "real.$ending has the frames $(echo frame-*.png)"
-        expect 0 "" render scene.rt -o still.png --size 96x72 --time 3
+        expect 0 "" render scene.rt -o still.png --size 96x72 --time 3 --samples 1
         error=$(compare -metric RMSE frame-10.png still.png null: 2>&1 | sed 's/.*(\(.*\))/\1/')
         awk -v e="$error" 'BEGIN { exit !(e < .02) }' || fault "real.$ending differs by $error from its frames"
         # The tones of this file begin every half second; the film ends with its frames, after 3 s.
         cp "$source_folder/tests/window/clicks.ogg" .
         echo 'music { sound "clicks.ogg" }' | cat scene.rt - >loud.rt
-        expect 0 "" render loud.rt -o "loud.$ending" --size 32x24 --fps 8 --frames 2-25
+        expect 0 "" render loud.rt -o "loud.$ending" --size 32x24 --fps 8 --samples 1 --frames 2-25
         ffmpeg -v error -i "loud.$ending" -ac 1 -ar 44100 -f s16le - 2>/dev/null | od -An -v -td2 -w2 |
             awk '$1 > 2000 || $1 < -2000 { if (NR - last > 8000) print NR / 44100; last = NR }' >tones
         awk -v n=0 '{ d = $1 - (.25 + .5 * n++); if (d < -.005 || d > .005) n = 99 } END { exit n != 6 }' tones ||

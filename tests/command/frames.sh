@@ -3,11 +3,11 @@
 set -uo pipefail
 source "$(dirname "$0")/expect.sh"
 
-options=(--size 32x24 --fps 2)
+options=(--size 32x24 --fps 2 --samples 1)
 expect 0 "" render scene.rt -o 'film-%04d.png' --frames 0-8 "${options[@]}"
 expect_only scene.rt film-000{0..8}.png
 for moment in 0=0 3=1.5 8=4; do
-    expect 0 "" render scene.rt -o still.png --size 32x24 --time "${moment#*=}"
+    expect 0 "" render scene.rt -o still.png --size 32x24 --samples 1 --time "${moment#*=}"
     expect_same still.png "film-000${moment%=*}.png"
 done
 expect_other film-0000.png film-0003.png

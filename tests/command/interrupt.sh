@@ -15,7 +15,7 @@ stop() {
     local signal=$1 delay pid status
     shift
     for delay in .5 1 2 4 8 16; do
-        "$strahl" render long.rt --depth 100 --precision extended --threads 2 "$@" 2>said &
+        "$strahl" render long.rt --depth 100 --precision extended --samples 1 --threads 2 "$@" 2>said &
         pid=$!
         sleep "$delay"
         kill -s "$signal" "$pid"
