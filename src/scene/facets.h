@@ -13,9 +13,9 @@ struct Facet {
     double least;
 };
 
-/// Returns the flat pieces of a body: of boxes, discs, triangles, meshes of up to 10,000 triangles, and of cylinders and
-/// cones that are flatter than wide; round ones in pieces as fine as they are thin. Those of a union are the parts' own, those of an
-/// intersection and of a difference are the first part's: more than is left of it.
+/// Returns the flat pieces of a body: of boxes, discs, triangles, meshes of up to 10,000 triangles, and of cylinders
+/// and cones that are flatter than wide; round ones in pieces as fine as they are thin. Those of a union are the parts'
+/// own, those of an intersection and of a difference are the first part's: more than is left of it.
 std::vector<Facet> facets_of(const Primitive& primitive, const glm::dmat4& outer = glm::dmat4(1));
 
 }  // namespace strahl
