@@ -64,12 +64,12 @@ class BodyTools {
 
     const BodyEditor& editor() const { return bodies; }
     const std::vector<SilhouetteLine>& lines() const { return silhouette.lines(); }
-    /// What is drawn of handles and lights, in pixels of the picture.
+    /// Returns the handles and lights to be drawn, in pixels of the picture.
     Overlay::Tools drawn() const;
-    /// The name of the file in which the body chosen stands.
+    /// Returns the name of the file in which the body chosen stands.
     std::string file_name() const;
     const ChangedText& changes() const { return bodies.edited.changes(); }
-    /// Are there changes that are not written, and was this not asked about them before?
+    /// Returns true if there are changes that are not written and about which the user was not asked yet.
     bool asks();
     /// Prints the lines that would be lost now.
     void print_unwritten() const;

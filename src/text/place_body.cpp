@@ -231,7 +231,7 @@ void PlacedBody::place_steps(const Placing& placing, int decimals, std::vector<T
 
 namespace {
 
-/// Where a block begins and ends; both 0 if there is none.
+/// Says where a block begins and ends; both are 0 if there is none.
 std::pair<std::size_t, std::size_t> place_of(const std::string& text, TopBlock what, int number) {
     const TextItem item = what == TopBlock::body ? items_of_body(text, number).body : item_of_light(text, number);
     if (item.end.empty()) return {};

@@ -27,18 +27,18 @@ struct ScaleBy {
     DVec3 factors{1};
     DVec3 about{0};
 };
-/// What is done to a body in the space of the world.
+/// Moves, turns or scales a body in the space of the world.
 using Placing = std::variant<MoveBy, TurnBy, ScaleBy>;
 
-/// Rounds to this many decimals, or with negative ones to tens, hundreds and so on. A number that differs from `before`
-/// by rounding errors only is that.
+/// Rounds to this many decimals, or with negative ones to tens, hundreds and so on. Returns `before` for a number that
+/// differs from it by rounding errors only.
 double rounded(double value, double before, int decimals);
 DVec3 rounded(const DVec3& value, const DVec3& before, int decimals);
 
 /// A body of the top level as it stands in a text without errors, to be placed elsewhere, again and again.
 class PlacedBody {
   public:
-    /// Nothing if the text has no such body. `scene` is that of the text.
+    /// Finds a body in a text, or returns nothing if it has no such body. `scene` is that of the text.
     static std::optional<PlacedBody> find(std::string text, const Scene& scene, int body);
 
     /// Returns the text in which the body is placed so. A body without transformations gets other points and lengths
@@ -46,7 +46,7 @@ class PlacedBody {
     /// `translate` at the end of its block change, or are added there. Numbers that change are rounded to this many
     /// decimals.
     std::string text(const Placing& placing, int decimals) const;
-    /// The body's own axes in the world, as the last `rotate` turned them.
+    /// Returns the body's own axes in the world, as the last `rotate` turned them.
     std::array<DVec3, 3> axes() const;
 
   private:
@@ -89,7 +89,8 @@ class PlacedBody {
 /// A block of the top level that can be copied and removed.
 enum class TopBlock { body, light };
 /// Returns the text with a copy of this block behind it, which has the next number; or without this block, and without
-/// its lines if nothing else but a comment behind it stands there. The text as it is if there is no such block.
+/// its lines if nothing else but a comment behind it stands there. Both return the text as it is if there is no such
+/// block.
 std::string with_copy(const std::string& text, TopBlock what, int number);
 std::string without_block(const std::string& text, TopBlock what, int number);
 

@@ -15,14 +15,14 @@ namespace strahl {
 
 class Drag {
   public:
-    /// Begins a drag of what is chosen, from a point of the picture. Nothing if it cannot be moved in the text; then
-    /// `why` says why. `scene` is that of the text.
+    /// Begins a drag of what is chosen, from a point of the picture. Returns nothing if it cannot be moved in the
+    /// text; then `why` says why. `scene` is that of the text.
     static std::optional<Drag> begin(const BodyEditor& editor, const Scene& scene, const Handles& handles,
                                      Handle handle, const glm::dvec2& from, std::string& why);
 
     /// Returns the text for a drag to this point. `steps`: see Handles::drag.
     std::string text(const glm::dvec2& to, bool steps) const;
-    /// By how much what is dragged moves as a whole.
+    /// Returns by how much what is dragged moves as a whole.
     DVec3 moved(const glm::dvec2& to, bool steps) const;
     Handle handle() const { return held; }
 

@@ -24,8 +24,8 @@ enum class Handle { x, y, z, all };
 
 class Handles {
   public:
-    /// They are around a point of the world, along these axes, and reach as far as this many pixels. The view is the
-    /// one that shows them.
+    /// Places handles around a point of the world, along these axes, which reach as far as this many pixels in the
+    /// view.
     Handles(HandleMode mode, const DVec3& centre, const std::array<DVec3, 3>& axes, double pixels, const View& view);
 
     struct HandleLine {
@@ -33,7 +33,7 @@ class Handles {
         std::vector<glm::dvec2> points;  // in pixels of the view's picture
         bool filled = false;             // it is the edge of an area
     };
-    /// The lines to be drawn; none if the centre is not in front of the camera.
+    /// Returns the lines to be drawn; none if the centre is not in front of the camera.
     const std::vector<HandleLine>& lines() const { return drawn; }
     /// Returns the handle at a point of the picture, if one is no further than this.
     std::optional<Handle> at(const glm::dvec2& point, double reach) const;

@@ -24,13 +24,14 @@ struct LightMark {
     glm::dvec2 place{0};  // in pixels of the view's picture
     Color color{1};
 };
-/// What is seen of the lights of a scene: marks, and lines from spots to their targets with a circle at the end of
-/// their cones.
+/// Shows the lights of a scene: by marks, and by lines from spots to their targets with a circle at the end of their
+/// cones.
 struct LightMarks {
     std::vector<LightMark> marks;
     std::vector<std::vector<glm::dvec2>> lines;
 };
-/// Parallel lights are nowhere, and have no mark. Of more than 500 lights only the first ones have.
+/// Makes the marks of a scene's lights. Parallel lights are nowhere, and have none. Of more than 500 lights only the
+/// first ones have one.
 LightMarks light_marks(const Scene& scene, const View& view);
 /// Returns the nearest mark to a point that is no further than this.
 std::optional<LightPoint> mark_at(const LightMarks& marks, const glm::dvec2& point, double reach);

@@ -16,7 +16,7 @@ struct GLFWcursor;
 
 namespace strahl {
 
-/// What the pointer can take hold of in the picture.
+/// Names what the pointer has hold of in the picture.
 enum class Hold { nothing, divider, handle };
 
 /// Functions that are called, while events are processed, for what the user does besides moving the camera.
