@@ -155,6 +155,9 @@ PovRun finished(const Scratch& scratch, const std::string& folder, std::vector<s
     return {picture_of(scratch.path("scene.ppm"), width, height), trace_seconds(log), warnings_in(log)};
 }
 
+/// Returns the option by which files hold the values of a scene without a transfer curve.
+std::string file_gamma(double assumed) { return "File_Gamma=" + (assumed == 0 ? "srgb" : text_of(assumed)); }
+
 /// Adds the options for averages over pixels.
 void add_grid(std::vector<std::string>& words, int grid) {
     if (grid == 0) return;
@@ -174,8 +177,7 @@ PovRun run_povray(const Scene& scene, PovRequest request, int threads, const std
     write(files, scratch.path("scene.pov"));
     // The library that reads .png files takes longer to load than many a picture to trace.
     std::vector<std::string> words{"povray", "scene.ini", "Output_File_Type=P", "Warning_Console=On", "Verbose=Off"};
-    // Linear values are compared without a transfer curve.
-    if (scene.settings.linear) words.push_back("File_Gamma=1.0");
+    words.push_back(file_gamma(scene.settings.assumed_gamma));
     if (threads > 0) words.push_back("Work_Threads=" + std::to_string(threads));
     add_grid(words, request.grid);
     return finished(scratch, scratch.path("."), std::move(words), request.width, request.height, stop);
@@ -204,7 +206,7 @@ PovRun run_povray_file(const PovFile& file, int threads, const std::atomic<bool>
                                    "Output_Alpha=Off",
                                    "Warning_Console=On",
                                    "Verbose=Off",
-                                   file.linear ? "File_Gamma=1.0" : "File_Gamma=srgb"};
+                                   file_gamma(file.gamma)};
     for (const std::string& folder : file.library) words.push_back("+L" + fs::absolute(folder).string());
     if (threads > 0) words.push_back("Work_Threads=" + std::to_string(threads));
     add_grid(words, file.grid);

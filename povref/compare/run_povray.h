@@ -28,7 +28,7 @@ PovRun run_povray(const Scene& scene, PovRequest request, int threads, const std
 struct PovFile {
     std::string path;
     int width = 320, height = 240;
-    bool linear = false;  // the values of the picture are linear light
+    double gamma = 0;                    // the `assumed_gamma` of its scene
     std::vector<std::string> library{};  // folders of included files
     double clock = 0;
     int grid = 0;  // n > 0: as in PovRequest

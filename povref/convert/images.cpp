@@ -29,11 +29,18 @@ std::string name_of(const Pixels& pixels) {
 std::vector<PovPicture> pictures_of(const Scene& scene) {
     std::map<std::string, const Pixels*> all;
     const auto add = [&](const std::shared_ptr<const Pattern>& pattern) {
-        const auto* const image = pattern ? std::get_if<ImagePattern>(&pattern->kind) : nullptr;
-        if (image) all[name_of(*image->pixels)] = image->pixels.get();
+        if (!pattern) return;
+        each_nested(*pattern, [&](const Pattern& own) {
+            const auto* const image = std::get_if<ImagePattern>(&own.kind);
+            if (image) all[name_of(*image->pixels)] = image->pixels.get();
+        });
     };
     add(scene.background.pattern);
-    for (const Material& material : scene.materials) add(material.rgb.pattern), add(material.bump.pattern);
+    for (const Pigment& coat : scene.background_coats) add(coat.pattern);
+    for (const Material& material : scene.materials) {
+        add(material.rgb.pattern), add(material.bump.pattern);
+        for (const Material& coat : material.coats) add(coat.rgb.pattern);
+    }
     std::vector<PovPicture> pictures;
     for (const auto& [name, pixels] : all)
         pictures.push_back({name,
@@ -52,9 +59,12 @@ std::string image_text(const ImagePattern& image, const std::string& more, bool 
     // POV-Ray would divide colours of an .exr by the opacity that "all" gives them.
     const std::string colors = linear && !more.empty() ? " premultiplied off" : "";
     const std::string map = "image_map { " + std::string(linear ? "exr" : "png") + " \"" + name_of(*image.pixels) +
-                            "\" " + (linear || as_it_is ? "As_It_Is()" : "gamma srgb") + colors + " map_type " +
-                            std::to_string(static_cast<int>(image.map)) + (image.once ? " once" : "") +
-                            " interpolate 2" + of_all + " }";
+                            "\" " +
+                            (as_it_is ? "As_It_Is()"
+                             : linear ? "Floats()"
+                                      : "gamma srgb") +
+                            colors + " map_type " + std::to_string(static_cast<int>(image.map)) +
+                            (image.once ? " once" : "") + " interpolate 2" + of_all + " }";
     const bool flat = image.map == ImageMap::planar;
     // POV-Ray's poles are at -y and y, and it turns from x to z.
     const std::string poles = flat ? "" : " matrix <1,0,0, 0,0,1, 0,1,0, 0,0,0>";
@@ -64,9 +74,16 @@ std::string image_text(const ImagePattern& image, const std::string& more, bool 
            "] [0.5 " + map + "] }" + poles;
 }
 
-std::string image_macro(bool linear) {
-    return comment("Floats in a picture are taken as they are.") + "#macro As_It_Is() gamma " +
-           (linear ? "1.0" : "srgb") + " #end\n";
+std::string image_macro(double gamma) {
+    const auto macro = [](const char* name, double of) {
+        return std::string("#macro ") + name + "() gamma " +
+               (of == 0   ? "srgb"
+                : of == 1 ? "1.0"
+                          : text_of(of)) +
+               " #end\n";
+    };
+    return comment("Heights are taken as they are, and so are floats unless values are only a power of light.") +
+           macro("As_It_Is", gamma) + macro("Floats", gamma == 0 ? 0 : 1);
 }
 
 }  // namespace strahl

@@ -21,6 +21,6 @@ std::vector<PovPicture> pictures_of(const Scene& scene);
 std::string image_text(const ImagePattern& image, const std::string& more, bool as_it_is = false);
 
 /// Returns the macro that the result of image_text() calls.
-std::string image_macro(bool linear);
+std::string image_macro(double gamma);
 
 }  // namespace strahl

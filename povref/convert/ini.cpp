@@ -46,11 +46,11 @@ std::string ini_of(const Scene& scene, const PovRequest& request, const IniNeeds
                        "Width=" + std::to_string(request.width) + "\nHeight=" + std::to_string(request.height) + "\n" +
                        comment("PNG.", ";") + "Output_File_Type=N\nBits_Per_Color=" + std::to_string(request.bits) +
                        "\nOutput_Alpha=Off\nDither=Off\n";
-    text +=
-        comment(scene.settings.linear ? "The values are linear light and the file is sRGB-encoded."
-                                      : "The same as assumed_gamma in the scene: the file holds the computed values.",
-                ";") +
-        "File_Gamma=srgb\n";
+    text += comment(scene.settings.assumed_gamma != 0
+                        ? "The values stand for light and the file is sRGB-encoded."
+                        : "The same as assumed_gamma in the scene: the file holds the computed values.",
+                    ";") +
+            "File_Gamma=srgb\n";
     text += "\n" + comment("One ray through the middle of each pixel, all light followed.", ";") +
             "Antialias=Off\nQuality=9\n";
     if (request.fps > 0)

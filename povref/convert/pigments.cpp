@@ -69,18 +69,23 @@ std::string pigment_text(const Pigment& pigment, const std::string& more) {
     };
     if (!pigment.pattern) return color(pigment.color, pigment.filter, pigment.transmit);
     const auto& [kind, colors, transformations, by_uv] = *pigment.pattern;
+    const bool nests = pigment.pattern->nests();
+    const auto own = [&](const ColorStop& stop) {
+        return stop.pattern ? pigment_text(Pigment(*stop.pattern), more)
+                            : color(stop.color, stop.filter, stop.transmit);
+    };
     std::string text;
     if (const std::string value = std::visit(ValueText{}, kind); !value.empty()) {
-        text = (std::holds_alternative<SolidPattern>(kind) ? value : "function { " + value + " }") + " color_map {";
-        for (const ColorStop& stop : colors)
-            text += " [" + text_of(stop.at) + " " + color(stop.color, stop.filter, stop.transmit) + "]";
+        text = (std::holds_alternative<SolidPattern>(kind) ? value : "function { " + value + " }") +
+               (nests ? " pigment_map {" : " color_map {");
+        for (const ColorStop& stop : colors) text += " [" + text_of(stop.at) + " " + own(stop) + "]";
         text += " }";
     } else if (const auto* const image = std::get_if<ImagePattern>(&kind)) {
         text = image_text(*image, more);
     } else {
         const Brick* const brick = std::get_if<Brick>(&kind);
-        const auto own = [&](const ColorStop& stop) { return color(stop.color, stop.filter, stop.transmit); };
-        text = std::string(brick ? "brick " : "checker ") + own(colors[0]) + ", " + own(colors[1]);
+        const auto part = [&](const ColorStop& stop) { return nests ? "pigment { " + own(stop) + " }" : own(stop); };
+        text = std::string(brick ? "brick " : "checker ") + part(colors[0]) + ", " + part(colors[1]);
         if (brick) text += " brick_size " + text_of(brick->size) + " mortar " + text_of(brick->mortar);
     }
     for (const Transformation& step : transformations) text += " " + step_text(step);
@@ -105,14 +110,19 @@ std::string normal_text(const Bump& bump) {
 
 std::string function_section(const Scene& scene) {
     const auto any = [&](const auto& test) {
-        const auto is = [&](const auto& own) { return own.pattern && std::visit(test, own.pattern->kind); };
-        return is(scene.background) || std::ranges::any_of(scene.materials, is, &Material::rgb) ||
+        const auto is = [&](const auto& own) {
+            bool found = false;
+            if (own.pattern) each_nested(*own.pattern, [&](const Pattern& p) { found |= std::visit(test, p.kind); });
+            return found;
+        };
+        return is(scene.background) || std::ranges::any_of(scene.background_coats, is) ||
+               std::ranges::any_of(scene.materials, is, &Material::rgb) ||
                std::ranges::any_of(scene.materials, is, &Material::bump);
     };
     const bool images = any([]<class Kind>(const Kind&) { return std::is_same_v<Kind, ImagePattern>; });
     const bool maps = any([]<class Kind>(const Kind&) { return has_map<Kind> && !std::is_same_v<Kind, SolidPattern>; });
     if (!images && !maps) return "";
-    std::string text = heading("Patterns") + (images ? image_macro(scene.settings.linear) : "");
+    std::string text = heading("Patterns") + (images ? image_macro(scene.settings.assumed_gamma) : "");
     if (!maps) return text;
     text +=
         "#declare Fraction = function(a) { a - floor(a) };\n"

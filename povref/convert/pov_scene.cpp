@@ -105,18 +105,21 @@ std::string padded(std::string text, std::size_t width) {
     return text;
 }
 
+std::string gamma_text(double gamma) {
+    if (gamma == 0) return "  assumed_gamma srgb    // values go straight to the file, which is sRGB as well\n";
+    if (gamma == 1) return "  assumed_gamma 1.0     // the values are linear light\n";
+    return "  assumed_gamma " + padded(text_of(gamma), 8) + "// a value to the power of this is linear light\n";
+}
+
 std::string top(const Scene& scene, const PovRequest& request, const Plan& plan) {
     std::string text = comment(request.title + " for POV-Ray 3.7, converted by strahl.");
     for (const std::string& warning : warnings_of(plan)) text += comment("Not exact: " + warning + ".");
-    text +=
-        std::string("\n#version 3.7;\n\nglobal_settings {\n") +
-        (scene.settings.linear ? "  assumed_gamma 1.0     // the values are linear light\n"
-                               : "  assumed_gamma srgb    // values go straight to the file, which is sRGB as well\n") +
-        "  ambient_light rgb " + text_of(scene.settings.ambient_light) + "\n  max_trace_level " +
-        padded(std::to_string(request.depth), 6) + "// generations of rays, the camera's being the first\n" +
-        (scene.settings.adc_bailout == 0
-             ? "  adc_bailout 0         // follow even the weakest ray\n}\n"
-             : "  adc_bailout " + text_of(scene.settings.adc_bailout) + "    // rays of less weight are black\n}\n");
+    text += std::string("\n#version 3.7;\n\nglobal_settings {\n") + gamma_text(scene.settings.assumed_gamma) +
+            "  ambient_light rgb " + text_of(scene.settings.ambient_light) + "\n  max_trace_level " +
+            padded(std::to_string(request.depth), 6) + "// generations of rays, the camera's being the first\n" +
+            (scene.settings.adc_bailout == 0 ? "  adc_bailout 0         // follow even the weakest ray\n}\n"
+                                             : "  adc_bailout " + text_of(scene.settings.adc_bailout) +
+                                                   "    // rays of less weight are black\n}\n");
     if (!scene.background.pattern) text += "\nbackground { " + pigment_text(scene.background) + " }\n";
     if (plan.scaled)
         text += "\n" +
@@ -234,15 +237,30 @@ std::string material_section(const Plan& plan) {
 
 /// Writes a background with a pattern.
 std::string sky_section(const Scene& scene) {
-    if (!scene.background.pattern) return "";
-    return heading("Background") + "sky_sphere { pigment { " + pigment_text(scene.background) + " } }\n";
+    if (!scene.background.pattern && scene.background_coats.empty()) return "";
+    std::string text = heading("Background") + "sky_sphere {";
+    if (scene.background.pattern) text += " pigment { " + pigment_text(scene.background) + " }";
+    for (const Pigment& coat : scene.background_coats) text += " pigment { " + pigment_text(coat) + " }";
+    return text + " }\n";
 }
 
 std::string fog_section(const Scene& scene, const Plan& plan) {
     if (!scene.fog) return "";
+    const Fog& fog = *scene.fog;
+    std::string more;
+    if (fog.filter != 0) more += " filter " + text_of(fog.filter);
+    if (fog.transmit != 0) more += " transmit " + text_of(fog.transmit);
+    if (fog.altitude > 0)
+        more += " fog_type 2 fog_alt " + scaled(text_of(fog.altitude), plan) + " fog_offset " +
+                scaled(text_of(fog.offset), plan) + " up " + text_of(fog.up);
+    if (fog.turbulence != DVec3(0))
+        more += " turbulence " + text_of(fog.turbulence) + (plan.scaled ? " / Unit" : "") + " octaves " +
+                text_of(fog.octaves) + " omega " + text_of(fog.omega) + " lambda " + text_of(fog.lambda) +
+                " turb_depth " + text_of(fog.depth);
+    if (fog.turbulence != DVec3(0) && fog.generator != 2)
+        more += " /* not exact: the noise is of noise_generator " + text_of(fog.generator) + " */";
     return heading("Fog") + comment("Opaque bodies are hollow: only transparent ones keep it out.") +
-           "fog { distance " + scaled(text_of(scene.fog->distance), plan) + " color rgb " + text_of(scene.fog->color) +
-           " }\n";
+           "fog { distance " + scaled(text_of(fog.distance), plan) + " color rgb " + text_of(fog.color) + more + " }\n";
 }
 
 }  // namespace

@@ -93,7 +93,7 @@ int bits_of(const std::string& ending, int bits) { return bits ? bits : ending =
 double half_step(FileFormat format) {
     if (format.bits > 16) return 0;
     const double steps = format.bits == 16 ? 65535 : 255 * gain_of(format.exposure);
-    return .5 / steps / (format.linear ? steepest_srgb : 1);
+    return .5 / steps / steepest(format.gamma);
 }
 
 std::string format_fault(const std::string& path, int bits) {

@@ -22,7 +22,7 @@ enum class Compression { fast, small };
 
 struct FileFormat {
     int bits = 0;         // 8 for .bmp, 8 or 16 for .png, 32 (float) for .exr; 0 takes the first of these
-    bool linear = false;  // the scene's `assumed_gamma 1`: 8- and 16-bit files are sRGB-encoded
+    double gamma = 0;     // the scene's `assumed_gamma`: how values of 8- and 16-bit files are shown(), if it is not 0
     Compression compression = Compression::fast;
     Exposure exposure{};  // of 8-bit files
 };

@@ -14,7 +14,7 @@ namespace {
 
 /// Converts `count` values to the codes of the file, by the table where there is one.
 template <class T>
-void store(const T* values, std::size_t count, int bits, bool linear, const std::optional<TransferTable>& table,
+void store(const T* values, std::size_t count, int bits, double gamma, const std::optional<TransferTable>& table,
            std::byte* codes) {
     const auto convert = [&](auto* to, const auto& code_of) {
         using Code = std::remove_pointer_t<decltype(to)>;
@@ -27,11 +27,11 @@ void store(const T* values, std::size_t count, int bits, bool linear, const std:
     else if (table)
         convert(bytes, *table);
     else if (bits == 8)
-        convert(bytes, [](double v) { return quantise(v, false, 255); });
-    else if (linear)
-        convert(words, [](double v) { return quantise(v, true, 65535); });
+        convert(bytes, [](double v) { return quantise(v, 0, 255); });
+    else if (gamma != 0)
+        convert(words, [gamma](double v) { return quantise(v, gamma, 65535); });
     else
-        convert(words, [](double v) { return quantise(v, false, 65535); });
+        convert(words, [](double v) { return quantise(v, 0, 65535); });
 }
 
 Layout layout_of(int width, int height, int channels, const std::string& named, int bits) {
@@ -49,7 +49,7 @@ PictureWriter::PictureWriter(int width, int height, int channels, const std::str
     : format(own_format),
       encoder(encoder_for(ending_of(named), layout_of(width, height, channels, named, own_format.bits),
                           own_format.compression)) {
-    if ((format.linear || format.exposure) && layout().bits == 8) table.emplace(format.linear, format.exposure);
+    if ((format.gamma != 0 || format.exposure) && layout().bits == 8) table.emplace(format.gamma, format.exposure);
     for (int i = 0; i < encoder->bands(); ++i) {
         bands.push_back(std::make_unique<Band>());
         bands.back()->missing = std::size_t(width) * unsigned(encoder->rows(i));
@@ -85,7 +85,7 @@ void PictureWriter::put_any(int x, int y, int columns, int rows, const T* values
             const std::size_t row = unsigned(place(done) % band_rows);
             const std::size_t pixel = row * unsigned(layout.width) + unsigned(x);
             std::byte* const to = codes + pixel * unsigned(layout.channels * layout.bits / 8);
-            store(values + unsigned(done) * count, count, layout.bits, format.linear, table, to);
+            store(values + unsigned(done) * count, count, layout.bits, format.gamma, table, to);
         }
         const auto pixels = std::size_t(columns) * unsigned(done - first);
         if (band.missing.fetch_sub(pixels) == pixels) encode(band, encoder->rows(i));

@@ -59,7 +59,7 @@ class PictureWriter {
 
     const FileFormat format;
     const std::unique_ptr<Encoder> encoder;
-    std::optional<TransferTable> table;  // if the file has 8 bits, of linear light or with an exposure
+    std::optional<TransferTable> table;  // if the file has 8 bits, of a scene with an assumed_gamma or with an exposure
     std::vector<std::unique_ptr<Band>> bands;
     std::mutex mutex;  // guards the memory of the bands
     std::atomic<std::size_t> bytes_held = 0;

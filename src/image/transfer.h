@@ -8,11 +8,22 @@
 
 namespace strahl {
 
-/// The slope of the sRGB encoding where it is steepest, at 0.
-inline constexpr double steepest_srgb = 12.92;
-
 /// The sRGB encoding of linear light (IEC 61966-2-1), 0 <= v <= 1.
-inline double srgb(double v) { return v <= 0.0031308 ? steepest_srgb * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055; }
+inline constexpr double srgb_slope = 12.92, srgb_bend = .0031308;  // up to the bend it is a straight line
+inline double srgb(double v) { return v <= srgb_bend ? srgb_slope * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055; }
+
+/// Shows a value v from 0 to 1 of a scene as a screen and files of 8 and 16 bits do: as v, or if the scene declares an
+/// `assumed_gamma` above 0 as the sRGB encoding of v^gamma.
+inline double shown(double v, double gamma) {
+    if (gamma == 0) return v;
+    return srgb(gamma == 1 ? v : std::pow(v, gamma));
+}
+/// The slope of shown() where it is steepest: at the bend, or for a gamma above 2 perhaps at 1. `gamma` is 0 or from 1.
+inline double steepest(double gamma) {
+    if (gamma == 0) return 1;
+    const double bend = std::pow(srgb_bend, 1 / gamma);
+    return std::max(srgb_slope * gamma * std::pow(bend, gamma - 1), 1.055 / 2.4 * gamma);
+}
 
 /// How bright a screen shows light: the power of two by which it is multiplied. What is then above 0.8 is compressed, so
 /// that it comes near to white, 1, and never reaches it. Without one, light is shown as it is, and what is brighter than
@@ -29,10 +40,10 @@ inline double exposed(double v, double stops) {
 /// The most by which an exposure enlarges differences; not below 1.
 inline double gain_of(const Exposure& exposure) { return std::exp2(std::max(exposure.value_or(0), 0.)); }
 
-/// round(steps * clamp(v, 0, 1)), halves up; sRGB-encoded first where the scene declares linear light. NaN becomes 0.
-inline std::uint16_t quantise(double v, bool linear, int steps) {
+/// round(steps * shown(clamp(v, 0, 1))), halves up. NaN becomes 0.
+inline std::uint16_t quantise(double v, double gamma, int steps) {
     const double clamped = v > 0 ? std::min(v, 1.0) : 0.0;
-    return static_cast<std::uint16_t>(static_cast<int>((linear ? srgb(clamped) : clamped) * steps + 0.5));
+    return static_cast<std::uint16_t>(static_cast<int>(shown(clamped, gamma) * steps + 0.5));
 }
 
 /// Is code(v) the same for all values no further than `bound` from v? False if either is infinite or not a number.
@@ -44,14 +55,14 @@ bool same_code(double v, double bound, const Code& code) {
 }
 
 /// Does a file of `bits` (8, 16, or 32 for float) hold the same for all values no further than `bound` from a pixel's?
-inline bool decided(const double* rgb, double bound, int bits, bool linear) {
+inline bool decided(const double* rgb, double bound, int bits, double gamma) {
     const auto same = [&](const auto& code) {
         return same_code(rgb[0], bound, code) && same_code(rgb[1], bound, code) && same_code(rgb[2], bound, code);
     };
     if (bits == 32) return same([](double v) { return static_cast<float>(v); });
     const int steps = (1 << bits) - 1;
-    if (linear) return same([&](double v) { return quantise(v, true, steps); });
-    return same([&](double v) { return quantise(v, false, steps); });
+    if (gamma != 0) return same([&](double v) { return quantise(v, gamma, steps); });
+    return same([&](double v) { return quantise(v, 0, steps); });
 }
 
 }  // namespace strahl

@@ -6,8 +6,8 @@
 
 namespace strahl {
 
-TransferTable::TransferTable(bool linear, const Exposure& exposure) {
-    const auto code_of = [&](double v) { return quantise(exposure ? exposed(v, *exposure) : v, linear, 255); };
+TransferTable::TransferTable(double gamma, const Exposure& exposure) {
+    const auto code_of = [&](double v) { return quantise(exposure ? exposed(v, *exposure) : v, gamma, 255); };
     least[0] = 0;
     for (int code = 1; code < 256; ++code) {
         // Positive numbers are ordered as their bits are.

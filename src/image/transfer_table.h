@@ -1,4 +1,5 @@
-// The transfer curve to 8 bits as a table, for the screen and for files of linear light or with an exposure.
+// The transfer curve to 8 bits as a table, for the screen and for files of scenes with an assumed_gamma or with an
+// exposure.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -8,11 +9,11 @@
 
 namespace strahl {
 
-/// Gives exactly quantise(v, linear, 255) for every v, or quantise(exposed(v, *exposure), linear, 255), without the power
+/// Gives exactly quantise(v, gamma, 255) for every v, or quantise(exposed(v, *exposure), gamma, 255), without the power
 /// function.
 class TransferTable {
   public:
-    explicit TransferTable(bool linear, const Exposure& exposure = {});
+    explicit TransferTable(double gamma, const Exposure& exposure = {});
     std::uint32_t operator()(double v) const {
         if (!(v > 0)) return 0;
         if (v >= white) return 255;

@@ -65,8 +65,21 @@ void follow(Material& material, const TrackValues& values) {
 }
 
 void follow(Fog& fog, const TrackValues& values) {
-    set_followed(fog.follows, values,
-        [&](const std::string& name) { return name == "distance" ? target(fog.distance) : target(fog.color); });
+    set_followed(fog.follows, values, [&](const std::string& name) {
+        if (name == "color") return target(fog.color);
+        if (name == "up") return target(fog.up);
+        if (name == "turbulence") return target(fog.turbulence);
+        return name == "distance"   ? target(fog.distance)
+               : name == "altitude" ? target(fog.altitude)
+               : name == "offset"   ? target(fog.offset)
+               : name == "filter"   ? target(fog.filter)
+               : name == "transmit" ? target(fog.transmit)
+               : name == "octaves"  ? target(fog.octaves)
+               : name == "omega"    ? target(fog.omega)
+               : name == "lambda"   ? target(fog.lambda)
+               : name == "depth"    ? target(fog.depth)
+                                    : target(fog.generator);
+    });
     fog.follows.clear();
 }
 

@@ -120,7 +120,8 @@ void move_others(Scene& now, const Scene& scene, const Movers& movers, const Sce
     for (const std::int32_t i : movers.lights) move(now.lights[i] = scene.lights[i], time);
     for (const std::int32_t i : movers.materials) follow(now.materials[i] = scene.materials[i], time.tracks);
     if (!movers.air) return;
-    now.background = scene.background, now.background_follows = scene.background_follows, now.fog = scene.fog;
+    now.background = scene.background, now.background_coats = scene.background_coats,
+    now.background_follows = scene.background_follows, now.fog = scene.fog;
     follow_others(now, time.tracks);
 }
 

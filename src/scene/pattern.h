@@ -16,13 +16,16 @@
 
 namespace strahl {
 
+struct Pattern;
+
 /// The colour at a value of the pattern, and the light that a surface lets through there, see Pigment. Between stops
 /// all change linearly.
 struct ColorStop {
     double at = 0;
     Color color{0};
     double filter = 0, transmit = 0;
-    bool operator==(const ColorStop&) const = default;
+    std::shared_ptr<const Pattern> pattern{};  // has these in their place; in the space of the pattern with this stop
+    bool operator==(const ColorStop& other) const;
 };
 
 /// Cubes with sides of 1, in alternating colours. This, `Brick` and `Gradient` have their borders 1e-10 before whole
@@ -133,7 +136,23 @@ struct Pattern {
     /// mesh's triangles and linear between these. Images are planar then.
     bool by_uv = false;
     bool operator==(const Pattern&) const = default;
+    /// Has it patterns among its colours?
+    bool nests() const {
+        return std::ranges::any_of(colors, [](const ColorStop& stop) { return stop.pattern != nullptr; });
+    }
 };
+inline bool ColorStop::operator==(const ColorStop& other) const {
+    const bool same = pattern == other.pattern || (pattern && other.pattern && *pattern == *other.pattern);
+    return same && at == other.at && color == other.color && filter == other.filter && transmit == other.transmit;
+}
+
+/// Calls visit(pattern) for a pattern and for those among its colours.
+template <class Visit>
+void each_nested(const Pattern& pattern, const Visit& visit) {
+    visit(pattern);
+    for (const ColorStop& stop : pattern.colors)
+        if (stop.pattern) each_nested(*stop.pattern, visit);
+}
 
 /// A colour, the same everywhere or by a pattern. With a pattern, `color` is the largest of its colours, channel by
 /// channel, from which bounds on light are computed, and so are the next two.
@@ -151,10 +170,11 @@ struct Pigment {
         const auto include = [&](const Color& own) {
             for (int c = 0; c < 3; ++c) color[c] = std::max(color[c], own[c]);
         };
-        for (const ColorStop& stop : pattern->colors) {
-            include(stop.color);
-            filter = std::max(filter, stop.filter), transmit = std::max(transmit, stop.transmit);
-        }
+        const auto add = [&](const auto& most) {
+            include(most.color);
+            filter = std::max(filter, most.filter), transmit = std::max(transmit, most.transmit);
+        };
+        for (const ColorStop& stop : pattern->colors) stop.pattern ? add(Pigment(*stop.pattern)) : add(stop);
         if (const ImagePattern* const image = std::get_if<ImagePattern>(&pattern->kind)) {
             include(image->pixels->largest);
             if (image->once) include(*image->once);

@@ -22,17 +22,27 @@ struct Primitive {
 struct Settings {
     Color ambient_light{1};    // Ia
     int max_trace_level = 20;  // generations of rays, camera rays being the first; 1 to 256
-    bool linear = false;  // `assumed_gamma 1`: values are linear light, shown sRGB-encoded; otherwise shown as they are
+    double assumed_gamma = 0;  // values v are v^assumed_gamma of light, shown sRGB-encoded; 0: shown as they are
     double adc_bailout = 0;  // in scenes with POV-Ray's finishes rays of less weight than this are black
     bool operator==(const Settings&) const = default;
 };
 
-/// Fog between bodies (POV-Ray's fog_type 1): after a distance t through it the share exp(-t / distance) of the light
-/// is left, and the rest is the fog's colour. There is no fog inside transparent bodies, and the light of lights on its
-/// way to a surface does not fade.
+/// Fog between bodies, as POV-Ray has it: after a distance t through it the share exp(-t / distance) of the light is
+/// left, but not less than `transmit`, and the rest is the fog's colour. There is no fog inside transparent bodies, and
+/// the light of lights on its way to a surface does not fade.
+///
+/// With an altitude it is ground fog: of points p at the height h = (up . p - offset) / altitude above 0, with `up` of
+/// length 1, its density is 1 / (1 + h^2) of what it is below. What is seen through fog is multiplied by
+/// 1 - filter + filter * color. With `turbulence`, of noise in `octaves`, each `lambda` times finer than the one before
+/// and `omega` times as strong, the way through fog is shorter by up to `depth`, the less the longer it is.
 struct Fog {
     double distance = 1;
     Color color{0};
+    double altitude = 0, offset = 0;
+    DVec3 up{0, 0, 1};
+    double filter = 0, transmit = 0;
+    DVec3 turbulence{0};
+    double octaves = 6, omega = .5, lambda = 2, depth = .5, generator = 2;  // generator: POV-Ray's noise_generator
     std::vector<Follow> follows{};  // numbers of it that follow tracks
     bool operator==(const Fog&) const = default;
 };
@@ -41,6 +51,7 @@ struct Scene {
     Camera camera;
     Settings settings;
     Pigment background{Color(0)};  // of rays that hit nothing; a pattern is evaluated at the unit direction of the ray
+    std::vector<Pigment> background_coats;  // before it, the lowest first, where their colours let no light through
     std::optional<Fog> fog;
     std::vector<Light> lights;
     /// Without duplicates, in the order of first use by a primitive; a composite uses its own before those of its
@@ -55,8 +66,8 @@ struct Scene {
     /// Has it anything that the article's equation lacks?
     bool finished() const {
         const auto special = [](const Light& light) { return light.shadowless || light.fades(); };
-        return settings.adc_bailout > 0 || !std::ranges::all_of(materials, &Material::plain) ||
-               std::ranges::any_of(lights, special);
+        return settings.adc_bailout > 0 || (fog && fog->filter > 0) ||
+               !std::ranges::all_of(materials, &Material::plain) || std::ranges::any_of(lights, special);
     }
 };
 

@@ -124,9 +124,17 @@ void Parser::background(std::string_view word) {
     reader.once(background_at, word);
     Block block{word, false, false, &scene.background_follows};
     auto parameters = background_parameters(scene.background);
-    reader.block(block, parameters);
+    reader.block(
+        block, parameters, coat_word, [] {},
+        [&](std::string_view inner) {
+            if (inner != coat_word[0]) return false;
+            reader.limit(scene.background_coats.size(), most_coats, inner, "coats");
+            reader.read(scene.background_coats.emplace_back(Color(0)), not_negative, inner, block);
+            return true;
+        });
     reader.require(block, parameters);
-    if (scene.background.pattern && scene.background.pattern->by_uv)
+    const auto by_uv = [](const Pigment& own) { return own.pattern && own.pattern->by_uv; };
+    if (by_uv(scene.background) || std::ranges::any_of(scene.background_coats, by_uv))
         diagnostics.add(word, "invalid background: its pattern is mapped by uv, which only meshes have");
 }
 

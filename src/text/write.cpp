@@ -155,14 +155,24 @@ std::string settings_text(const Settings& settings) {
         text += "  ambient_light " + text_of(settings.ambient_light) + "\n";
     if (settings.max_trace_level != usual.max_trace_level)
         text += "  max_trace_level " + std::to_string(settings.max_trace_level) + "\n";
-    if (settings.linear) text += "  assumed_gamma 1\n";
+    if (settings.assumed_gamma != 0) text += "  assumed_gamma " + text_of(settings.assumed_gamma) + "\n";
     if (settings.adc_bailout != usual.adc_bailout) text += "  adc_bailout " + text_of(settings.adc_bailout) + "\n";
     return text.empty() ? text : "global_settings {\n" + text + "}\n";
 }
 
 std::string fog_text(const Fog& fog) {
+    const Fog usual;
+    std::string more;
+    const auto add = [&](const char* name, auto Fog::*member) {
+        if (fog.*member != usual.*member || any_follows(fog.follows, name))
+            more += std::string("  ") + name + " " + text_of(fog.*member, fog.follows, name);
+    };
+    add("altitude", &Fog::altitude), add("offset", &Fog::offset), add("up", &Fog::up);
+    add("filter", &Fog::filter), add("transmit", &Fog::transmit), add("turbulence", &Fog::turbulence);
+    add("octaves", &Fog::octaves), add("omega", &Fog::omega), add("lambda", &Fog::lambda), add("depth", &Fog::depth);
+    add("generator", &Fog::generator);
     return "fog { distance " + text_of(fog.distance, fog.follows, "distance") + "  color " +
-           text_of(fog.color, fog.follows, "color") + " }\n";
+           text_of(fog.color, fog.follows, "color") + more + " }\n";
 }
 
 std::string primitives_text(const std::vector<Primitive>& primitives, const std::vector<Material>& materials) {
@@ -220,10 +230,13 @@ std::string write_scene(const Scene& scene) {
     if (scene.music != Music{})
         text += "music { bpm " + text_of(scene.music.bpm) + "  rows " + text_of(scene.music.rows) +
                 (scene.music.sound.empty() ? "" : "  sound \"" + scene.music.sound + "\"") + " }\n";
+    std::string coats;
+    for (const Pigment& coat : scene.background_coats) coats += "  coat " + text_of(coat);
     if (scene.background.pattern)
-        text += "background { color " + text_of(scene.background) + " }\n";
-    else if (scene.background != Pigment(Color(0)) || !scene.background_follows.empty())
-        text += "background { color " + text_of(scene.background.color, scene.background_follows, "color") + " }\n";
+        text += "background { color " + text_of(scene.background) + coats + " }\n";
+    else if (scene.background != Pigment(Color(0)) || !scene.background_follows.empty() || !coats.empty())
+        text +=
+            "background { color " + text_of(scene.background.color, scene.background_follows, "color") + coats + " }\n";
     if (scene.fog) text += fog_text(*scene.fog);
     if (!scene.lights.empty()) text += "\n";
     for (const Light& light : scene.lights) text += light_text(light);

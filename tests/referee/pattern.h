@@ -134,11 +134,14 @@ struct ValueAt {
 };
 
 /// Makes sRGB-encoded images linear light.
-inline void decode(Pigment& pigment) {
+inline void decode(Pigment& pigment, double gamma) {
     const auto* const image = pigment.pattern ? std::get_if<ImagePattern>(&pigment.pattern->kind) : nullptr;
-    if (!image || image->pixels->linear) return;
+    if (!image) return;
     Pixels pixels = *image->pixels;
-    for (float& v : pixels.values) v = static_cast<float>(v <= .04045 ? v / 12.92 : std::pow((v + .055) / 1.055, 2.4));
+    for (float& v : pixels.values) {
+        if (!pixels.linear) v = static_cast<float>(v <= .04045 ? v / 12.92 : std::pow((v + .055) / 1.055, 2.4));
+        if (gamma != 1) v = static_cast<float>(std::pow(v, 1 / gamma));
+    }
     Pattern pattern = *pigment.pattern;
     std::get<ImagePattern>(pattern.kind).pixels = std::make_shared<const Pixels>(std::move(pixels));
     pigment = Pigment(std::move(pattern));

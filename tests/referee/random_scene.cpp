@@ -195,7 +195,14 @@ Scene random_scene(std::uint64_t seed, const RandomScene& what) {
                 light.area = Area{u, cross_product(u, dice.direction()), 1 + dice.upto(2), 1 + dice.upto(1)};
             }
         }
-    if (what.lights && dice.chance(.5)) scene.fog = Fog{dice.in(2, 30), dice.vector(0, 1)};
+    if (what.lights && dice.chance(.5)) {
+        Fog fog{dice.in(2, 30), dice.vector(0, 1)};
+        // Every third is ground fog; that takes no more numbers of the dice.
+        if (fog.distance < 10)
+            fog.altitude = fog.distance / 5, fog.offset = fog.color.x - .5, fog.up = fog.color - DVec3(.3);
+        if (fog.distance > 5 && fog.distance < 15) fog.transmit = fog.color.y / 3;
+        scene.fog = fog;
+    }
     if (what.patterns && dice.chance(.5)) scene.background = Pigment(random_pattern(dice));
     if (what.patterns)
         for (Material& material : scene.materials)

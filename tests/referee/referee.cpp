@@ -38,12 +38,33 @@ struct Referee<R>::World {
                 if (crossing.t > rules.nearest && crossing.t < rules.farthest && (body < 0 || crossing.t < hit.t))
                     body = i, hit = crossing;
         const bool foggy = scene.fog && inside.empty();
-        if (body < 0) return signature.add(missed), foggy ? Vector<R>(scene.fog->color) : sky.at(line.direction);
+        if (body < 0) {
+            signature.add(missed);
+            if (!foggy) return sky.at(line.direction);
+            const R left = left_by_fog(line, R(1e30));
+            const Vector<R> fog(scene.fog->color);
+            return left > 0 ? left * sky.at(line.direction) + (1 - left) * fog : fog;
+        }
         signature.add(100 + 1000 * body + hit.face);
         const Vector<R> seen = sent(line, body, hit, generation, inside, signature);
         if (!foggy) return seen;
-        const R left = exponential(-hit.t / R(scene.fog->distance));
+        const R left = left_by_fog(line, hit.t);
         return left * seen + (1 - left) * Vector<R>(scene.fog->color);
+    }
+
+    /// The share of light that fog leaves along a line, whose mean density between two heights is the difference of the
+    /// integrals over their distance.
+    R left_by_fog(const Line<R>& line, const R& t) const {
+        const Fog& fog = *scene.fog;
+        R density = 1;
+        if (fog.altitude > 0) {
+            const Vector<R> up = unit(Vector<R>(fog.up));
+            const auto integral = [](const R& h) { return h > 0 ? angle_of(R(1), h) : h; };
+            const R a = (dot(up, line.origin) - R(fog.offset)) / R(fog.altitude);
+            const R rise = t * dot(up, line.direction) / R(fog.altitude);
+            density = rise == 0 ? (a > 0 ? 1 / (1 + a * a) : R(1)) : (integral(a + rise) - integral(a)) / rise;
+        }
+        return std::max(exponential(-t * density / R(fog.distance)), R(fog.transmit));
     }
 
     /// The light that a surface sends back along a line.
@@ -164,9 +185,9 @@ template <class R>
 Referee<R>::Referee(const Scene& given, const Camera& camera, int width, int height, int depth,
                     const OtherRules& rules) {
     Scene scene = given;
-    if (scene.settings.linear) {
-        decode(scene.background);
-        for (Material& material : scene.materials) decode(material.rgb);
+    if (const double gamma = scene.settings.assumed_gamma; gamma != 0) {
+        decode(scene.background, gamma);
+        for (Material& material : scene.materials) decode(material.rgb, gamma);
     }
     const CameraFrame frame = frame_of(camera, double(width) / height);
     World w{scene,

@@ -14,6 +14,7 @@
 #include "image/pixels.h"
 #include "main/commands/scene_file.h"
 #include "main/process/exit_status.h"
+#include "num/decimal.h"
 #include "scene/leaves.h"
 #include "scene/moving_scene.h"
 #include "scene/overlap.h"
@@ -80,6 +81,12 @@ std::string bounds_in_words(const Scene& scene) {
     return words.str();
 }
 
+std::string values_in_words(double gamma) {
+    if (gamma == 0) return "shown as they are";
+    if (gamma == 1) return "linear light, shown sRGB-encoded";
+    return "to the power of " + text_of(gamma) + " linear light, shown sRGB-encoded";
+}
+
 std::string summary(const Scene& scene) {
     const auto transparent = std::ranges::count_if(
         scene.primitives, [&](const Primitive& primitive) { return strahl::transparent(scene, primitive); });
@@ -95,8 +102,7 @@ std::string summary(const Scene& scene) {
          << "  depth        " << scene.settings.max_trace_level << '\n'
          << "  background   " << scene.background.color << (scene.background.pattern ? " at most, by a pattern" : "")
          << '\n'
-         << "  values       " << (scene.settings.linear ? "linear light, shown sRGB-encoded" : "shown as they are")
-         << '\n'
+         << "  values       " << values_in_words(scene.settings.assumed_gamma) << '\n'
          << "  flythrough   ";
     if (const auto& path = scene.flythrough)
         text << path->duration << " s, "

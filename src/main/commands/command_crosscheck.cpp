@@ -38,15 +38,15 @@ OurRun trace(Tracer& tracer, const View& view, int threads, const std::atomic<bo
 }
 
 /// Rounds the values to 16 bits, as a screen would show them.
-Picture for_screen(Picture picture, bool linear) {
-    for (double& v : picture.values) v = quantise(v, linear, 65535) / 65535.;
+Picture for_screen(Picture picture, double gamma) {
+    for (double& v : picture.values) v = quantise(v, gamma, 65535) / 65535.;
     return picture;
 }
 
-void write_sheet(const std::string& path, const Frame& ours, const Picture& theirs, bool linear) {
+void write_sheet(const std::string& path, const Frame& ours, const Picture& theirs, double gamma) {
     const Picture mine{ours.width, ours.height, 3, ours.rgb};
     const Picture difference = heatmap(for_screen(mine, false), for_screen(theirs, false));
-    write_picture(beside({for_screen(mine, linear), for_screen(theirs, linear), difference}, 4), path, {});
+    write_picture(beside({for_screen(mine, gamma), for_screen(theirs, gamma), difference}, 4), path, {});
 }
 
 /// Returns "sheet.png" for one scene, "sheet-NAME.png" for one of several.
@@ -81,7 +81,7 @@ bool check(const CrosscheckOptions& options, const std::string& path, const std:
     const PovRun theirs = is_pov(path) ? run_povray_file({.path = path,
                                                           .width = view.width,
                                                           .height = view.height,
-                                                          .linear = scene.settings.linear,
+                                                          .gamma = scene.settings.assumed_gamma,
                                                           .library = options.opening.library,
                                                           .clock = opened.clock},
                                                          options.threads, stop)
@@ -103,7 +103,7 @@ bool check(const CrosscheckOptions& options, const std::string& path, const std:
         std::cerr << show(path).text << ": largest difference off the edges at x " << verdict.x << ", y " << verdict.y
                   << '\n';
     if (!options.sheet.empty())
-        write_sheet(sheet_path(options, path), ours.frame, theirs.picture, scene.settings.linear);
+        write_sheet(sheet_path(options, path), ours.frame, theirs.picture, scene.settings.assumed_gamma);
     return verdict.beyond_off_edges == 0 && verdict.beyond_on_edges * 1000 <= verdict.pixels;
 }
 

@@ -194,7 +194,7 @@ int render_command(const RenderOptions& asked) {
             options.frames = FrameList{{{opened.frames->first, opened.frames->second, 1}}};
     }
 
-    const FileFormat format{bits_of(ending_of(ending), options.bits), scene.settings.linear, options.compression,
+    const FileFormat format{bits_of(ending_of(ending), options.bits), scene.settings.assumed_gamma, options.compression,
                             options.exposure};
     const Shot first =
         shot_of(scene, options.frames ? std::optional(options.rate.moment(options.frames->first())) : options.time);

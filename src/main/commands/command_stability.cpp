@@ -24,11 +24,11 @@ constexpr int float_differs = 1, double_differs = 2;  // values of Agreement
 constexpr std::array<std::array<double, 3>, 3> colors{{{}, {1, .6, 0}, {1, 0, .1}}};
 
 void write_map(const std::string& path, const View& view, const std::vector<double>& shown,
-               const std::vector<Agreement>& parts, bool linear) {
+               const std::vector<Agreement>& parts, double gamma) {
     Picture map{view.width, view.height, 3, std::vector<double>(shown.size())};
     for (std::size_t i = 0; i < parts.size(); ++i) {
         double grey = 0;
-        for (int c = 0; c < 3; ++c) grey += quantise(shown[3 * i + c], linear, 255) / (3. * 255);
+        for (int c = 0; c < 3; ++c) grey += quantise(shown[3 * i + c], gamma, 255) / (3. * 255);
         for (std::size_t c = 0; c < 3; ++c)
             map.values[3 * i + c] =
                 parts[i] == Agreement::all ? .25 + .5 * grey : colors[static_cast<std::size_t>(parts[i])][c];
@@ -63,10 +63,10 @@ int stability_command(const StabilityOptions& options) {
                     .height = options.size.height,
                     .depth = options.depth.value_or(scene.settings.max_trace_level)};
     Agreements agreements(scene, options.threads,
-                          [linear = scene.settings.linear](double v) { return quantise(v, linear, 255); });
+                          [gamma = scene.settings.assumed_gamma](double v) { return quantise(v, gamma, 255); });
     std::vector<double> shown;
     const std::vector<Agreement> map = agreements.of(view, {.columns = view.width, .rows = view.height}, &shown);
-    if (!options.output.empty()) write_map(options.output, view, shown, map, scene.settings.linear);
+    if (!options.output.empty()) write_map(options.output, view, shown, map, scene.settings.assumed_gamma);
 
     const auto counts = by_depth(agreements, view, map);
     std::array<std::size_t, 3> sums{};

@@ -18,7 +18,7 @@ Proof::Proof(const Lattice& own_part, const FileFormat& own_format)
     : part(own_part), format(own_format), bounds(std::size_t(part.columns) * part.rows), proved(bounds.size()) {}
 
 bool Proof::decided(const Tile& tile, int i) const {
-    return strahl::decided(values_of(tile) + 3 * i, tile.bounds[i], format.bits, format.linear);
+    return strahl::decided(values_of(tile) + 3 * i, tile.bounds[i], format.bits, format.gamma);
 }
 
 void Proof::put(const Pixel& pixel, const double* rgb, PictureWriter& writer) const {

@@ -163,8 +163,8 @@ std::vector<Lattice> Renderer::missing(const PictureWriter& writer, Share share)
 /// precision are the defaults.
 Accuracy Renderer::choose(const Scene& scene, const Shot& shot) {
     const double unseen = half_step(format);
-    // The curve that encodes linear light enlarges errors where it is steep.
-    const double steepest = format.linear && format.bits != 32 ? steepest_srgb : 1;
+    // The curve that encodes light enlarges errors where it is steep.
+    const double steepest = format.bits != 32 ? strahl::steepest(format.gamma) : 1;
     if (!options.prove.empty()) {  // pruned light is part of the bounds
         constexpr double share = 1e-2;
         stats.error = options.error.value_or(share * unseen * steepest);

@@ -143,6 +143,7 @@ int SceneMaker::number_of(const Around& own, bool mapped) {
 /// Returns the number of an object's material, whose pattern is in the object's own space or, if the material is that
 /// of the composites around it, in the space of the outermost of these.
 int SceneMaker::material_of(const ObjectThing& object, const Around& around, bool mapped) {
+    if (around.clips) return materials.nothing();
     const Around own = inside(object, around);
     if (own.shared) return number_of(*own.shared);
     const int number = number_of(own, mapped);
@@ -232,22 +233,24 @@ std::optional<SceneMaker::Part> SceneMaker::build_parts(const ObjectThing& objec
     return Part{std::move(whole), negated};
 }
 
-/// Cuts a body off where it is outside of the bodies that clip it.
+/// Cuts a body off where it is outside of the bodies that clip it, whose own surfaces are not seen: through them one
+/// looks into the body.
 std::optional<SceneMaker::Part> SceneMaker::clipped(const ObjectThing& object, const Around& around, Part part) {
     if (part.negated || !close(part.primitive.shape)) {
         notes.left_out(object.place, "clipped_by of an open body");
         return part;
     }
     const int material = part.primitive.material;
+    if (object.kind == ObjectKind::unite && object.parts.size() > 1)
+        notes.approximated(object.place, "a clipped union in a composite is a merge");
+    if (materials[material].transmits() && materials[material].ior != 1)
+        notes.approximated(object.place, "light enters a clipped body of glass where it is clipped");
     std::vector<Primitive> solid, hollow;
     solid.push_back(std::move(part.primitive));
-    Shared number{&around, material};
     Around bare = around;
-    bare.shared = &number;
+    bare.clips = true;
     for (const auto& clip : object.clips) {
-        ObjectThing own = *clip;
-        own.texture.reset(), own.interior.reset();
-        std::optional<Part> cut = build(own, bare);
+        std::optional<Part> cut = build(*clip, bare);
         if (cut && close(cut->primitive.shape)) (cut->negated ? hollow : solid).push_back(std::move(cut->primitive));
     }
     return Part{{.shape = share_of(std::move(solid), std::move(hollow)), .material = material, .transformations = {}},
@@ -267,6 +270,22 @@ void SceneMaker::tell_notes(const ObjectThing& object) const {
     for (const auto& [kind, text] : object.notes) in.remark(kind, object.place, text);
 }
 
+namespace {
+
+/// Returns objects that are together a union, the smallest ones.
+std::vector<ObjectThing> pieces_of(const ObjectThing& object) {
+    if (object.kind != ObjectKind::unite) return {object};
+    std::vector<ObjectThing> all;
+    for (const auto& part : object.parts)
+        for (const ObjectThing& piece : pieces_of(*part)) {
+            all.push_back(object);
+            all.back().parts = {std::make_shared<const ObjectThing>(piece)};
+        }
+    return all;
+}
+
+}  // namespace
+
 /// Adds an object of the scene, or of a union, whose parts keep the surfaces inside it.
 void SceneMaker::add(const ObjectThing& object, const Around& around) {
     if (object.kind == ObjectKind::light) {
@@ -275,6 +294,8 @@ void SceneMaker::add(const ObjectThing& object, const Around& around) {
         const Around within = inside(object, around);
         tell_notes(object);
         for (const auto& part : object.parts) add(*part, within);
+    } else if (object.kind == ObjectKind::unite && object.parts.size() > 1) {
+        for (const ObjectThing& piece : pieces_of(object)) add(piece, around);
     } else if (std::optional<Part> part = build(object, around)) {
         push(std::move(*part), object, around);
     }

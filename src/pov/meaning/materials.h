@@ -32,6 +32,12 @@ class MaterialMaker {
         if (!moves) plain[key] = own;
         return own;
     }
+    /// Returns the number of the material of what is not there: light goes through it as through nothing.
+    int nothing() {
+        Material clear{.rgb = Color(1), .reflection = 0, .diffuse = 0, .specular = 0};
+        clear.rgb.transmit = 1;
+        return materials.number(clear);
+    }
     /// Returns the number of the same material without its patterns.
     int without_patterns(int number);
     /// Returns the number of the same material of bodies that cast no shadow.

@@ -60,16 +60,42 @@ PigmentMaker::Mean PigmentMaker::mean_of(const MapThing& map, bool list) {
 std::vector<ColorStop> PigmentMaker::stops_of(const Blend& blend) {
     if (!blend.map) return {{0, Color(0)}, {1, Color(1)}};
     std::vector<ColorStop> stops;
-    bool mixed = false;
     for (const MapEntry& entry : blend.map->entries) {
         const double at = std::clamp(decimal(static_cast<float>(entry.at)), stops.empty() ? 0 : stops.back().at, 1.);
-        const Mean own = mean_of(entry);
-        stops.push_back({at, own.color, own.filter, own.transmit});
-        const auto* const nested = dynamic_cast<const PigmentThing*>(entry.thing.get());
-        mixed |= nested && nested->blend;
+        stops.push_back(stop_of(blend, entry, at));
     }
-    if (mixed) notes.approximated(blend.place, "patterns in a pigment_map are their mean colours");
     return stops;
+}
+
+/// Returns the stop of a map's or a list's entry. A pattern there is in the space of the pattern around it, whose own
+/// turbulence it does not follow.
+ColorStop PigmentMaker::stop_of(const Blend& blend, const MapEntry& entry, double at) {
+    const Mean mean = mean_of(entry);
+    ColorStop stop{at, mean.color, mean.filter, mean.transmit};
+    const auto* const nested = dynamic_cast<const PigmentThing*>(entry.thing.get());
+    if (!nested || !nested->blend) return stop;
+    if (blend.uv) {
+        notes.approximated(blend.place, "patterns among colours by uv are their mean colours");
+        return stop;
+    }
+    if (patterns_around == most_nested) {
+        notes.approximated(blend.place, "patterns that are nested deeply are their mean colours");
+        return stop;
+    }
+    const std::uint16_t own = blend.word;
+    const bool stays = own == word("marble") || own == word("wood") || own == word("agate");
+    if (blend.turbulence != DVec3(0) && !stays)
+        notes.approximated(blend.place, "patterns in a map do not follow its turbulence");
+    ++patterns_around;
+    const Look look = look_of(*nested, {}, false);
+    --patterns_around;
+    if (!look.pigment.pattern) return {at, look.pigment.color, look.filter, look.transmit};
+    if (look.filter + look.transmit > 0 && !look.pigment.clear())
+        notes.approximated(blend.place, "a picture that lets light through is opaque");
+    Pattern inner = *look.pigment.pattern;
+    // The space of the pattern around it is POV-Ray's.
+    if (mirrored) inner.transformations.push_back(Scale{{1, 1, -1}});
+    return {at, Color(0), 0, 0, std::make_shared<const Pattern>(std::move(inner))};
 }
 
 std::shared_ptr<const Pixels> PigmentMaker::pixels_of(const Blend& blend) {
@@ -103,7 +129,7 @@ std::optional<SolidPattern> PigmentMaker::solid_of(const Blend& blend, bool bend
 /// Sets the kind of a pattern that has values. Returns false if the scene has no such pattern.
 bool PigmentMaker::set_kind(const Blend& blend, Pattern& pattern) {
     const std::uint16_t own = blend.word;
-    const bool plain = blend.turbulence == DVec3(0);
+    const bool plain = blend.turbulence == DVec3(0) && !pattern.nests();
     const auto waves = [&](Wave usual) { return blend.wave.value_or(usual) == usual; };
     if (plain && own == word("gradient") && waves(Wave::ramp))
         pattern.kind = Gradient{mirror(blend.axis, mirrored)};
@@ -118,6 +144,18 @@ bool PigmentMaker::set_kind(const Blend& blend, Pattern& pattern) {
     return true;
 }
 
+namespace {
+
+Pattern opaque_of(Pattern pattern) {
+    for (ColorStop& stop : pattern.colors) {
+        stop.filter = stop.transmit = 0;
+        if (stop.pattern) stop.pattern = std::make_shared<const Pattern>(opaque_of(*stop.pattern));
+    }
+    return pattern;
+}
+
+}  // namespace
+
 Pigment Look::clear() const {
     Pigment own = pigment;
     if (!pigment.pattern) own.filter = filter, own.transmit = transmit;
@@ -125,9 +163,7 @@ Pigment Look::clear() const {
 }
 Pigment Look::opaque() const {
     if (!pigment.clear()) return pigment;
-    Pattern pattern = *pigment.pattern;
-    for (ColorStop& stop : pattern.colors) stop.filter = stop.transmit = 0;
-    return Pigment(std::move(pattern));
+    return Pigment(opaque_of(*pigment.pattern));
 }
 
 /// Tells what is not shown of a pattern.
@@ -135,6 +171,19 @@ void PigmentMaker::tell_ignored(const Blend& blend) const {
     if (blend.warped) notes.approximated(blend.place, "a pattern without its warps");
     if (blend.ignored != end_code)
         notes.approximated(blend.place, strahl::quoted(word_text(blend.ignored)) + " of a pattern has no effect");
+}
+
+/// Tells if POV-Ray decodes a picture in another way: scenes take 8 and 16 bits as sRGB-encoded, floats as linear
+/// light, and both as they are without an assumed_gamma. Before version 3.7 POV-Ray takes them as they are.
+void PigmentMaker::tell_encoding(const Blend& blend, const Pixels& pixels) const {
+    const Interpreter& in = notes.in;
+    const bool decodes = in.version_given() && in.version() >= 3.7;
+    if (!decodes && !in.assumed_gamma) return;
+    const std::optional<double>& given = blend.image->gamma;
+    const double usual = pixels.linear ? 1 : 0;
+    if (given ? *given != usual : !decodes && !pixels.linear)
+        notes.approximated(blend.place, pixels.linear ? "a picture of floats is linear light"
+                                                      : "the colours of a picture are sRGB-encoded");
 }
 
 Look PigmentMaker::look_of(const PigmentThing& pigment, const Steps& way, bool mapped) {
@@ -163,10 +212,8 @@ Look PigmentMaker::look_of(const PigmentThing& pigment, const Steps& way, bool m
         // A colour that is missing is the usual one; a pigment that is missing is black.
         if (blend.map && blend.map->entries[0].thing) colors[1].color = Color(0);
         for (std::size_t i = 0; blend.map && i < std::min<std::size_t>(blend.map->entries.size(), 2); ++i) {
-            const auto* const nested = dynamic_cast<const PigmentThing*>(blend.map->entries[i].thing.get());
-            const Mean own = mean_of(blend.map->entries[i]);
-            colors[i] = {double(i), own.color, own.filter, own.transmit};
-            if (nested && nested->blend) notes.approximated(blend.place, "patterns in a list are their mean colours");
+            colors[i] = stop_of(blend, blend.map->entries[i], double(i));
+            look.varies |= colors[i].pattern && Pigment(*colors[i].pattern).clear();
         }
         if (blend.turbulence != DVec3(0))
             notes.approximated(blend.place, "'" + word_text(blend.word) + "' without turbulence");
@@ -182,6 +229,7 @@ Look PigmentMaker::look_of(const PigmentThing& pigment, const Steps& way, bool m
         const auto pixels = pixels_of(blend);
         const ImageThing& image = *blend.image;
         if (!pixels) return look;
+        tell_encoding(blend, *pixels);
         if (image.map_type > 2) return as_mean("a picture of this map_type");
         if (image.interpolate == 0 || image.interpolate == 4)
             notes.approximated(blend.place, "the pixels of a picture are interpolated");
@@ -209,6 +257,7 @@ Look PigmentMaker::look_of(const PigmentThing& pigment, const Steps& way, bool m
         return look;
     }
     pattern.colors = stops_of(blend);
+    for (const ColorStop& stop : pattern.colors) look.varies |= stop.pattern && Pigment(*stop.pattern).clear();
     if (!set_kind(blend, pattern)) return as_mean("the pattern '" + word_text(blend.word) + "'");
     const bool solid = std::holds_alternative<SolidPattern>(pattern.kind);
     Steps first;

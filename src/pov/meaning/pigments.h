@@ -38,10 +38,12 @@ class PigmentMaker {
     Mean mean_of(const MapEntry& entry);
     Mean mean_of(const PigmentThing& pigment);
     Mean mean_of(const MapThing& map, bool list);
+    ColorStop stop_of(const Blend& blend, const MapEntry& entry, double at);
     std::vector<ColorStop> stops_of(const Blend& blend);
     std::optional<SolidPattern> solid_of(const Blend& blend, bool bends) const;
     std::shared_ptr<const Pixels> pixels_of(const Blend& blend);
     void tell_ignored(const Blend& blend) const;
+    void tell_encoding(const Blend& blend, const Pixels& pixels) const;
     bool set_kind(const Blend& blend, Pattern& pattern);
     std::vector<Transformation> space_of(const Blend& blend, const Steps& way, const Steps& first) const;
 
@@ -49,6 +51,8 @@ class PigmentMaker {
     ReadPixels read_pixels;
     const bool mirrored;
     std::map<std::string, std::shared_ptr<const Pixels>> pictures;
+    int patterns_around = 0;               // the pigment that is made
+    static constexpr int most_nested = 4;  // as scene text has it
 };
 
 }  // namespace strahl::pov

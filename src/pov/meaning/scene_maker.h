@@ -46,6 +46,7 @@ class SceneMaker {
         std::shared_ptr<const TextureThing> texture;
         std::shared_ptr<const InteriorThing> interior;
         bool no_shadow = false, no_image = false, no_reflection = false;
+        bool clips = false;        // it clips another object, and is not seen itself
         Shared* shared = nullptr;  // of the outermost composite from which it has its texture
     };
     struct Part {

@@ -104,36 +104,63 @@ void SceneMaker::set_background() {
     scene.background = Pigment(std::max(color.x, 0.), std::max(color.y, 0.), std::max(color.z, 0.));
     if (contents.sky && !contents.sky->pigments.empty()) {
         const std::vector<PigmentThing>& pigments = contents.sky->pigments;
-        std::size_t best = pigments.size() - 1;
         std::vector<Look> looks;
         for (const PigmentThing& pigment : pigments)
             looks.push_back(materials.pigment_maker().look_of(pigment, {}, false));
-        const auto opacity = [&](std::size_t i) { return 1 - looks[i].filter - looks[i].transmit; };
-        while (best > 0 && opacity(best) < .5) --best;
-        if (pigments.size() > 1 || opacity(best) < 1)
-            notes.approximated(contents.sky->place, "of the layers of the sky one is shown");
-        if (opacity(best) > 0 || looks[best].pigment.pattern) scene.background = looks[best].opaque();
+        // The lowest layer that hides everything takes the place of the background.
+        const auto clear = [](const Look& look) { return look.filter + look.transmit > 0 || look.clear().clear(); };
+        std::size_t first = 0;
+        for (std::size_t i = 0; i < looks.size(); ++i)
+            if (!clear(looks[i])) scene.background = looks[i].pigment, first = i + 1;
+        constexpr std::size_t most_coats = 7;
+        if (looks.size() - first > most_coats) {
+            notes.approximated(contents.sky->place, "of the layers of the sky the upper seven are shown");
+            first = looks.size() - most_coats;
+        }
+        for (std::size_t i = first; i < looks.size(); ++i) {
+            if (looks[i].pigment.pattern && !looks[i].pigment.clear())
+                notes.approximated(contents.sky->place, "a picture of the sky that lets light through is opaque");
+            scene.background_coats.push_back(looks[i].clear());
+        }
+        const double version = in.version_given() ? in.version() : 3.62;
+        const auto filters = [](const Pigment& coat) { return coat.filter > 0; };
+        if (version < 3.7 && pigments.size() > 1 && std::ranges::any_of(scene.background_coats, filters))
+            notes.approximated(contents.sky->place, "layers of the sky are as in version 3.7");
     }
     for (const FogThing& fog : contents.fogs) {
-        if (!(fog.distance > 0) || scene.fog || fog.type != 1) {
-            if (fog.distance != 0) notes.left_out(fog.place, scene.fog ? "a second fog" : "ground fog");
+        const bool ground = fog.type != 1, lies = !ground || (fog.altitude > 0 && length(fog.up) > 0);
+        if (!(fog.distance > 0) || scene.fog || !lies) {
+            if (fog.distance != 0) notes.left_out(fog.place, scene.fog ? "a second fog" : "fog without a direction");
             continue;
         }
-        scene.fog = Fog{.distance = std::clamp(fog.distance, 1e-9, 1e9), .color = color_of(fog.color)};
-        if (fog.color.filter != 0 || fog.color.transmit != 0)
-            notes.approximated(fog.place, "fog hides everything that is far enough away");
-        if (fog.turbulent) notes.approximated(fog.place, "fog is even");
+        scene.fog = Fog{.distance = std::clamp(fog.distance, 1e-9, 1e9),
+                        .color = color_of(fog.color),
+                        .filter = std::clamp(decimal(fog.color.filter), 0., 1.),
+                        .transmit = std::clamp(decimal(fog.color.transmit), 0., 1.)};
+        if (ground) {
+            scene.fog->altitude = std::clamp(fog.altitude, 1e-9, 1e9);
+            scene.fog->offset = std::clamp(fog.offset, -1e9, 1e9);
+            scene.fog->up = mirror(fog.up, mirrored);
+        }
+        if (fog.turbulence != DVec3(0)) {
+            scene.fog->turbulence = mirror(fog.turbulence, mirrored);
+            scene.fog->octaves = std::clamp(fog.octaves, 1., 10.);
+            scene.fog->omega = decimal(static_cast<float>(fog.omega));
+            scene.fog->lambda = decimal(static_cast<float>(fog.lambda));
+            scene.fog->depth = fog.depth, scene.fog->generator = std::clamp(in.noise_generator, 1, 3);
+        }
     }
 }
 
 void SceneMaker::set_settings() {
     Settings& settings = scene.settings;
     const double version = in.version_given() ? in.version() : 3.62;
-    const double gamma = in.assumed_gamma.value_or(version >= 3.7 ? 1 : 2.2);
-    settings.linear = gamma < 1.5;
-    if (in.assumed_gamma && !contents.assumes_srgb && gamma != 1)
+    if (!contents.assumes_srgb) settings.assumed_gamma = in.assumed_gamma.value_or(version >= 3.7 ? 1 : 0);
+    if (const double gamma = settings.assumed_gamma; gamma != 0 && !(gamma >= 1 && gamma <= 5)) {
+        settings.assumed_gamma = gamma > 5 ? 5 : 1;
         notes.approximated(contents.gamma_place,
-                           "assumed_gamma " + text_of(gamma) + " is " + (settings.linear ? "1" : "srgb"));
+                           "assumed_gamma " + text_of(gamma) + " is " + text_of(settings.assumed_gamma));
+    }
     const Color& ambient = contents.ambient_light;
     settings.ambient_light = {std::max(ambient.x, 0.), std::max(ambient.y, 0.), std::max(ambient.z, 0.)};
     settings.max_trace_level = std::clamp(contents.max_trace_level, 1, 256);

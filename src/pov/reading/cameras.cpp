@@ -107,18 +107,28 @@ FogThing PovReader::read_fog(Interpreter& in) {
                 fog.type = in.read_integer();
                 break;
             case word("turbulence"):
-                fog.turbulent = in.read_vector() != DVec3(0);
+                fog.turbulence = in.read_vector();
                 break;
             case word("up"):
-                in.read_vector();
+                fog.up = in.read_vector();
                 break;
             case word("fog_offset"):
+                fog.offset = in.read_number();
+                break;
             case word("fog_alt"):
+                fog.altitude = in.read_number();
+                break;
             case word("turb_depth"):
+                fog.depth = in.read_number();
+                break;
             case word("octaves"):
+                fog.octaves = in.read_integer();
+                break;
             case word("omega"):
+                fog.omega = in.read_number();
+                break;
             case word("lambda"):
-                in.read_number();
+                fog.lambda = in.read_number();
                 break;
             default:
                 in.fail("this word does not belong to fog");

@@ -158,8 +158,7 @@ bool PovReader::read_object_modifier(Interpreter& in, ObjectThing& object) {
             return true;
         case word("open"):
             in.skip();
-            if (object.kind == ObjectKind::shape && !std::holds_alternative<Mesh>(*object.shape))
-                object.approximated("an open body is closed");
+            open_ends(object);
             return true;
         case word("uv_mapping"):
             in.skip();
@@ -185,7 +184,6 @@ bool PovReader::read_object_modifier(Interpreter& in, ObjectThing& object) {
             in.end_block();
             if (code == word("bounded_by")) return object.bounds = std::move(bounds), true;
             for (auto& clip : bounds) object.clips.push_back(std::move(clip));
-            object.approximated("clipped_by: a body is closed where it is clipped");
             return true;
         }
         default:

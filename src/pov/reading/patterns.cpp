@@ -161,7 +161,7 @@ std::shared_ptr<const ImageThing> PovReader::read_image(Interpreter& in) {
                 break;
             }
             case word("gamma"):
-                if (!in.accept("srgb")) in.read_number();
+                image->gamma = in.accept("srgb") ? 0 : in.read_number();
                 break;
             case word("premultiplied"):
             case word("use_alpha"):

@@ -65,6 +65,7 @@ class PovReader : public SceneLayer {
     std::vector<std::shared_ptr<const ObjectThing>> read_object_block(Interpreter& in);
     // shapes.cpp
     static bool is_shape(std::uint16_t code);
+    static void open_ends(ObjectThing& object);
     void read_shape(Interpreter& in, std::uint16_t code, ObjectThing& object);
     void read_mesh(Interpreter& in, ObjectThing& object);
     void read_mesh2(Interpreter& in, ObjectThing& object);

@@ -271,6 +271,33 @@ bool PovReader::is_shape(std::uint16_t code) {
     return std::ranges::find(words, code) != words.end();
 }
 
+/// Takes the caps off a cylinder or a cone: it becomes longer, and is clipped where it ended.
+void PovReader::open_ends(ObjectThing& object) {
+    if (object.kind != ObjectKind::shape) return;
+    auto* const cylinder = std::get_if<Cylinder>(&*object.shape);
+    auto* const cone = std::get_if<Cone>(&*object.shape);
+    if (!cylinder && !cone) return;
+    DVec3 &base = cylinder ? cylinder->base : cone->base, &cap = cylinder ? cylinder->cap : cone->cap;
+    const DVec3 way = cap - base;
+    if (!(length(way) > 0)) return;
+    double none = 1, &r = cone ? cone->base_radius : none, &s = cone ? cone->cap_radius : none;
+    // Returns by which part of its length a body can become longer at an end: not beyond the tip of a cone.
+    const auto room = [](double own, double other) {
+        return own == 0 ? 0 : other > own ? std::min(1., own / (other - own) / 2) : 1;
+    };
+    const auto cut = [&](const DVec3& normal, const DVec3& point) {
+        auto clip = std::make_shared<ObjectThing>();
+        clip->kind = ObjectKind::shape, clip->place = object.place, clip->steps = object.steps;
+        clip->shape = plane_of(normal, dot_product(normalize(normal), point));
+        object.clips.push_back(std::move(clip));
+    };
+    const double before = room(r, s), behind = room(s, r), change = s - r;
+    if (before > 0) cut(-way, base);
+    if (behind > 0) cut(way, cap);
+    base = base - before * way, cap = cap + behind * way;
+    r -= before * change, s += behind * change;
+}
+
 /// Reads the arguments of a body after '{'.
 void PovReader::read_shape(Interpreter& in, std::uint16_t code, ObjectThing& object) {
     const auto set = [&](const Shape& shape) {

@@ -84,7 +84,10 @@ struct FogThing : Thing {
     double distance = 0;
     int type = 1;
     FilterColor color{};
-    bool turbulent = false;
+    DVec3 up{0, 1, 0};
+    double offset = 0, altitude = 0;
+    DVec3 turbulence{0};
+    double octaves = 6, omega = .5, lambda = 2, depth = .5;
 };
 
 struct SkyThing : Thing {

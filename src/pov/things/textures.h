@@ -29,6 +29,7 @@ struct ImageThing {
     int map_type = 0, interpolate = 0;
     bool once = false, single_colors = false;  // single_colors: some are transparent
     std::optional<double> filter_all, transmit_all;
+    std::optional<double> gamma;  // by which it is encoded; 0 is srgb
 };
 
 /// The pattern of a pigment, a normal or a texture, with its map.

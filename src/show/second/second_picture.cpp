@@ -28,13 +28,13 @@ ScreenImage encoded(std::span<const double> values, const View& view, const Tran
 
 /// Fills in the difference of two pictures as a screen with 16 bits would show them.
 void compare(std::span<const double> a, std::span<const double> b, const SecondOrder& order, SecondPicture& result) {
-    const bool linear = order.scene->settings.linear;
+    const double gamma = order.scene->settings.assumed_gamma;
     result.difference.resize(order.view.width, order.view.height);
     for (std::size_t i = 0; i < result.difference.rgba.size(); ++i) {
         std::uint32_t pixel = 0xff000000u;
         bool differs = false;
         for (unsigned c = 0; c < 3; ++c) {
-            const int off = std::abs(quantise(a[3 * i + c], linear, 65535) - quantise(b[3 * i + c], linear, 65535));
+            const int off = std::abs(quantise(a[3 * i + c], gamma, 65535) - quantise(b[3 * i + c], gamma, 65535));
             differs |= off > 257;
             pixel |= static_cast<std::uint32_t>(std::min(255, amplified * off / 257)) << 8 * c;
         }
@@ -56,7 +56,7 @@ std::vector<double> povray_values(const SecondOrder& order, int grid, int thread
         PovFile file{.path = order.path,
                      .width = view.width,
                      .height = view.height,
-                     .linear = order.scene->settings.linear,
+                     .gamma = order.scene->settings.assumed_gamma,
                      .grid = grid,
                      .mirrored = order.mirrored};
         if (view.camera != order.scene->camera) file.camera = view.camera;
@@ -93,7 +93,7 @@ bool SecondOrder::operator==(const SecondOrder& other) const {
 
 void make_second(const SecondOrder& order, ThreadPool& pool, const std::atomic<bool>& stop,
                  const std::function<void(SecondPicture)>& publish) {
-    const TransferTable table(order.scene->settings.linear, order.exposure);
+    const TransferTable table(order.scene->settings.assumed_gamma, order.exposure);
     const Sampling one_ray{.grid = 1};
     const bool povray = order.kind == SecondKind::povray;
     SecondPicture result;

@@ -287,7 +287,7 @@ View Session::view(int window_width, int window_height) const {
             .width = frame.area.width,
             .height = frame.area.height,
             .depth = depth(),
-            .error = half_step({.bits = 8, .linear = scene->settings.linear, .exposure = exposure}),
+            .error = half_step({.bits = 8, .gamma = scene->settings.assumed_gamma, .exposure = exposure}),
             .time = time,
             .tracks = tracks};
 }

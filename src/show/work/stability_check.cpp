@@ -18,7 +18,7 @@ class Undecided {
         : tracer(scene, Precision::float64),
           extended(scene, Precision::extended),
           pool(threads),
-          linear(scene.settings.linear) {}
+          gamma(scene.settings.assumed_gamma) {}
 
     void add_rows(View view, const Lattice& rows, Stability& found, const std::atomic<bool>* stop) {
         view.prove = true;
@@ -29,7 +29,7 @@ class Undecided {
             bool all = true;
             for (int i = 0; i < part.columns * part.rows; ++i) {
                 const int x = part.x + i % part.columns, y = part.y - rows.y + i / part.columns;
-                all &= proved[std::size_t(y) * rows.columns + x] = decided(rgb + 3 * i, tile.bounds[i], 8, linear);
+                all &= proved[std::size_t(y) * rows.columns + x] = decided(rgb + 3 * i, tile.bounds[i], 8, gamma);
             }
             return all;
         };
@@ -51,7 +51,7 @@ class Undecided {
   private:
     Tracer tracer, extended;
     ThreadPool pool;
-    const bool linear;
+    const double gamma;
 };
 
 }  // namespace
@@ -67,7 +67,7 @@ void StabilityCheck::start(std::shared_ptr<const Scene> scene, const View& view)
     share = 0;
     thread = std::thread([this, scene = std::move(scene), view] {
         Agreements agreements(*scene, threads,
-                              [linear = scene->settings.linear](double v) { return quantise(v, linear, 255); });
+                              [gamma = scene->settings.assumed_gamma](double v) { return quantise(v, gamma, 255); });
         std::optional<Undecided> undecided;
         if (proves()) undecided.emplace(*scene, threads), collected.proved = 0;
         constexpr int band = 64;  // rows at a time

@@ -99,7 +99,7 @@ Stills::Outcome Stills::make(const Still& still, ThreadPool& pool) try {
     if (stop) return {};
     const std::string path = reserve_file(still.name, still.ending);
     try {
-        write_picture(picture, path, {.linear = still.scene->settings.linear, .exposure = still.exposure});
+        write_picture(picture, path, {.gamma = still.scene->settings.assumed_gamma, .exposure = still.exposure});
     } catch (...) {
         ::unlink(path.c_str());
         throw;

@@ -101,7 +101,7 @@ bool TraceThread::accept(std::stop_token quit) {
         if (!next) break;
         if (next->scene != order.scene) tracer.reset();
         if (next->scene != order.scene || next->exposure != order.exposure)
-            table.emplace(next->scene->settings.linear, next->exposure);
+            table.emplace(next->scene->settings.assumed_gamma, next->exposure);
         if (next->number != order.number) done = -1, cells.reset();
         order = *std::exchange(next, std::nullopt);
     } while (!unfinished());
@@ -124,7 +124,7 @@ int TraceThread::choose(FilledLattice& filled) {
     const int finest = order.moving ? std::min(order.finest, finest_level) : finest_level;
     const int level = uneven ? finest_level : resolution.choose(view.width, view.height, order.budget, finest);
     filled.lattice = pixels_of(level, view.width, view.height);
-    filled.contrast = most_off / (order.scene->settings.linear ? steepest_srgb : 1) / gain_of(order.exposure);
+    filled.contrast = most_off / steepest(order.scene->settings.assumed_gamma) / gain_of(order.exposure);
     if (uneven) filled.tolerance = tolerance.choose(count(filled.lattice), order.budget);
     const bool coarsest = uneven ? filled.tolerance == Tolerance::coarsest : level == 0;
     std::lock_guard lock(mutex);

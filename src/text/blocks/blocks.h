@@ -116,10 +116,21 @@ inline std::array<Parameter, 4> spot_parameters(Spot& spot) {
 inline std::array<Parameter, 1> background_parameters(Pigment& color) {
     return {{{"color", &color, not_negative, "the colour of rays that hit nothing", required}}};
 }
-inline std::array<Parameter, 2> fog_parameters(Fog& fog) {
+inline std::array<Parameter, 13> fog_parameters(Fog& fog) {
     return {
         {{"distance", &fog.distance, lengths, "range of sight: over this distance 63 % of the light is lost", required},
-         {"color", &fog.color, not_negative, "the colour of the fog", required}}};
+         {"color", &fog.color, not_negative, "the colour of the fog", required},
+         {"altitude", &fog.altitude, seconds, "ground fog: height at which it is half as dense; 0: it is even"},
+         {"offset", &fog.offset, coordinates, "where along `up` ground fog begins to become thinner"},
+         {"up", &fog.up, directions, "the direction in which ground fog becomes thinner, of any length"},
+         {"filter", &fog.filter, shares, "how much what is seen through it has the colour of the fog"},
+         {"transmit", &fog.transmit, shares, "the least share of light that comes through"},
+         {"turbulence", &fog.turbulence, anything, "how fine noise is that makes it patchy, along each axis"},
+         {"octaves", &fog.octaves, octave_counts, "how many sizes of detail that noise has"},
+         {"omega", &fog.omega, anything, "strength of each octave relative to the one before"},
+         {"lambda", &fog.lambda, anything, "how many times finer each octave is than the one before"},
+         {"depth", &fog.depth, anything, "how strong that noise is"},
+         {"generator", &fog.generator, positive, "POV-Ray's noise_generator: 1, 2 or 3"}}};
 }
 
 inline std::array<Parameter, 2> music_parameters(Music& music) {
@@ -138,15 +149,17 @@ struct SettingsText {
     double adc_bailout = Settings{}.adc_bailout;
 };
 inline std::array<Parameter, 4> settings_parameters(SettingsText& settings) {
-    return {{{"ambient_light", &settings.ambient_light, not_negative, "the ambient light, the same everywhere"},
-             {"max_trace_level", &settings.max_trace_level, depths,
-              "how many generations of rays are traced; camera rays are the first"},
-             {"assumed_gamma", &settings.assumed_gamma, only_one,
-              "declares that values are linear light: the window and 8- and 16-bit files are then sRGB-encoded",
-              "values are shown unchanged"},
-             {"adc_bailout", &settings.adc_bailout, shares,
-              "in scenes with shadowless or fading lights, or with materials' words from `blinn` on, rays of less "
-              "weight than this are black"}}};
+    return {
+        {{"ambient_light", &settings.ambient_light, not_negative, "the ambient light, the same everywhere"},
+         {"max_trace_level", &settings.max_trace_level, depths,
+          "how many generations of rays are traced; camera rays are the first"},
+         {"assumed_gamma", &settings.assumed_gamma, gammas,
+          "declares that a value v is v^`assumed_gamma` of light, linear light with 1: the window and 8- and 16-bit "
+          "files are then sRGB-encoded",
+          "values are shown unchanged"},
+         {"adc_bailout", &settings.adc_bailout, shares,
+          "in scenes with shadowless or fading lights, or with materials' words from `blinn` on, rays of less "
+          "weight than this are black"}}};
 }
 
 /// Calls visit(word, parameters) for all blocks but those of bodies.

@@ -12,6 +12,16 @@
 namespace strahl {
 namespace {
 
+constexpr int most_nested = 4;  // patterns in each other
+
+/// Counts a pattern as around those that are read while this lives.
+struct Within {
+    explicit Within(int& count) : count(count) { ++count; }
+    ~Within() { --count; }
+    Within(const Within&) = delete;
+    int& count;
+};
+
 /// The purpose of a pattern.
 enum class Use { color, bump, normal };
 
@@ -82,8 +92,7 @@ class PatternBlock {
             for (const double at : {0., 1.}) {
                 if (at == 1) reader.lexer.accept(',');
                 ColorStop stop{at};
-                reader.read_clear(stop.color, stop.filter, stop.transmit, colors,
-                                  Kind::colors[static_cast<std::size_t>(at)], block);
+                read_color(stop, Kind::colors[static_cast<std::size_t>(at)], block);
                 pattern.colors.push_back(stop);
             }
         else if constexpr (requires { kind.solid; })
@@ -144,13 +153,30 @@ class PatternBlock {
         outer.absorb(block);
         if (!again) pattern.colors = std::move(stops);
     }
+    /// Reads the colour of a stop, or a pattern in its place.
+    void read_color(ColorStop& stop, std::string_view name, Block& block) {
+        const std::string_view word = reader.lexer.token();
+        reader.lexer.rewind(word);
+        if (!contains(pattern_words, word))
+            return reader.read_clear(stop.color, stop.filter, stop.transmit, colors, name, block);
+        if (reader.patterns_around == most_nested) {
+            reader.diagnostics.add(word, "patterns in patterns are at most " + std::to_string(most_nested) + " deep");
+            throw ParseAbort{};
+        }
+        Pigment own(Color(0));
+        const Within within(reader.patterns_around);
+        reader.read(own, colors, name, block);
+        stop.pattern = own.pattern;
+        if (own.pattern && own.pattern->by_uv)
+            reader.fault(block, word, "a pattern among colours cannot be mapped by uv");
+    }
     void add_stop(std::vector<ColorStop>& stops, Block& block) {
         const std::string_view at = reader.lexer.token();
         reader.lexer.rewind(at);
         ColorStop stop;
         reader.read(stop.at, shares, "stop", block);
         reader.lexer.accept(',');
-        reader.read_clear(stop.color, stop.filter, stop.transmit, colors, "colour", block);
+        read_color(stop, "colour", block);
         if (block.good() && !stops.empty() && stop.at < stops.back().at)
             reader.fault(block, at, "stops must not fall: the one before is at " + text_of(stops.back().at));
         if (stops.size() < most_stops)
@@ -161,6 +187,8 @@ class PatternBlock {
     template <class Kind>
     void check(const Kind& kind, std::string_view word, std::string_view last, Block& block) {
         if (!block.good()) return;
+        if (pattern.by_uv && pattern.nests())
+            reader.fault(block, word, "a pattern that is mapped by uv cannot have patterns among its colours");
         const std::string invalid = "invalid " + std::string(word) + ": ";
         if constexpr (requires { kind.axis; })
             if (kind.axis == DVec3(0)) reader.fault(block, word, invalid + "its axis has no direction");
@@ -243,8 +271,11 @@ void BlockReader::read(NormalMap& value, const NumberRange& range, std::string_v
 
 namespace {
 
-/// <r, g, b>, or <r, g, b, filter, transmit> if light comes through.
+std::string block_text(const Pattern& pattern, const std::string& first);
+
+/// <r, g, b>, or <r, g, b, filter, transmit> if light comes through; or the block of a pattern.
 std::string color_text(const ColorStop& own) {
+    if (own.pattern) return block_text(*own.pattern, "");
     std::string text = text_of(own.color);
     if (own.filter == 0 && own.transmit == 0) return text;
     text.back() = ',';

@@ -10,7 +10,7 @@ Settings read_settings(BlockReader& reader, std::string_view word) {
     auto parameters = settings_parameters(settings);
     reader.block(block, parameters);
     if (!block.good()) return {};
-    return {settings.ambient_light, static_cast<int>(settings.max_trace_level), settings.assumed_gamma.has_value(),
+    return {settings.ambient_light, static_cast<int>(settings.max_trace_level), settings.assumed_gamma.value_or(0),
             settings.adc_bailout};
 }
 

@@ -46,6 +46,7 @@ class BlockReader {
     void read_clear(Color& color, double& filter, double& transmit, const NumberRange& range, std::string_view name,
                     Block& block);
     void read(Pigment& value, const NumberRange& range, std::string_view name, Block& block);
+    int patterns_around = 0;  // the one that is read
     void read(Bump& value, const NumberRange& range, std::string_view name, Block& block);
     void read(NormalMap& value, const NumberRange& range, std::string_view name, Block& block);
 

@@ -1,5 +1,6 @@
 // Shades hits in worlds with POV-Ray's finishes: their light, by layers, and their rays, which carry colours.
 #pragma once
+#include "trace/kernel/fog.h"
 #include "trace/kernel/illuminate.h"
 #include "trace/kernel/scatter.h"
 #include "trace/patterns/finish_calls.h"
@@ -81,14 +82,17 @@ template <class S, class P>
     using T = Element<S>;
     const auto& world = shading.world;
     const S zero(0), one(1);
-    const Vec3<S> tint = tint_of(from, pick);
+    const Vec3<S> before = tint_of(from, pick);
+    const Vec3<S> tint = world.fog.any ? before * tint_of_fog(world, S(hit.medium)) : before;
     LayeredHit<S> layers;
     FinishCalls<S>::look(world, numbers, {hit.position, hit.direction, hit.normal, hit.surface, hit.outside}, layers);
     Vec3<S> light = layers.ambient;
     add_lights(shading, hit, numbers, layers, notes, light);
     light = scale(hit.weight, light);
-    if (world.fog.any) light = fma(pick(from.weight) - hit.weight, splat<S>(world.fog.color), light);
-    add_light(shading.batch, hit.pixel, pick.lanes, light * tint);
+    if (world.fog.any)
+        light =
+            fma(pick(from.weight) - hit.weight, splat<S>(world.fog.color), light * tint_of_fog(world, S(hit.medium)));
+    add_light(shading.batch, hit.pixel, pick.lanes, light * before);
 
     const S level = pick(from.level);
     const Mask<S> deeper = hit.active & (level < S(static_cast<T>(shading.limits.depth)));

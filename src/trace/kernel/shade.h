@@ -10,6 +10,21 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
+/// Returns where rays start.
+template <class S>
+STRAHL_INLINE Vec3<S> origins_of(const RayQueue<Element<S>>& rays, const LaneIndices<S>& pick) {
+    return {pick(rays.origin.x), pick(rays.origin.y), pick(rays.origin.z)};
+}
+
+/// Returns the share of the background's light that uneven fog leaves to rays that hit nothing.
+template <class S, class P>
+[[gnu::noinline]] S fog_before_sky(const Shading<S, P>& shading, const LaneIndices<S>& pick, const S& medium) {
+    constexpr Element<S> far = 1e15f;
+    const auto& d = shading.rays.open.direction;
+    return left_by_fog(shading.world, S(1), medium, origins_of(shading.rays.open, pick),
+                       Vec3<S>{pick(d.x), pick(d.y), pick(d.z)}, S(far));
+}
+
 /// Adds the background to the pixels of rays that hit nothing. In fog those outside all transparent bodies have its
 /// colour.
 template <class S, class P>
@@ -30,7 +45,14 @@ void shade_misses(const Shading<S, P>& shading) {
         }
         if (world.fog.any) [[unlikely]] {
             const Vec3<S> fog = splat<S>(world.fog.color);
-            color = world.nested ? select(pick(shading.rays.open.medium) == S(0), fog, color) : fog;
+            const S medium = pick(shading.rays.open.medium);
+            if (world.fog.even) {
+                color = world.nested ? select(medium == S(0), fog, color) : fog;
+            } else {
+                const S left = fog_before_sky(shading, pick, medium);
+                color = color * tint_of_fog(world, medium);
+                for (int c = 0; c < 3; ++c) color[c] = fma(left, color[c] - fog[c], fog[c]);
+            }
         }
         if (world.finishes.list) [[unlikely]]
             color = color * tint_of(shading.rays.open, pick);
@@ -169,7 +191,8 @@ bool shade_bin(const Shading<S, P>& shading, int bin) {
         const Element<S>* const t = within ? rays.inside.t : shading.hits.t;
         Hit<S> hit = make_hit(shading, bin, from, pick, t, material);
         if (world.fog.any) [[unlikely]]
-            hit.weight = left_by_fog(world, S(hit.weight), S(hit.medium), pick(t));
+            hit.weight = left_by_fog(world, S(hit.weight), S(hit.medium), origins_of(from, pick),
+                                     Vec3<S>(hit.direction), pick(t));
         HitNotes<S, P> notes;
         P::meet(shading, hit, from, pick, t, within, material, notes.own);
         if (shading.has_notes) [[unlikely]] {

@@ -24,6 +24,10 @@ struct ClearColor {
     Vec3<S> color;
     S filter{0}, transmit{0};
 };
+template <bool clear, class S>
+ClearColor<S> nested_color_at(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
+                              const Vec3<S>& position, const S& surface, const S& value);
+
 /// Returns the colour of a pattern at points of the world, which are on these surfaces, and if `clear` the shares.
 template <bool clear, class S>
 STRAHL_INLINE ClearColor<S> clear_color_at(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
@@ -31,6 +35,8 @@ STRAHL_INLINE ClearColor<S> clear_color_at(const World<Element<S>>& world, const
     const Vec3<S> p = place_of(world, pattern, position, surface);
     if (pattern.form == PatternForm::image) return {image_color(pattern.image, p)};
     const S value = value_at(pattern, p);
+    if (pattern.nests) [[unlikely]]
+        return nested_color_at<clear>(world, pattern, position, surface, value);
     const auto* stop = world.patterns.stops + pattern.first_stop;
     ClearColor<S> found{splat<S>(stop->color)};
     if constexpr (clear) found.filter = S(stop->filter), found.transmit = S(stop->transmit);
@@ -47,6 +53,30 @@ STRAHL_INLINE ClearColor<S> clear_color_at(const World<Element<S>>& world, const
             found.filter = select(beyond, fma(share, S(after->filter), rest * S(before->filter)), found.filter);
             found.transmit = select(beyond, fma(share, S(after->transmit), rest * S(before->transmit)), found.transmit);
         }
+    }
+    return found;
+}
+/// Returns the colour of a pattern of these values that has patterns among its colours.
+template <bool clear, class S>
+[[gnu::noinline]] ClearColor<S> nested_color_at(const World<Element<S>>& world,
+                                                const PatternKernel<Element<S>>& pattern, const Vec3<S>& position,
+                                                const S& surface, const S& value) {
+    const auto color_of = [&](const ColorStopKernel<Element<S>>& stop) -> ClearColor<S> {
+        if (stop.nested < 0) return {splat<S>(stop.color), S(stop.filter), S(stop.transmit)};
+        return clear_color_at<clear>(world, world.patterns.nested[stop.nested], position, surface);
+    };
+    const auto* stop = world.patterns.stops + pattern.first_stop;
+    ClearColor<S> found = color_of(*stop), after = found;
+    for (int i = 1; i < pattern.stops; ++i) {
+        const auto* const before_stop = stop++;
+        const Mask<S> beyond = value > S(before_stop->at);
+        if (none(beyond)) break;
+        const S share = min((value - S(before_stop->at)) * S(stop->per), S(1)), rest = S(1) - share;
+        const ClearColor<S> before = after;
+        after = color_of(*stop);
+        const auto mix = [&](const S& a, const S& b, S& own) { own = select(beyond, fma(share, b, rest * a), own); };
+        for (int c = 0; c < 3; ++c) mix(before.color[c], after.color[c], found.color[c]);
+        mix(before.filter, after.filter, found.filter), mix(before.transmit, after.transmit, found.transmit);
     }
     return found;
 }
@@ -129,9 +159,9 @@ template <class S>
 [[gnu::noinline]] Filtering<S> filtered_at(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
                                            const Vec3<S>& position, const S& surface, const Footprint<S>& footprint,
                                            Mask<S> lanes, Vec3<S>& color) {
-    if (pattern.form == PatternForm::constant || pattern.form == PatternForm::solid) {
+    if (pattern.form == PatternForm::constant || pattern.form == PatternForm::solid || pattern.nests) {
         color = color_at(world, pattern, position, surface);
-        if (pattern.form == PatternForm::solid) return {S(1), S(1)};  // not filtered at all
+        if (pattern.form != PatternForm::constant) return {S(1), S(1)};  // not filtered at all
         return {};
     }
     const auto along = [&](const Vec3<S>& way, const Vec3<S>& normal) {
@@ -281,11 +311,20 @@ S PatternCalls<S>::piece(const World<T>& world, const int* materials, const Vec3
 
 template <class S>
 Vec3<S> PatternCalls<S>::sky(const World<T>& world, const Vec3<S>& direction) {
-    return color_at(world, *world.patterns.sky, direction, S(-1));
+    const PatternTables<T>& tables = world.patterns;
+    Vec3<S> color = color_at(world, *tables.sky, direction, S(-1));
+    for (int i = 0; i < tables.coat_count; ++i) {
+        const ClearColor<S> own = clear_color_at<true>(world, tables.coats[i], direction, S(-1));
+        const S opacity = S(1) - own.filter - own.transmit;
+        for (int c = 0; c < 3; ++c)
+            color[c] = fma(fma(own.filter, own.color[c], own.transmit), color[c], opacity * own.color[c]);
+    }
+    return color;
 }
 
 template <class S>
 Filtering<S> PatternCalls<S>::sky_filtered(const World<T>& world, const Footprint<S>& footprint, Vec3<S>& color) {
+    if (world.patterns.coat_count > 0) return color = sky(world, footprint.direction), Filtering<S>{S(1), S(1)};
     const Mask<S> all = first_lanes<S>(width<S>);
     return filtered_at(world, *world.patterns.sky, footprint.direction, S(-1), footprint, all, color);
 }

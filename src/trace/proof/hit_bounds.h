@@ -188,8 +188,8 @@ template <class S>
     add_bounds(shading.batch, hit.pixel, lanes, select(lost, most, S(0)));
 }
 
-/// Bounds the errors of hits; except in fog if it is not certain whether the eye is in glass, and inside enclosed
-/// bodies if slack exceeds the margins of culling.
+/// Bounds the errors of hits; except in uneven fog, in fog if it is not certain whether the eye is in glass, and inside
+/// enclosed bodies if slack exceeds the margins of culling.
 template <class S>
 STRAHL_INLINE void bound_hit(const ProvedShading<S>& shading, const Hit<S>& hit, const RayQueue<Element<S>>& from,
                              const LaneIndices<S>& pick, const Element<S>* t, bool within,
@@ -197,7 +197,7 @@ STRAHL_INLINE void bound_hit(const ProvedShading<S>& shading, const Hit<S>& hit,
     const auto& world = shading.world;
     const Ray<S> ray{{pick(from.origin.x), pick(from.origin.y), pick(from.origin.z)}, hit.direction, pick(from.source)};
     const Slack<Element<S>>& slack = proving(shading.limits).slack;
-    const bool unknown = (world.fog.any && !slack.medium) || (within && !slack.fits());
+    const bool unknown = (world.fog.any && !(slack.medium && world.fog.even)) || (within && !slack.fits());
     const DoubtArrays<Element<S>> doubts(from);
     const Doubt<S> doubt{pick(doubts.away), pick(doubts.turn), pick(doubts.side),
                          world.transparent ? pick(doubts.spin) : Doubt<S>{}.spin};
@@ -219,7 +219,7 @@ STRAHL_INLINE void bound_miss(const ProvedShading<S>& shading, const LaneIndices
     const DoubtArrays<Element<S>> doubts(shading.rays.open);
     const Mask<S> followed = first_lanes<S>(pick.lanes) & (pick(doubts.away) >= S(0));
     S off = rounding_of(scale(weight, color), shading.depth, 0);
-    if (world.fog.any && !proving(shading.limits).slack.medium) [[unlikely]]
+    if (world.fog.any && !(proving(shading.limits).slack.medium && world.fog.even)) [[unlikely]]
         off = weight * S(brightest_of(shading.limits, shading.depth));
     else if (world.patterns.sky && (!world.fog.any || world.nested)) [[unlikely]]
         off = fma(weight, PatternBounds<S>::of_sky(world, {pick(d.x), pick(d.y), pick(d.z)}, pick(doubts.turn)), off);

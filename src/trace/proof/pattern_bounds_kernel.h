@@ -243,6 +243,7 @@ ColorErrors<S> PatternBounds<S>::of_hits(const World<T>& world, const int* mater
 /// Directions may be 3 u longer or shorter than 1, which counts as an error of the place.
 template <class S>
 S PatternBounds<S>::of_sky(const World<T>& world, const Vec3<S>& direction, const S& turn) {
+    if (world.patterns.coat_count > 0) return S(std::numeric_limits<T>::infinity());
     return color_error(world, *world.patterns.sky,
                        off_place(*world.patterns.sky, direction, turn + S(3 * unit_error<S>)));
 }

@@ -25,26 +25,38 @@ PatternKernel<T> kernel_of(const Material& material, const glm::dmat4& to_world,
 }  // namespace
 
 template <class T>
-void WorldArrays<T>::add_image(const std::shared_ptr<const Pixels>& from, bool linear, bool colors,
+void WorldArrays<T>::add_image(const std::shared_ptr<const Pixels>& from, double gamma, bool colors,
                                ImageKernel<T>& kernel) {
-    kernel.number = images->add(from, linear, colors);
+    kernel.number = images->add(from, gamma, colors);
     kernel.pixels = (*images)[kernel.number].own->values.data();
 }
 
 template <class T>
-void WorldArrays<T>::add_colors(const Pigment& pigment, PatternKernel<T>& kernel, bool linear) {
+void WorldArrays<T>::add_colors(const Pigment& pigment, PatternKernel<T>& kernel, double gamma,
+                                const glm::dmat4& to_world, const Placement& placement) {
     using M = Made<T>;
     const Pattern* const pattern = pigment.pattern.get();
     const ImagePattern* const image = image_of(pigment.pattern);
-    if (image) add_image(image->pixels, linear, true, kernel.image);
+    if (image) add_image(image->pixels, gamma, true, kernel.image);
     patterns.kept.push_back(pigment.pattern);
-    kernel.first_stop = static_cast<std::int32_t>(patterns.stops.size());
     const std::vector<ColorStop> colors =
         pattern ? pattern->colors : std::vector{ColorStop{0, pigment.color, pigment.filter, pigment.transmit}};
+    std::vector<std::int32_t> nested(colors.size(), -1);
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+        if (!colors[i].pattern) continue;
+        PatternKernel<T> own = kernel_of<T>(*colors[i].pattern, matrix_of(*pattern, to_world), placement);
+        Pigment inner(Color(0));
+        inner.pattern = colors[i].pattern;
+        add_colors(inner, own, gamma, matrix_of(*pattern, to_world), placement);
+        nested[i] = static_cast<std::int32_t>(patterns.nested.size());
+        patterns.nested.push_back(own);
+    }
+    kernel.nests = pattern && pattern->nests();
+    kernel.first_stop = static_cast<std::int32_t>(patterns.stops.size());
     for (double before = 0; const ColorStop& stop : colors) {
-        patterns.stops.push_back(
-            {static_cast<T>(stop.at), static_cast<T>(1 / (M(stop.at) - before)), cast<T>(stop.color),
-             static_cast<T>(stop.filter), static_cast<T>(stop.transmit)});
+        patterns.stops.push_back({static_cast<T>(stop.at), static_cast<T>(1 / (M(stop.at) - before)),
+                                  cast<T>(stop.color), static_cast<T>(stop.filter), static_cast<T>(stop.transmit),
+                                  nested[std::size_t(&stop - colors.data())]});
         before = stop.at;
     }
     kernel.stops = static_cast<std::int32_t>(colors.size());
@@ -63,11 +75,19 @@ PlacesKernel WorldArrays<T>::add_places(const Shape& shape, int first_surface) {
 template <class T>
 void WorldArrays<T>::add_sky(const Scene& scene, bool proves) {
     const Pattern* const pattern = scene.background.pattern.get();
-    if (!pattern) return;
-    patterns.sky = kernel_of<T>(*pattern, glm::dmat4(1), {});
-    add_colors(scene.background, patterns.sky, scene.settings.linear);
-    if (proves) compare(*pattern, {}, {}, true, patterns.sky);
+    if (!pattern && scene.background_coats.empty()) return;
+    const auto add = [&](const Pigment& pigment, PatternKernel<T>& kernel) {
+        kernel = {};
+        kernel.form = PatternForm::constant;
+        if (pigment.pattern) kernel = kernel_of<T>(*pigment.pattern, glm::dmat4(1), {});
+        add_colors(pigment, kernel, scene.settings.assumed_gamma, glm::dmat4(1), {});
+    };
+    add(scene.background, patterns.sky);
+    for (const Pigment& coat : scene.background_coats) add(coat, patterns.coats.emplace_back());
+    if (proves && pattern && !pattern->nests() && scene.background_coats.empty())
+        compare(*pattern, {}, {}, true, patterns.sky);
     world.patterns.sky = &patterns.sky, world.patterns.stops = patterns.stops.data();
+    world.patterns.coats = patterns.coats.data(), world.patterns.coat_count = static_cast<int>(patterns.coats.size());
 }
 template <class T>
 void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement, bool proves) {
@@ -76,11 +96,12 @@ void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement
     const bool any_bent = std::ranges::any_of(scene.materials, &Material::bends);
     const auto varies = [&](const Material& m) { return any_bent || m.patterned(); };
     if (std::ranges::none_of(scene.materials, varies)) return;
-    auto& [list, bends, stops, sky, meshes, leaf_materials, first_leaf, kept] = patterns;
+    auto& [list, bends, stops, sky, nested, coats, meshes, leaf_materials, first_leaf, kept] = patterns;
     world.patterns.first = static_cast<int>(materials.size());
     std::vector<PatternKernel<T>> ranges(scene.materials.size());
     for (std::size_t i = 0; i < ranges.size(); ++i)
-        if (varies(scene.materials[i])) add_colors(scene.materials[i].rgb, ranges[i], scene.settings.linear);
+        if (varies(scene.materials[i]))
+            add_colors(scene.materials[i].rgb, ranges[i], scene.settings.assumed_gamma, glm::dmat4(1), placement);
     const bool any_uv = std::ranges::any_of(scene.materials, &Material::by_uv);
     std::map<std::tuple<int, int, std::array<double, 16>>, std::int32_t> numbers;
     ItemCounts before;  // only by uv
@@ -93,7 +114,8 @@ void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement
             if (any_uv) count_items<T>(leaf, before);
             const std::size_t own_way = leaf_materials.size() - first_leaf.back();
             if (!varies(material)) return leaf_materials.push_back(leaf.material);
-            const bool by_uv = material.by_uv(), compared = proves && material.rgb.pattern;
+            const bool by_uv = material.by_uv(), nests = material.rgb.pattern && material.rgb.pattern->nests();
+            const bool compared = proves && material.rgb.pattern && !nests;
             std::array<double, 16> values{};  // those of the matrix, if they matter
             for (int i = 0; i < 16 && material.patterned(); ++i) values[i] = matrices.material[i / 4][i % 4];
             const auto [entry, is_new] = numbers.try_emplace({leaf.material, by_uv ? surface : -1, values},
@@ -113,6 +135,7 @@ void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement
             kernel.image.pixels = ranges[leaf.material].image.pixels;
             kernel.image.number = ranges[leaf.material].image.number;
             kernel.slack = ranges[leaf.material].slack;
+            if (nests) add_colors(material.rgb, kernel, scene.settings.assumed_gamma, matrices.material, placement);
             if (compared) compare(*material.rgb.pattern, ways[own_way].material, placement, true, kernel);
             kernel.ambient = Vec3<T>(cast<M>(scene.settings.ambient_light) * M(material.ambient));
             if (scene.finished()) add_finish(material, scene, matrices.material, placement, kernel.places);
@@ -130,9 +153,9 @@ void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement
     world.patterns.stops = stops.data();
 }
 
-template void WorldArrays<float>::add_image(const std::shared_ptr<const Pixels>&, bool, bool, ImageKernel<float>&);
-template void WorldArrays<double>::add_image(const std::shared_ptr<const Pixels>&, bool, bool, ImageKernel<double>&);
-template void WorldArrays<long double>::add_image(const std::shared_ptr<const Pixels>&, bool, bool,
+template void WorldArrays<float>::add_image(const std::shared_ptr<const Pixels>&, double, bool, ImageKernel<float>&);
+template void WorldArrays<double>::add_image(const std::shared_ptr<const Pixels>&, double, bool, ImageKernel<double>&);
+template void WorldArrays<long double>::add_image(const std::shared_ptr<const Pixels>&, double, bool,
                                                   ImageKernel<long double>&);
 template void WorldArrays<float>::add_patterns(const Scene&, const Placement&, bool);
 template void WorldArrays<double>::add_patterns(const Scene&, const Placement&, bool);
@@ -149,7 +172,7 @@ void WorldArrays<T>::add_finish(const Material& material, const Scene& scene, co
         LayerKernel<T> layer{};
         layer.pattern.form = PatternForm::constant;
         if (own.rgb.pattern) layer.pattern = kernel_of<T>(*own.rgb.pattern, to_world, placement);
-        add_colors(own.rgb, layer.pattern, scene.settings.linear);
+        add_colors(own.rgb, layer.pattern, scene.settings.assumed_gamma, to_world, placement);
         layer.pattern.places = places;
         layer.ambient = Vec3<T>(cast<M>(scene.settings.ambient_light * own.glow) * M(own.ambient));
         layer.diffuse = number(own.diffuse), layer.brilliance = number(own.brilliance);

@@ -58,7 +58,7 @@ BendKernel<T> WorldArrays<T>::bend_of(const Material& material, const glm::dmat4
     const auto finish = [&](const Relief& relief, PatternKernel<T>& kernel) {
         kernel.places = places;
         patterns.kept.push_back(relief.pattern);
-        if (const auto* const image = image_of(relief.pattern)) add_image(image->pixels, false, false, kernel.image);
+        if (const auto* const image = image_of(relief.pattern)) add_image(image->pixels, 0, false, kernel.image);
     };
     finish(material.normal, own.map.pattern);
     finish(material.bump, own.bump.pattern);

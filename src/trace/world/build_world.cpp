@@ -204,11 +204,28 @@ WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, Thre
         world.patterns.stops = patterns.stops.data();
         if (!world.patterns.list) world.patterns.list = &patterns.sky;  // kernels then keep the numbers of materials
     }
+    world.patterns.nested = patterns.nested.data();
     for (const Light& light : points_of(scene.lights)) lights.push_back(light_kernel<T>(light, placement));
     if (scene.fog) {
         const long double per = 1 / (scene.fog->distance * placement.scale);
         world.fog = {true, static_cast<T>(std::min<long double>(per, std::numeric_limits<T>::max())),
                      cast<T>(scene.fog->color)};
+        const Fog& fog = *scene.fog;
+        FogKernel<T>& own = world.fog;
+        own.swirls = fog.turbulence != DVec3(0);
+        own.even = !(fog.altitude > 0) && fog.transmit == 0 && fog.filter == 0 && !own.swirls;
+        own.turbulence = fog.turbulence, own.place = placement.origin, own.unit = 1 / placement.scale;
+        own.octaves = static_cast<int>(fog.octaves), own.generator = static_cast<int>(fog.generator);
+        own.omega = static_cast<float>(fog.omega), own.lambda = static_cast<float>(fog.lambda), own.depth = fog.depth;
+        world.fog.least = static_cast<T>(fog.transmit);
+        world.fog.tint = cast<T>(Color(1 - fog.filter) + fog.filter * fog.color);
+        if (fog.altitude > 0 && length(fog.up) > 0) {
+            const DVec3 up = normalize(fog.up);
+            world.fog.rise = cast<T>(up / (fog.altitude * placement.scale));
+            world.fog.base = static_cast<T>((dot_product(up, placement.origin) - fog.offset) / fog.altitude);
+        } else {
+            world.fog.base = -1;  // below all heights
+        }
     }
     const auto bent_glass = [](const Material& m) { return m.transmits() && m.bends(); };
     // With fog rays have to know whether they are in a transparent body.

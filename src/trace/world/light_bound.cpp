@@ -68,12 +68,34 @@ double own_light(const Scene& scene, const Material& m, double gain) {
     return all;
 }
 
+/// Returns the scene with bounds that hold for its pictures as values of an assumed_gamma above 1: the root of a pixel
+/// is larger than the pixel, but not above 1 unless the pixel is.
+std::optional<Scene> with_raised_pictures(const Scene& scene) {
+    if (scene.settings.assumed_gamma <= 1) return std::nullopt;
+    Scene raised = scene;
+    const auto raise = [](Pigment& own) {
+        if (own.pattern && std::holds_alternative<ImagePattern>(own.pattern->kind))
+            own.color = max(own.color, Color(1));
+    };
+    raise(raised.background);
+    for (Pigment& coat : raised.background_coats) raise(coat);
+    for (Material& material : raised.materials) {
+        raise(material.rgb);
+        for (Material& coat : material.coats) raise(coat.rgb);
+    }
+    return raised;
+}
+
 }  // namespace
 
-Bound bound_for(const Scene& scene, int depth) {
+Bound bound_for(const Scene& given, int depth) {
+    const std::optional<Scene> raised = with_raised_pictures(given);
+    const Scene& scene = raised ? *raised : given;
     // B(n) = max(background, own + (Kr + Kt) B(n - 1)) over all materials, from the last generation upwards.
-    const double background =
-        std::max(largest(scene.background.color), scene.fog ? largest(scene.fog->color) : 0);
+    double sky = largest(scene.background.color);
+    for (const Pigment& coat : scene.background_coats)
+        sky = largest(coat.color) + std::max(1., coat.filter * largest(coat.color) + coat.transmit) * sky;
+    const double background = std::max(sky, scene.fog ? largest(scene.fog->color) : 0);
     std::vector<double> own;
     const double most_gain = gain(scene);
     for (const Material& m : scene.materials) own.push_back(own_light(scene, m, most_gain));
@@ -95,7 +117,9 @@ Bound bound_for(const Scene& scene, int depth) {
     return bound;
 }
 
-std::vector<double> scattered_light(const Scene& scene) {
+std::vector<double> scattered_light(const Scene& given) {
+    const std::optional<Scene> raised = with_raised_pictures(given);
+    const Scene& scene = raised ? *raised : given;
     double lights = 0;
     for (const Light& light : scene.lights) lights += largest(light.color);
     const double most_gain = gain(scene);

@@ -56,19 +56,22 @@ MipMap::MipMap(const float* values, std::int32_t width, std::int32_t height) : l
     }
 }
 
-int Images::add(const std::shared_ptr<const Pixels>& pixels, bool linear, bool colors) {
-    const bool decode = linear && !pixels->linear;
-    const auto same = [&](const Image& image) { return image.given == pixels && image.linear == decode; };
+int Images::add(const std::shared_ptr<const Pixels>& pixels, double gamma, bool colors) {
+    if (gamma == 1 && pixels->linear) gamma = 0;
+    const auto same = [&](const Image& image) { return image.given == pixels && image.gamma == gamma; };
     const auto known = std::ranges::find_if(images, same);
     const auto number = static_cast<int>(known - images.begin());
     if (known == images.end()) {
         std::shared_ptr<const Pixels> own = pixels;
-        if (decode) {
+        if (gamma != 0) {
             const auto copy = std::make_shared<Pixels>(*pixels);
-            std::ranges::transform(copy->values, copy->values.begin(), decoded);
+            for (float& value : copy->values) {
+                if (!pixels->linear) value = decoded(value);
+                if (gamma != 1) value = static_cast<float>(std::pow(value, 1 / gamma));
+            }
             own = copy;
         }
-        images.push_back({pixels, own, decode, false});
+        images.push_back({pixels, own, gamma, false});
     }
     images[number].colors |= colors;
     return number;

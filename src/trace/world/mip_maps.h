@@ -1,4 +1,4 @@
-// Prepares the pictures of a scene for kernels: in linear light where the scene declares that, and at smaller sizes.
+// Prepares the pictures of a scene for kernels: as values of the scene's assumed_gamma, and at smaller sizes.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -27,13 +27,14 @@ class MipMap {
 /// The pictures of a scene, kept from moment to moment if it moves.
 class Images {
   public:
-    /// Pixels in linear light if `linear`, else as they are.
+    /// Pixels as they are if `gamma` is 0, else values v such that v^gamma is their light.
     struct Image {
         std::shared_ptr<const Pixels> given, own;
-        bool linear, colors;
+        double gamma;
+        bool colors;
     };
     /// Adds an image unless it is there, and returns its number. Mip maps are made of images used for their colours.
-    int add(const std::shared_ptr<const Pixels>& pixels, bool linear, bool colors);
+    int add(const std::shared_ptr<const Pixels>& pixels, double gamma, bool colors);
     const Image& operator[](int number) const { return images[number]; }
     /// Returns mip maps by number, made when first asked for; null if no image is used for its colours.
     const MipMapKernel* mip_maps();

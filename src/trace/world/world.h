@@ -199,6 +199,9 @@ struct PatternTables {
     const ColorStopKernel<T>* stops = nullptr;
     const MipMapKernel* mip_maps = nullptr;  // by the numbers of images; null where these are not filtered
     const PatternKernel<T>* sky = nullptr;   // of the background, by direction; null if it has none
+    const PatternKernel<T>* nested = nullptr;  // those in the colours of others
+    const PatternKernel<T>* coats = nullptr;   // before the background, the lowest first
+    int coat_count = 0;
 };
 
 /// POV-Ray's finishes, by material, in worlds that have any: there all materials have one, and rays carry colours
@@ -223,6 +226,15 @@ struct FogKernel {
     bool any = false;
     T per = 0;  // 1 over its distance
     Vec3<T> color{0};
+    bool even = true;       // everywhere the same, and hides the background
+    Vec3<T> rise{0};        // ground fog: a point p is at the height rise . p + base
+    T base = 0, least = 0;  // least: the share of light that always comes through
+    bool swirls = false;    // noise makes it patchy; a point p of the world is at place + p * unit in the scene
+    DVec3 turbulence{0}, place{0};
+    double unit = 1, depth = 0;
+    std::int32_t octaves = 1, generator = 2;
+    float omega = 0, lambda = 0;
+    Vec3<T> tint{1};  // factors of what is seen through it; 1 in worlds without POV-Ray's finishes
 };
 
 template <class T>

@@ -119,6 +119,7 @@ struct PatternArrays {
     std::vector<BendKernel<T>> bends;
     std::vector<ColorStopKernel<T>> stops;
     PatternKernel<T> sky;
+    std::vector<PatternKernel<T>> nested, coats;
     std::vector<std::shared_ptr<const MeshData>> meshes;  // those with places in pictures
     // The material of each leaf of the scene, and the first leaf of each primitive; empty in worlds without patterns.
     std::vector<std::int32_t> leaf_materials, first_leaf;
@@ -181,12 +182,15 @@ struct WorldArrays {
     // add_patterns.cpp
     void add_sky(const Scene& scene, bool proves);
     void add_patterns(const Scene& scene, const Placement& placement, bool proves);
-    void add_colors(const Pigment& pigment, PatternKernel<T>& kernel, bool linear);
+    /// Adds the colours of a pigment whose kernel is given. Patterns among them are made in the space of this kernel's
+    /// body, which has the matrix `to_world`.
+    void add_colors(const Pigment& pigment, PatternKernel<T>& kernel, double gamma, const glm::dmat4& to_world,
+                    const Placement& placement);
     /// Adds the uv coordinates of a mesh, whose first surface is given, and returns where they are.
     PlacesKernel add_places(const Shape& shape, int first_surface);
     BendKernel<T> bend_of(const Material& material, const glm::dmat4& to_world, const Placement& placement,
                           const PlacesKernel& places);
-    void add_image(const std::shared_ptr<const Pixels>& from, bool linear, bool colors, ImageKernel<T>& kernel);
+    void add_image(const std::shared_ptr<const Pixels>& from, double gamma, bool colors, ImageKernel<T>& kernel);
     /// Returns the number of a primitive's material, or of the next leaf's, and goes on to the leaf after it.
     int material_of(const Primitive& primitive, std::int32_t& leaf) const {
         return patterns.leaf_materials.empty() ? primitive.material : patterns.leaf_materials[leaf++];

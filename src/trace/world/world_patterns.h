@@ -54,6 +54,7 @@ template <class T>
 struct PatternKernel {
     PatternForm form;
     bool by_uv;  // then p is where the surface is by uv, and not in the world
+    bool nests;  // some of its stops have patterns
     std::int32_t first_stop, stops, octaves;
     Vec3<T> rows[3], offset;
     Vec3<T> mortar;  // its share of a brick along each axis
@@ -100,6 +101,7 @@ struct ColorStopKernel {
     T at, per;  // per: 1 over the way from the stop before
     Vec3<T> color;
     T filter = 0, transmit = 0;
+    std::int32_t nested = -1;  // number of the pattern that has these in their place
 };
 
 /// A layer of a surface in worlds with POV-Ray's finishes, see Material. Its pattern is constant if it has none.

@@ -48,7 +48,8 @@ void place(Scene& scene, double factor, const DVec3& by) {
         if (light.spot) light.spot->look_at = placed(light.spot->look_at);
         if (light.area) light.area->u = light.area->u * factor, light.area->v = light.area->v * factor;
     }
-    if (scene.fog) scene.fog->distance *= factor;
+    if (scene.fog) scene.fog->distance *= factor, scene.fog->altitude *= factor;
+    if (scene.fog) scene.fog->offset = factor * scene.fog->offset + dot_product(normalize(scene.fog->up), by);
 }
 
 }  // namespace

@@ -129,7 +129,7 @@ bool Shrinking::pass() {
     attempt([](WildScene& w) { w.view.error = 0; });
     attempt([](WildScene& w) { w.scene.background = Color(0); });
     attempt([](WildScene& w) { w.scene.fog.reset(); });
-    attempt([](WildScene& w) { w.scene.settings.linear = false; });
+    attempt([](WildScene& w) { w.scene.settings.assumed_gamma = 0; });
     attempt([](WildScene& w) { w.scene.settings.ambient_light = Color(1); });
     attempt([](WildScene& w) { w.scene.camera.aspectratio.reset(); });
     attempt([](WildScene& w) { w.view.shift_x = w.view.shift_y = 0; });

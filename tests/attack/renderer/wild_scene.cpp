@@ -212,10 +212,15 @@ WildScene Wild::make() {
     }
     scene.camera = camera();
     if (dice.chance(.1)) scene.fog = Fog{usual_or(lengths, 1, 30), color()};
+    if (scene.fog && dice.chance(.5)) {
+        scene.fog->altitude = usual_or(lengths, .1, 10), scene.fog->offset = dice.in(-2, 2);
+        scene.fog->up = dice.direction(), scene.fog->transmit = dice.in(0, 1);
+        if (dice.chance(.3)) scene.fog->filter = dice.in(0, 1);
+    }
     scene.background = dice.chance(.2) ? Pigment(pattern()) : Pigment(color());
     scene.settings.ambient_light = color();
     scene.settings.max_trace_level = depth();
-    scene.settings.linear = dice.chance(.3);
+    if (dice.chance(.3)) scene.settings.assumed_gamma = dice.chance(.5) ? 1 : dice.in(1, 5);
     Materials materials;
     for (Primitive& primitive : scene.primitives) settle(primitive, materials);
     scene.materials = std::move(materials.list);

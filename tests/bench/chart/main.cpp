@@ -93,13 +93,13 @@ class Canvas {
 struct Difference {
     double other, mean;  // share of pixels of another 8-bit colour, mean difference of values
 };
-Difference difference(const Canvas& ours, const Canvas& theirs, bool linear) {
+Difference difference(const Canvas& ours, const Canvas& theirs, double gamma) {
     std::size_t other = 0;
     double sum = 0;
     for (std::size_t i = 0; i < ours.rgb.size(); i += 3) {
         bool same = true;
         for (std::size_t k = i; k < i + 3; ++k) {
-            const int off = quantise(ours.rgb[k], linear, 255) - quantise(theirs.rgb[k], linear, 255);
+            const int off = quantise(ours.rgb[k], gamma, 255) - quantise(theirs.rgb[k], gamma, 255);
             same &= off == 0;
             sum += std::abs(off) / 255.;
         }
@@ -136,7 +136,7 @@ void show_passes(const std::string& path) {
             if (pass == 0) cells.emplace(tracer.scene(), view, whole, Sampling{}.error);
             seconds[pass].push_back(bench::seconds() - start);
             if (round + 1 < rounds) continue;
-            const auto [other, mean] = difference(canvas, exact, scene.settings.linear);
+            const auto [other, mean] = difference(canvas, exact, scene.settings.assumed_gamma);
             const double pixels = double(view.width) * view.height;
             std::printf("%g\t%g\t%g\n", bench::median(seconds[pass]) * 1e6 / pixels, other, mean);
         }

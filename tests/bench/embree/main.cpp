@@ -48,7 +48,7 @@ void run(char** argv) {
     for (const auto& c : counts) sum.camera += c.camera, sum.secondary += c.secondary, sum.shadow += c.shadow;
     bench::print_figures(built - start, traced - built, sum.camera + sum.secondary + sum.shadow);
     if (argv[2] != std::string("-"))
-        write_picture({width, height, 3, {rgb.begin(), rgb.end()}}, argv[2], {16, scene.settings.linear});
+        write_picture({width, height, 3, {rgb.begin(), rgb.end()}}, argv[2], {16, scene.settings.assumed_gamma});
 }
 
 }  // namespace

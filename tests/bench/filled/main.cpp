@@ -33,7 +33,7 @@ struct Run {
 /// Traces a lattice; plainly if `contrast` is 0.
 Run run(Tracer& tracer, const View& view, ThreadPool& pool, const Lattice& lattice, double contrast) {
     Run result{.colors = std::vector<std::uint32_t>(std::size_t(lattice.columns) * lattice.rows)};
-    const TransferTable table(tracer.scene().settings.linear);
+    const TransferTable table(tracer.scene().settings.assumed_gamma);
     const auto keep = [&](const Tile& tile) {
         const std::vector<std::uint32_t> colors = encoded(tile, table);
         for (int i = 0; i < tile.lattice.columns * tile.lattice.rows; ++i) {
@@ -72,7 +72,7 @@ struct Shot {
 };
 Shot shot(const std::string& path, int width, int height) {
     Shot shot{parse_scene(read_text(path), path, {}, read_pixels), {}, 0};
-    const double slope = shot.scene.settings.linear ? steepest_srgb : 1;
+    const double slope = steepest(shot.scene.settings.assumed_gamma);
     shot.view = {.camera = shot.scene.camera, .width = width, .height = height};
     shot.view.depth = shot.scene.settings.max_trace_level, shot.view.error = .5 / 255 / slope;
     shot.contrast = 3. / 255 / slope;
@@ -137,7 +137,7 @@ void fly(Shot& shot, int moments) {
         const Job job{shot.view, pool, [](const Tile&) {}};
         const auto plain = [&](const Lattice& l) { tracer.trace(job, l); };
         std::vector<std::uint32_t> colors(std::size_t(shot.view.width) * shot.view.height);
-        const TransferTable table(shot.scene.settings.linear);
+        const TransferTable table(shot.scene.settings.assumed_gamma);
         const auto encode = [&](const double* rgb) { return table.pixel(rgb); };
         const auto filled = [&](const Lattice& l) {
             tracer.trace(job, FilledLattice{l, shot.contrast, 0, encode, colors.data()});

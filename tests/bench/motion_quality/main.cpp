@@ -73,19 +73,19 @@ void write(const ScreenImage& image, const std::string& path) {
     Picture picture{image.width, image.height, 3, {}};
     for (const std::uint32_t rgba : image.rgba)
         for (int c = 0; c < 3; ++c) picture.values.push_back(double(rgba >> 8 * c & 255) / 255);
-    write_picture(picture, path, {.linear = true});
+    write_picture(picture, path, {.gamma = 1});
 }
 
 int run(const Flown& options) {
     std::filesystem::create_directories(options.folder);
     const auto scene =
         std::make_shared<const Scene>(parse_scene(read_text(options.scene), options.scene, {}, read_pixels));
-    const TransferTable table(scene->settings.linear);
+    const TransferTable table(scene->settings.assumed_gamma);
     Session session(scene);
     session.perform({Action::play}, -options.start);
     ThreadPool pool(1);
     Tracer tracer(*scene, Precision::float32);
-    const double contrast = 3. / 255 / (scene->settings.linear ? steepest_srgb : 1);  // as in the window
+    const double contrast = 3. / 255 / steepest(scene->settings.assumed_gamma);  // as in the window
     const auto encode = [&](const double* rgb) { return table.pixel(rgb); };
     Tolerance tolerance;
     Resolution resolution;

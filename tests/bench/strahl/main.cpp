@@ -25,8 +25,8 @@ void run(char** argv, Precision precision, int bits) {
     View view{.camera = scene.camera, .width = std::atoi(argv[3]), .height = std::atoi(argv[4])};
     view.depth = scene.settings.max_trace_level;
     std::vector<T> picture(3 * std::size_t(view.width) * view.height);
-    const bool linear = scene.settings.linear;
-    if (bits > 0) view.error = half_step({bits, linear});
+    const double gamma = scene.settings.assumed_gamma;
+    if (bits > 0) view.error = half_step({bits, gamma});
     ThreadPool pool(std::atoi(argv[5]));
     const Lattice whole{.columns = view.width, .rows = view.height};
     const auto keep = [&](const Tile& tile) { place(tile, whole, picture); };
@@ -38,7 +38,7 @@ void run(char** argv, Precision precision, int bits) {
     const Counts counts = tracer.trace({view, pool, keep}, whole);
     bench::print_figures(built - start, bench::seconds() - built, counts.total());
     if (std::strcmp(argv[2], "-") != 0)
-        write_picture({view.width, view.height, 3, {picture.begin(), picture.end()}}, argv[2], {16, linear});
+        write_picture({view.width, view.height, 3, {picture.begin(), picture.end()}}, argv[2], {16, gamma});
 }
 
 }  // namespace

@@ -45,15 +45,15 @@ TEST_CASE("8- and 16-bit files hold the quantised values exactly") {
         int bits;
     };
     for (const auto& [ending, bits] : {Form{".bmp", 8}, Form{".png", 8}, Form{".png", 16}})
-        for (const bool linear : {false, true})
+        for (const double gamma : {0., 1., 2.2})
             for (const auto& [width, height] : {std::pair{1, 1}, {3, 2}, {17, 5}, {2, 33}, {257, 129}}) {
                 CAPTURE(ending);
                 CAPTURE(bits);
-                CAPTURE(linear);
+                CAPTURE(gamma);
                 CAPTURE(width);
                 const Picture picture = noise(width, height);
                 const std::string path = folder / ("picture" + std::string(ending));
-                write_picture(picture, path, {bits, linear});
+                write_picture(picture, path, {bits, gamma});
                 const Picture back = read_picture(path);
                 CHECK(back.width == width);
                 CHECK(back.height == height);
@@ -61,7 +61,7 @@ TEST_CASE("8- and 16-bit files hold the quantised values exactly") {
                 CHECK(back.bits == bits);
                 const int steps = bits == 8 ? 255 : 65535;
                 std::vector<double> expected;
-                for (const double v : picture.values) expected.push_back(quantise(v, linear, steps) / double(steps));
+                for (const double v : picture.values) expected.push_back(quantise(v, gamma, steps) / double(steps));
                 CHECK(back.values == expected);
             }
 }
@@ -97,7 +97,7 @@ TEST_CASE("NaN is black in 8 and 16 bits, infinities are clamped") {
     }
 }
 
-TEST_CASE("the transfer curve: round(255 v) as in 1999, or sRGB where light is linear") {
+TEST_CASE("the transfer curve: round(255 v) as in 1999, or sRGB of the light") {
     CHECK(quantise(.5, false, 255) == 128);
     CHECK(quantise(126.5 / 255, false, 255) == 127);
     CHECK(quantise(.3, false, 65535) == 19661);
@@ -109,12 +109,21 @@ TEST_CASE("the transfer curve: round(255 v) as in 1999, or sRGB where light is l
     CHECK(quantise(.21405, true, 255) == 128);
     CHECK(quantise(.0031308, true, 65535) == 2651);
     CHECK(std::abs(srgb(.0031308) - srgb(.00313081)) < 1e-6);
+    // .5^2.2 is .21764 of the light, whose encoding is .50387.
+    CHECK(quantise(.5, 2.2, 65535) == 33021);
+    for (const double gamma : {0., 1., 1.3, 2.2, 3., 5.}) {
+        double most = 0;
+        for (int i = 0; i < 100000; ++i)
+            most = std::max(most, 1e5 * (shown((i + 1) / 1e5, gamma) - shown(i / 1e5, gamma)));
+        CHECK(most <= steepest(gamma) * (1 + 1e-9));
+        CHECK(most > .98 * steepest(gamma));
+    }
 }
 
 TEST_CASE("the tabulated transfer curve equals quantise") {
-    for (const bool linear : {false, true}) {
-        const TransferTable table(linear);
-        const auto check = [&](double v) { CHECK(table(v) == quantise(v, linear, 255)); };
+    for (const double gamma : {0., 1., 2.2}) {
+        const TransferTable table(gamma);
+        const auto check = [&](double v) { CHECK(table(v) == quantise(v, gamma, 255)); };
         for (const double v : {0., -0., -1., 1., 2., HUGE_VAL, -HUGE_VAL, double(NAN), 1e-310, 1 - 0x1p-53}) check(v);
         for (int i = 0; i <= 50000; ++i) check(i / 49999.), check(static_cast<float>(i / 49999.));
         // Around each step of the curve, number by number.
@@ -122,7 +131,7 @@ TEST_CASE("the tabulated transfer curve equals quantise") {
             double low = 0, high = 1;
             for (int i = 0; i < 60; ++i) {
                 const double middle = (low + high) / 2;
-                (quantise(middle, linear, 255) < code ? low : high) = middle;
+                (quantise(middle, gamma, 255) < code ? low : high) = middle;
             }
             for (int i = 0; i < 4; ++i) low = std::nextafter(low, 0.);
             for (int i = 0; i < 8; ++i, low = std::nextafter(low, 1.)) check(low);
@@ -142,11 +151,11 @@ TEST_CASE("an exposure multiplies light, and keeps below white what is brighter"
         before = exposed(v, .5);
     }
     CHECK(before < 1);
-    for (const bool linear : {false, true})
+    for (const double gamma : {0., 1., 2.2})
         for (const double stops : {-20., -1.3, 0., .5, 3., 20.}) {
             CAPTURE(stops);
-            const TransferTable table(linear, stops);
-            const auto check = [&](double v) { CHECK(table(v) == quantise(exposed(v, stops), linear, 255)); };
+            const TransferTable table(gamma, stops);
+            const auto check = [&](double v) { CHECK(table(v) == quantise(exposed(v, stops), gamma, 255)); };
             for (const double v : {0., -1., 1e-310, double(NAN), 1e300}) check(v);
             for (double v = 1e-9; v < 1e9; v *= 1.003) check(v);
         }
@@ -227,9 +236,9 @@ TEST_CASE("BMP files of other programs: rows from the top, longer headers, palet
 
 TEST_CASE("a PNG is marked as sRGB, and equal pictures make equal files") {
     const Scratch folder;
-    for (const bool linear : {false, true})
+    for (const double gamma : {0., 1., 2.2})
         for (const int bits : {8, 16}) {
-            write_picture(noise(9, 9), folder / "a.png", {bits, linear});
+            write_picture(noise(9, 9), folder / "a.png", {bits, gamma});
             const std::string bytes = bytes_of(folder / "a.png");
             CHECK(says(bytes, "sRGB"));
             CHECK(says(bytes, std::string("gAMA\0\0\xb1\x8f", 8)));  // 1 / 2.2

@@ -112,6 +112,25 @@ TEST_CASE("POV-Ray: patterns that scenes have are exact") {
         "} }");
     REQUIRE(material(clear).rgb.pattern);
     CHECK(material(clear).rgb.pattern->colors == std::vector<ColorStop>{{0, {1, 0, 0}, 0, .5}, {1, {0, 1, 0}, .25, .5}});
+    // A pattern in a map has its own transformations, in the space of the one around it, which is POV-Ray's.
+    const Pattern around = pattern("gradient y pigment_map { [0 rgb x] [1 granite scale 2] } scale 3");
+    CHECK(std::get<SolidPattern>(around.kind).solid == Solid::gradient);
+    REQUIRE(around.nests());
+    CHECK(around.colors[0] == ColorStop{0, {1, 0, 0}});
+    CHECK(std::get<SolidPattern>(around.colors[1].pattern->kind).solid == Solid::granite);
+    CHECK(around.colors[1].pattern->transformations == std::vector<Transformation>{Scale{DVec3(2)}});
+    const Scene turned =
+        whole("sphere { 0, 1 pigment { checker pigment { granite scale 2 }, pigment { rgb x } } }", false);
+    CHECK(material(turned).rgb.pattern->colors[0].pattern->transformations ==
+          std::vector<Transformation>{Scale{{1, 1, -1}}, Scale{DVec3(2)}, Scale{{1, 1, -1}}});
+    CHECK(pattern("checker pigment { bozo } pigment { rgb y }").colors[0].pattern);
+    const Scene sky = whole("#version 3.7; sky_sphere { pigment { gradient y } pigment { rgb x transmit .5 } }");
+    CHECK(sky.background.pattern);
+    CHECK(sky.background_coats == std::vector<Pigment>{[] {
+              Pigment red(1, 0, 0);
+              return red.transmit = .5, red;
+          }()});
+    CHECK(whole("sky_sphere { pigment { rgb y } } background { rgb x }").background == Pigment(0, 1, 0));
     CHECK(std::holds_alternative<Marble>(pattern("marble").kind));
     CHECK(std::holds_alternative<Wood>(pattern("wood").kind));
 }
@@ -141,16 +160,27 @@ TEST_CASE("POV-Ray: lights") {
 }
 
 TEST_CASE("POV-Ray: gamma and defaults depend on the version") {
-    CHECK_FALSE(whole("").settings.linear);
-    CHECK_FALSE(whole("#version 3.6;").settings.linear);
-    CHECK(whole("#version 3.7;").settings.linear);
-    CHECK(whole("#version 3.6; #version 3.7;").settings.linear);
-    CHECK(whole("global_settings { assumed_gamma 1 }").settings.linear);
-    CHECK_FALSE(whole("#version 3.7; global_settings { assumed_gamma srgb }").settings.linear);
+    const auto gamma = [](const char* text) { return whole(text).settings.assumed_gamma; };
+    CHECK(gamma("") == 0);
+    CHECK(gamma("#version 3.6;") == 0);
+    CHECK(gamma("#version 3.7;") == 1);
+    CHECK(gamma("#version 3.6; #version 3.7;") == 1);
+    CHECK(gamma("global_settings { assumed_gamma 1 }") == 1);
+    CHECK(gamma("global_settings { assumed_gamma 1.8 } global_settings { assumed_gamma 1 }") == 1.8);
+    CHECK(gamma("#version 3.7; global_settings { assumed_gamma srgb }") == 0);
     const Settings settings = whole("global_settings { ambient_light rgb .5 max_trace_level 7 }").settings;
     CHECK(settings.ambient_light == Color(.5));
     CHECK(settings.max_trace_level == 7);
     CHECK(whole("").settings.max_trace_level == 5);
+}
+
+TEST_CASE("POV-Ray: fog") {
+    const Fog fog = *whole(
+                         "fog { fog_type 2 distance 5 color rgbft <.5, .25, 1, .5, .125> fog_alt 2 fog_offset -1 "
+                         "up <0, 2, 1> turbulence .5 octaves 3 omega .25 lambda 3 turb_depth .75 }")
+                         .fog;
+    CHECK(fog == Fog{5, {.5, .25, 1}, 2, -1, {0, 2, 1}, .5, .125, DVec3(.5), 3, .25, 3, .75});
+    CHECK(*whole("fog { distance 5 rgb x }").fog == Fog{5, {1, 0, 0}});
 }
 
 TEST_CASE("POV-Ray: what scenes cannot hold is told with its line, once") {
@@ -166,10 +196,14 @@ TEST_CASE("POV-Ray: what scenes cannot hold is told with its line, once") {
     told("fog { distance 9 } light_source { 9 rgb 1 media_attenuation on }", "approximated: fog does not dim a light");
     CHECK(notes_of("sphere { 0, 1 pigment { crackle metric 2 form <-1, 1, 0> agate_turb 1 } }") == "");
     told("text { ttf \"no.ttf\" \"A\" 1, 0 }", "left out: a text: cannot find its font 'no.ttf'");
+    told("sphere { 0, 1 pigment { bozo turbulence 1 pigment_map { [0 granite] [1 rgb x] } } }",
+         "approximated: patterns in a map do not follow its turbulence");
     told("media { emission 1 }", "left out: media");
+    told("global_settings { assumed_gamma .5 }", "approximated: assumed_gamma 0.5 is 1");
     told("rainbow { distance 1 }", "left out: a rainbow");
     told("sphere { 0, 0 }", "left out: a body: a number of it is out of range");
-    told("fog { fog_type 2 distance 1 fog_alt 1 }", "left out: ground fog");
+    told("fog { fog_type 2 distance 1 }", "left out: fog without a direction");
+    told("fog { distance 1 } fog { distance 2 }", "left out: a second fog");
     told("global_settings { radiosity { count 9 } }", "approximated: radiosity");
     told("camera { orthographic }", "approximated: an orthographic camera");
     const std::string loop =

@@ -81,6 +81,26 @@ TEST_CASE("POV-Ray: composites with bodies turned inside out contain the same po
     CHECK_FALSE(inside("intersection { plane { x, 0 } plane { -x, 1 } box { -9, 9 } }", DVec3(-1.5, 0, 0)));
 }
 
+TEST_CASE("POV-Ray: clipped bodies are cut off by what lets all light through") {
+    const Scene scene = whole("sphere { 0, 1 clipped_by { plane { x, .5 } } pigment { rgb x } }");
+    const auto& parts = *shape<Intersection>(scene).parts;
+    REQUIRE(parts.size() == 2);
+    CHECK(scene.materials[parts[0].material].rgb == Pigment(1, 0, 0));
+    const Material& nothing = scene.materials[parts[1].material];
+    CHECK((nothing.rgb.transmit == 1 && nothing.shadow == 1 && nothing.reflection == 0 && nothing.specular == 0));
+    // The pieces of a union are clipped each by itself, so that surfaces inside it stay.
+    CHECK(whole("union { sphere { 0, 1 } sphere { x, 1 } clipped_by { plane { y, 0 } } }").primitives.size() == 2);
+    // An open cylinder is a longer one that is clipped; a cone does not grow beyond its tip.
+    const Scene tube = whole("cylinder { 0, y, 1 open translate x }");
+    const auto& ends = *shape<Intersection>(tube).parts;
+    REQUIRE(ends.size() == 3);
+    CHECK(std::get<Cylinder>(ends[0].shape) == Cylinder{{0, -1, 0}, {0, 2, 0}, 1});
+    CHECK(contains(tube.primitives[0], {1, .9, 0}));
+    CHECK_FALSE(contains(tube.primitives[0], {1, 1.1, 0}));
+    const Scene cone = whole("cone { 0, 0, y, 1 open }");
+    CHECK(std::get<Cone>(shape<Intersection>(cone).parts->at(0).shape) == Cone{DVec3(0), 0, {0, 2, 0}, 2});
+}
+
 TEST_CASE("POV-Ray: parts without a texture have that of the composite, others their own") {
     const Scene scene = whole(
         "difference { box { -1, 1 } sphere { x, 1 pigment { rgb x } } cylinder { -y*2, y*2, .2 } pigment { rgb z } }");

@@ -116,7 +116,7 @@ TEST_CASE("scenes survive the way to POV-Ray's text and back") {
         if (!random) CHECK(again.settings == scene.settings);
         CHECK(same_color(again.background.color, scene.background.color));
         CHECK(again.background.pattern == scene.background.pattern);
-        if (scene.fog) scene.fog->distance *= unit;
+        if (scene.fog) scene.fog->distance *= unit, scene.fog->altitude *= unit, scene.fog->offset *= unit;
         CHECK(again.fog == scene.fog);
         const CameraFrame a = frame_of(scene.camera, 4. / 3), b = frame_of(again.camera, 4. / 3);
         CHECK(near(again.camera.position, unit * scene.camera.position));

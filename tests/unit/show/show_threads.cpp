@@ -90,7 +90,7 @@ Exact exact(const Order& order) {
     for (std::size_t i = 0; i < image.rgba.size(); ++i) {
         image.rgba[i] = 0xff000000u;
         for (int c = 0; c < 3; ++c)
-            image.rgba[i] |= quantise(frame.rgb[3 * i + c], order.scene->settings.linear, 255) << 8 * c;
+            image.rgba[i] |= quantise(frame.rgb[3 * i + c], order.scene->settings.assumed_gamma, 255) << 8 * c;
     }
     return {image, rays};
 }

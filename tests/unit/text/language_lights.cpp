@@ -44,6 +44,8 @@ TEST_CASE("rectangles and grids") {
 TEST_CASE("fog") {
     CHECK(with_eye("fog { color <.1,.2,.3> distance 7 }").fog == Fog{7, {.1, .2, .3}});
     CHECK(!with_eye("").fog);
+    CHECK(with_eye("fog { distance 7 color <.1,.2,.3> altitude 2 offset -1 up <0,1,0> filter .5 transmit .25 }").fog ==
+          Fog{7, {.1, .2, .3}, 2, -1, {0, 1, 0}, .5, .25});
     check_fault("fog { color <1,1,1> }", "2:1: 'fog' lacks 'distance'");
     check_fault("fog { color <1,1,1> distance 0 }",
                 "2:30: 'distance' of 'fog' must be greater than 0 (at least 2.3e-308) and at most 1e9, not '0'");

@@ -1,5 +1,6 @@
 // The scene language: patterns in place of colours.
 #include "tests/unit/text/language.h"
+#include "text/blocks/pigment.h"
 #include "text/write.h"
 
 using namespace strahl;
@@ -242,6 +243,29 @@ TEST_CASE("a material block changes a colour to a pattern and back") {
     CHECK(scene.materials[0].rgb.pattern);
     CHECK(!scene.materials[1].rgb.pattern);
     CHECK(scene.materials[2].rgb == scene.materials[0].rgb);
+}
+
+TEST_CASE("patterns among the colours of others") {
+    const std::string rings = "wood { colors { 0 <0,0,0> 1 <1,.5,0> } scale 2 }";
+    const Pigment nested = pigment("checker { <.2,.3,.4>, " + rings + " }");
+    CHECK(nested.color == Color(1, .5, .4));
+    REQUIRE(nested.pattern->colors[1].pattern);
+    CHECK(*nested.pattern->colors[1].pattern == *pigment(rings).pattern);
+    CHECK(pigment("noise { colors { 0 <1,1,1,.5,.25> .3 " + rings + " } }").transmit == .25);
+    CHECK(text_of(nested) == "checker { <0.2, 0.3, 0.4>, wood { colors { 0 <0, 0, 0>  1 <1, 0.5, 0> }  scale 2 } }");
+    std::string deep = "<0,0,0>";
+    for (int i = 0; i < 5; ++i) deep = "noise { colors { 0 " + deep + " } }";
+    CHECK(pigment(deep).pattern->nests());
+    check_pattern("noise { colors { 0 " + deep + " } }", "3:96", "patterns in patterns are at most 4 deep");
+    check_pattern("noise { colors { 0 noise { colors { 0 <0,0,0> } map uv } } }", "3:20",
+                  "a pattern among colours cannot be mapped by uv");
+    check_pattern("noise { colors { 0 noise { colors { 0 <0,0,0> } } } map uv }", "3:1",
+                  "a pattern that is mapped by uv cannot have patterns among its colours");
+    const Scene sky = parse(eye + "background { coat <1,0,0,.5,.25> color <0,0,1> coat " + rings + " }");
+    REQUIRE(sky.background_coats.size() == 2);
+    CHECK(sky.background_coats[0].filter == .5);
+    CHECK(sky.background_coats[1] == pigment(rings));
+    CHECK(faults(eye + "background { coat <1,0,0> }").at(0).ends_with("'background' lacks 'color'"));
 }
 
 TEST_CASE("mistakes in patterns") {

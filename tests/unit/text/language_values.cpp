@@ -32,9 +32,9 @@ TEST_CASE("values out of range") {
                 "2:35: 'max_trace_level' of 'global_settings' must be a whole number from 1 to 256, not '2.5'");
     check_fault("global_settings { ambient_light <1,1,-1> }",
                 "2:38: 'ambient_light' of 'global_settings' must be from 0 to 1e9, not '-1'");
-    CHECK(faults(eye + "global_settings { assumed_gamma 2.2 }")
+    CHECK(faults(eye + "global_settings { assumed_gamma .5 }")
               .at(0)
-              .starts_with("x.rt:2:33: 'assumed_gamma' of 'global_settings' must be 1,"));
+              .starts_with("x.rt:2:33: 'assumed_gamma' of 'global_settings' must be from 1 to 5,"));
     CHECK(faults("camera { position <0,0,0> look_at <0,1,0> up <0,0,-1> fov 90 }") ==
           Faults{"x.rt:1:59: 'fov' of 'camera' must be greater than 0 and less than 90 degrees, not '90'"});
     CHECK(faults("camera { position <0,0,0> look_at <0,1,0> up <0,0,-1> fov 0 }") ==

@@ -18,10 +18,21 @@ class RandomScenes {
     Scene scene() {
         result = {};
         result.camera = camera();
-        if (chance(3)) result.settings = {color(), std::uniform_int_distribution(1, 256)(random), chance(2),
-                                         chance(2) ? uniform(0, 1) : 0};
+        if (chance(3))
+            result.settings = {color(), std::uniform_int_distribution(1, 256)(random),
+                               chance(2)   ? 0
+                               : chance(2) ? 1
+                                           : uniform(1, 5),
+                               chance(2) ? uniform(0, 1) : 0};
         if (chance(2)) result.background = chance(3) ? Pigment(pattern()) : Pigment(color());
         if (chance(4)) result.fog = Fog{length(), color()};
+        while (chance(6) && result.background_coats.size() < 7) result.background_coats.push_back(clear(color()));
+        if (result.fog && chance(2)) {
+            const Color more = color();
+            result.fog->altitude = length(), result.fog->offset = more.x, result.fog->up = DVec3(uniform(0, 1), 0, 1);
+            result.fog->filter = uniform(0, 1), result.fog->transmit = uniform(0, 1);
+            result.fog->turbulence = more, result.fog->octaves = 3, result.fog->omega = uniform(0, 1);
+        }
         for (int i = below(6); i > 0; --i) result.lights.push_back(light());
         palette.resize(1 + below(4));
         for (Material& material : palette) material = chance(4) ? Material{} : random_material();
@@ -96,13 +107,18 @@ class RandomScenes {
         if (chance(3)) own.filter = uniform(0, 1), own.transmit = uniform(0, 1);
         return own;
     }
-    Pattern pattern() {
+    Pattern pattern(bool inner = false) {
         Dice dice(random());
         Pattern own = random_pattern(dice);
         if (!own.colors.empty() && chance(6)) own.kind = random_solid(dice);
         if (chance(2)) own.transformations = transformations();
+        if (!inner && own.colors.size() == 2 && chance(8)) {
+            Pattern more = pattern(true);
+            own.by_uv = more.by_uv = false;
+            own.colors[1] = {own.colors[1].at, Color(0), 0, 0, std::make_shared<const Pattern>(std::move(more))};
+        }
         for (ColorStop& stop : own.colors)
-            if (chance(2)) {
+            if (!stop.pattern && chance(2)) {
                 stop.color = color();
                 if (chance(4)) stop.filter = uniform(0, 1), stop.transmit = uniform(0, 1);
             }

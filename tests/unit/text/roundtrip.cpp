@@ -51,7 +51,7 @@ TEST_CASE("scenes of this project") {
 TEST_CASE("written text looks hand-written") {
     Scene scene;
     scene.camera = {{0, -9, .1}, {0, 0, 0}, {0, 0, -1}, 25, {}};
-    scene.settings.linear = true;
+    scene.settings.assumed_gamma = 1;
     scene.lights = {{{1, 2, 3}, {1, 1, 1}}};
     Material red, glass;
     red.rgb = {1, 0, 0};

@@ -174,6 +174,31 @@ TEST_CASE("bumps leave outlines and what is inside as they are") {
     for (std::size_t i = 0; i < smooth.rgb.size(); ++i) CHECK((smooth.rgb[i] > 0) == (bumpy.rgb[i] > 0));
 }
 
+TEST_CASE("a pattern among the colours of another is where that one is") {
+    const auto floor = [](const std::string& pattern, const std::string& more = "") {
+        return flat("light { position <9, 20, 30>  color <1, 1, 1> } plane { " + floor_points + "  material { rgb " +
+                    pattern + "  diffuse 1 } }" + more);
+    };
+    const std::string wood = "wood { turbulence .3  colors { 0 <.1, .2, .9>  1 <1, .5, 0> }  scale 2 ";
+    const std::string moves = "rotate <10, 20, 30>  translate <1, 2, 3> } ";
+    for (const Precision precision : {Precision::float32, Precision::float64, Precision::extended}) {
+        const Frame once = picture(floor(wood + moves), precision);
+        const Frame nested = picture(floor("checker { " + wood + "}, " + wood + "} " + moves), precision);
+        CHECK(different(once, nested, precision == Precision::float32 ? 1e-3 : 1e-9) == 0);
+        const Frame other = picture(floor("checker { " + wood + "}, <.5, .5, .5> " + moves), precision);
+        CHECK(different(once, other, .01) > 500);
+        // A finish of POV-Ray's does not change that.
+        const Frame finished =
+            picture(floor("checker { " + wood + "}, " + wood + "} " + moves + " metallic 1"), precision);
+        CHECK(different(once, finished, precision == Precision::float32 ? 1e-3 : 1e-9) == 0);
+    }
+    // Before the background a coat hides its share.
+    const Frame sky =
+        picture(flat("background { color <.5, 1, 0>  coat <.25, .5, 1, .5, .25>  coat <0, 0, 1, 0, 1> }"));
+    const Color wanted(.25 * .25 + .5 * (.5 * .25 + .25), .25 * .5 + 1 * (.5 * .5 + .25), .25 * 1 + 0);
+    for (int c = 0; c < 3; ++c) CHECK(sky.rgb[c] == doctest::Approx(wanted[c]));
+}
+
 TEST_CASE("senseless numbers leave every pixel a number") {
     const std::string floor = "plane { " + floor_points + "  material { rgb ";
     for (const std::string kind : {"checker { <1, 1, 1>, <.5, .5, .5> ",
