@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "files/output_file.h"
 #include "files/read_file.h"
 #include "files/words.h"
 #include "pov/animation.h"
@@ -87,6 +88,15 @@ OpenedScene open_scene_of_povray(const std::string& text, const std::string& pat
 }
 
 }  // namespace
+
+void refuse_overwriting_scene(const std::string& option, const std::string& written, const std::string& scene,
+                              const OpeningOptions& options) {
+    refuse_overwriting(option, written, "the scene", scene);
+    if (options.ini) refuse_overwriting(option, written, "the scene's .ini file", options.ini->path);
+    if (!is_pov(scene)) return;
+    if (!options.ini) refuse_overwriting(option, written, "the scene's .ini file", pov::beside(scene, ".ini"));
+    refuse_overwriting(option, written, "the scene's flight", pov::flight_path(scene));
+}
 
 OpenedScene open_scene(const std::string& text, const std::string& path, const OpeningOptions& options,
                        const ReadPixels& read_pixels, FilesRead* read) {

@@ -41,6 +41,10 @@ struct OpenedScene {
 /// Does the path end like a scene of POV-Ray?
 bool is_pov(const std::string& path);
 
+/// Throws UsageError if `written`, which `option` names, is the scene, or the .ini file or the flight of a .pov.
+void refuse_overwriting_scene(const std::string& option, const std::string& written, const std::string& scene,
+                              const OpeningOptions& options);
+
 /// Reads a scene whose text is that of the file `path`. Throws FileError. `read` receives the names of files in scene
 /// text.
 OpenedScene open_scene(const std::string& text, const std::string& path, const OpeningOptions& options,

@@ -50,7 +50,10 @@ rm -r sealed
 # A file that the command also reads or writes is not overwritten, under any name.
 cp scene.rt kept.rt
 cp scene.rt kept.png
-cp scene.rt kept.ini
+cp scene.rt kept.flight
+echo 'sphere { 0, 1 }' >kept.pov
+echo 'Input_File_Name=kept.pov' >kept.ini
+cp kept.ini kept-before.ini
 cp scene.rt film-0007.png
 mkdir same
 ln -s ../kept.rt same/link.rt
@@ -65,9 +68,16 @@ keep render film-0007.png -o film-%04d.png --frames 0-99
 keep render kept.rt -o film.png --frames 0-99 --stats film-0012.png
 keep stability kept.png -o kept.png
 keep pov kept.ini -o kept.pov
+cp kept.pov other.pov
+echo 'Input_File_Name=other.pov' >film.ini
+keep pov film.ini -o film.pov
+keep render kept.ini -o x.png --stats kept.ini
+keep render kept.pov -o x.png --stats kept.ini
+keep render kept.pov -o x.png --stats kept.flight
 keep crosscheck kept.png --sheet kept.png
 keep crosscheck kept.rt same/kept.rt --sheet x.png
-for name in kept.rt kept.png kept.ini film-0007.png hard.rt; do expect_same scene.rt "$name"; done
+for name in kept.rt kept.png kept.flight film-0007.png hard.rt; do expect_same scene.rt "$name"; done
+expect_same kept-before.ini kept.ini
 make 0 "" scene.rt one.png
 make 0 "" scene.rt two.png --depth 1
 cp two.png three.png
@@ -75,7 +85,7 @@ keep compare one.png two.png --heatmap two.png
 keep compare one.png two.png --heatmap ./one.png
 expect_same two.png three.png
 make 0 "" scene.rt film-0012.png --stats film-12.json
-rm -r same hard.rt kept.* film-* one.png two.png three.png
+rm -r same hard.rt kept.* kept-before.ini other.pov film.ini film-* one.png two.png three.png
 
 # Control characters in names do not reach the terminal.
 csi=$'\xc2\x9b'  # U+009B in UTF-8, whatever the locale

@@ -31,8 +31,8 @@ void check(const PovOptions& options) {
     if (options.output.empty()) throw UsageError("no output file. Add -o FILE.pov");
     if (std::filesystem::path(options.output).extension() != ".pov")
         throw UsageError("'" + options.output + "' should end in .pov; the .ini is written beside it");
-    refuse_overwriting("-o", options.output, "the scene", options.scene);
-    refuse_overwriting("The .ini beside -o", ini_path(options), "the scene", options.scene);
+    refuse_overwriting_scene("-o", options.output, options.scene, options.opening);
+    refuse_overwriting_scene("The .ini beside -o", ini_path(options), options.scene, options.opening);
     if (options.animation && options.time) throw UsageError("--animation and --time exclude each other");
 }
 

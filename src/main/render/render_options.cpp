@@ -133,8 +133,8 @@ void require_writable(const std::string& path) {
 void require_different_files(const RenderOptions& options) {
     if (is_picture(options, options.scene))
         throw UsageError("-o would overwrite the scene '" + options.scene + "'; give it another name");
-    refuse_overwriting("--stats", options.stats, "the scene", options.scene);
-    refuse_overwriting("--prove", options.prove, "the scene", options.scene);
+    refuse_overwriting_scene("--stats", options.stats, options.scene, options.opening);
+    refuse_overwriting_scene("--prove", options.prove, options.scene, options.opening);
     if (is_picture(options, options.prove))
         throw UsageError("--prove '" + options.prove + "' would overwrite the picture; give it another name");
     if (is_picture(options, options.stats))
