@@ -18,7 +18,8 @@ inline double shown(double v, double gamma) {
     if (gamma == 0) return v;
     return srgb(gamma == 1 ? v : std::pow(v, gamma));
 }
-/// The slope of shown() where it is steepest: at the bend, or for a gamma above 2 perhaps at 1. `gamma` is 0 or from 1.
+/// Returns the slope of shown() where it is steepest: at the bend, or for a gamma above 2 perhaps at 1. `gamma` is 0 or
+/// from 1.
 inline double steepest(double gamma) {
     if (gamma == 0) return 1;
     const double bend = std::pow(srgb_bend, 1 / gamma);

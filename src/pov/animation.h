@@ -21,9 +21,9 @@ struct Animation {
     /// The clock changes from its first to its last value within `flight` seconds, unless the file gives frames.
     static Animation of(const std::optional<IniFile>& ini, std::optional<double> flight);
     double clock_at(double time) const;
-    /// The numbers that POV-Ray declares for a frame, such as frame_number.
+    /// Returns the numbers that POV-Ray declares for a frame, such as frame_number.
     std::vector<std::pair<std::string, double>> declared_at(double time) const;
-    /// The frames that the file asks for, counted from 0.
+    /// Returns the frames that the file asks for, counted from 0.
     std::pair<int, int> frames() const;
 
   private:

@@ -7,7 +7,7 @@
 
 namespace strahl::pov {
 
-/// The path of the flight's file.
+/// Returns the path of the flight's file.
 std::string flight_path(const std::string& scene);
 
 /// Reads the text of a flight, in the coordinates of the .pov. Nothing if there is no path in it. Throws FileError,

@@ -38,7 +38,7 @@ IniFile read_ini(const std::string& path);
 /// Reads the file of the same name beside a scene; nothing if there is none, or if that is for another scene.
 std::optional<IniFile> ini_beside(const std::string& scene);
 
-/// The path of a file beside a scene that differs in its ending only.
+/// Returns the path of a file beside a scene that differs in its ending only.
 std::string beside(const std::string& scene, const char* ending);
 
 }  // namespace strahl::pov

@@ -55,7 +55,7 @@ void BodyTools::click(const View& view, const glm::dvec2& point, double reach) {
               (text.line > 0 ? ", line " + std::to_string(text.line) : ""));
 }
 
-/// The number of the body or the light chosen; -1 if there is none.
+/// Returns the number of the body or the light chosen; -1 if there is none.
 int BodyTools::number() const {
     return bodies.choice() ? bodies.choice()->at.body : bodies.light() ? bodies.light()->light : -1;
 }
@@ -224,7 +224,7 @@ void BodyTools::place_handles(const View& view, double scale) {
     find_pointed();
 }
 
-/// The axes of the body chosen, along which it is scaled.
+/// Returns the axes of the body chosen, along which it is scaled.
 std::array<DVec3, 3> BodyTools::own_axes() {
     if (axes_scene != session.scene || axes_body != number()) {
         const auto body = PlacedBody::find(bodies.edited.text(), *session.scene, number());

@@ -264,7 +264,7 @@ void add_material(const Material& material, std::vector<BodyValue>& values) {
     std::apply([&](const auto&... field) { (add(field), ...); }, Material::fields);
 }
 
-/// The text of definitions and defaults, in the order of the text.
+/// Returns the text of definitions and defaults, in the order of the text.
 std::string context_of(const BodyItems& found) {
     std::vector<std::string_view> blocks;
     for (const auto& [name, item] : found.definitions) blocks.push_back(whole_block(item));

@@ -27,14 +27,14 @@ DVec3 turned(const Axes& axes, const DVec3& v) { return v.x * axes[0] + v.y * ax
 DVec3 turned_back(const Axes& axes, const DVec3& v) {
     return {dot_product(axes[0], v), dot_product(axes[1], v), dot_product(axes[2], v)};
 }
-/// The vector after a turn about an axis (Rodrigues' formula).
+/// Returns the vector after a turn about an axis (Rodrigues' formula).
 DVec3 turned(const DVec3& v, const TurnBy& turn) {
     const double angle = turn.degrees * std::numbers::pi / 180, cosine = std::cos(angle);
     return cosine * v + std::sin(angle) * cross_product(turn.axis, v) +
            (1 - cosine) * dot_product(turn.axis, v) * turn.axis;
 }
 
-/// The degrees about x, y and z of a rotation. Of all that make it those nearest to `before`.
+/// Returns the degrees about x, y and z of a rotation: of all that make it those nearest to `before`.
 DVec3 degrees_of(const Axes& axes, const DVec3& before) {
     const double degree = 180 / std::numbers::pi, sine = -axes[0].z;
     DVec3 found;
@@ -58,14 +58,14 @@ DVec3 degrees_of(const Axes& axes, const DVec3& before) {
 
 bool blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
-/// The white space at the beginning of the line with this place.
+/// Returns the white space at the beginning of the line with this place.
 std::string indentation(const std::string& text, std::size_t at) {
     const std::size_t line = at == 0 ? 0 : text.rfind('\n', at - 1) + 1;
     const std::size_t first = std::min(text.find_first_not_of(" \t", line), text.size());
     return text.substr(line, std::min(first, at) - line);
 }
 
-/// A text to be inserted before the closing brace at `end`: in the same line, or else in one of its own.
+/// Returns a text to be inserted before the closing brace at `end`: in the same line, or else in one of its own.
 std::pair<std::size_t, std::string> before_end(const std::string& text, std::size_t end, const std::string& added) {
     std::size_t at = end;
     while (at > 0 && is_space(text[at - 1])) --at;
@@ -238,7 +238,7 @@ std::pair<std::size_t, std::size_t> place_of(const std::string& text, TopBlock w
     return {std::size_t(item.word.data() - text.data()), std::size_t(item.end.data() - text.data()) + 1};
 }
 
-/// The end of the line if nothing but a comment stands on it from here on, else `at`.
+/// Returns the end of the line if nothing but a comment stands on it from here on, else `at`.
 std::size_t rest_of_line(const std::string& text, std::size_t at) {
     std::size_t next = at;
     while (next < text.size() && blank(text[next])) ++next;

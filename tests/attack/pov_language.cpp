@@ -56,7 +56,7 @@ void expand_text(const std::string& text) {
     strahl::attack::written_again(scene);
 }
 
-/// The clock of any .ini file is finite and its frames follow each other.
+/// Checks that the clock of any .ini file is finite and that its frames follow each other.
 void read_ini_file(const std::string& text) {
     const Animation all = Animation::of(parse_ini(text, "fuzz"), 4.);
     for (const double time : {0., .04, 3.7, 1e9})
@@ -65,7 +65,7 @@ void read_ini_file(const std::string& text) {
         fail("the frames do not follow each other:", text);
 }
 
-/// A flight that is read is the same after it was written, and keeps the comments of its text.
+/// Checks that a flight is the same after it was written and read again, and keeps the comments of its text.
 void read_flight(const std::string& text) {
     const auto flight = parse_flight(text, "fuzz");
     if (!flight) return;

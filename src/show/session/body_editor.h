@@ -49,7 +49,7 @@ class BodyEditor {
     /// Chooses the body with this number, or the light, if one of these is chosen.
     void choose_next(int number, const Scene& scene);
     void close() { chosen.reset(), chosen_light.reset(); }
-    /// The body chosen, and the light chosen; one of them at most.
+    /// Returns the body chosen, and the light chosen; one of them at most.
     const std::optional<Chosen>& choice() const { return chosen; }
     const std::optional<LightPoint>& light() const { return chosen_light; }
     bool any() const { return chosen || chosen_light; }
@@ -57,7 +57,7 @@ class BodyEditor {
     void move_point(const DVec3& to) { chosen->point = to; }
     /// Looks for that point again along the line of the click, where the body may be back.
     void find_point(const Scene& scene);
-    /// The words and values of the body or the light chosen.
+    /// Returns the words and values of the body or the light chosen.
     const BodyText& body() const { return description; }
     /// The file in which it stands, if that is not the scene's own; else "".
     const std::string& file() const { return other_file; }

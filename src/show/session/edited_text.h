@@ -34,7 +34,7 @@ class EditedText {
     /// The text with all changes.
     const std::string& text() const { return present; }
     bool changed() const { return present != saved; }
-    /// The changes, for writing them into the file.
+    /// Returns the changes, for writing them into the file.
     const ChangedText& changes() const { return lines; }
     /// Lines that would be lost now, with their numbers: "6: sphere { ... }", and those that were removed.
     std::vector<std::string> unwritten() const;

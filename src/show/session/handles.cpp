@@ -13,7 +13,7 @@ namespace {
 
 constexpr double least_factor = .01;  // by which a single drag scales
 
-/// The distance of a point from a line through these points.
+/// Returns the distance of a point from a line through these points.
 double distance_from(const std::vector<glm::dvec2>& line, const glm::dvec2& point) {
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
@@ -36,7 +36,7 @@ bool within_area(const std::vector<glm::dvec2>& edge, const glm::dvec2& point) {
     return inside;
 }
 
-/// The largest of 1, 2 and 5 times a power of ten that is not above a length.
+/// Returns the largest of 1, 2 and 5 times a power of ten that is not above a length.
 double round_length(double length) {
     const double power = std::pow(10., std::floor(std::log10(length)));
     return length >= 5 * power ? 5 * power : length >= 2 * power ? 2 * power : power;
@@ -123,21 +123,21 @@ std::optional<Handle> Handles::at(const glm::dvec2& point, double within) const 
 
 DVec3 Handles::direction_at(const glm::dvec2& point) const { return ray_at(view, point.x, point.y).direction; }
 
-/// The place along an axis, from the centre, that is nearest to what is seen at a point.
+/// Returns the place along an axis, from the centre, that is nearest to what is seen at a point.
 double Handles::along_axis(Handle handle, const glm::dvec2& point) const {
     const DVec3 along = axis(handle), sight = direction_at(point), from = centre - view.camera.position;
     const double same = dot_product(along, sight), square = std::max(1 - same * same, 1e-4);
     return (same * dot_product(from, sight) - dot_product(from, along)) / square;
 }
 
-/// The point of the plane through the centre, across the view, that is seen there.
+/// Returns the point of the plane through the centre, across the view, that is seen there.
 DVec3 Handles::in_plane(const glm::dvec2& point) const {
     const DVec3 sight = direction_at(point);
     return view.camera.position +
            dot_product(centre - view.camera.position, forward) / dot_product(sight, forward) * sight;
 }
 
-/// The angle by which a drag along a circle turns it.
+/// Returns the angle by which a drag along a circle turns it.
 double Handles::turn_degrees(Handle handle, const glm::dvec2& from, const glm::dvec2& to) const {
     const double degree = 180 / std::numbers::pi;
     if (handle == Handle::all) {  // seen from the tip of an axis that points to the eye

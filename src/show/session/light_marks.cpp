@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t most_marks = 500;
 
-/// The circle around a target in which a spot's cone ends.
+/// Returns the circle around a target in which a spot's cone ends.
 std::vector<DVec3> cone_circle(const DVec3& from, const Spot& spot) {
     const DVec3 axis = normalize(spot.look_at - from);
     const DVec3 aside = std::abs(axis.z) < .9 ? DVec3(0, 0, 1) : DVec3(1, 0, 0);

@@ -19,7 +19,7 @@ namespace {
 constexpr double seconds_per_key = 3;       // between keys that are added
 constexpr std::size_t most_moments = 7200;  // of a recorded flight: 2 minutes at 60 pictures per second
 
-/// The path in the file that can be edited: a scene by POV-Ray's clock has a flight without keys, too.
+/// Returns the path in the file that can be edited: a scene by POV-Ray's clock has a flight without keys, too.
 std::optional<Flythrough> path_in(const Scene& scene) {
     return scene.flythrough && !scene.flythrough->keys.empty() ? scene.flythrough : std::nullopt;
 }

@@ -21,7 +21,7 @@ const std::string pov_eye = "camera { location -5*z look_at 0 } ";
 
 void put(const std::string& path, const std::string& text) { std::ofstream(path) << text; }
 
-/// The place of the first body.
+/// Returns the place of the first body.
 double place_of(const OpenedScene& opened) { return std::get<Sphere>(opened.scene.primitives.at(0).shape).centre.x; }
 
 }  // namespace

@@ -25,7 +25,7 @@ View wide_view(const Scene& scene) { return {.camera = scene.camera, .width = 64
 
 double pixels_between(const glm::dvec2& a, const glm::dvec2& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
-/// A point of the longest line of a handle, at this share of its points.
+/// Returns a point of the longest line of a handle, at this share of its points.
 glm::dvec2 point_of(const Handles& handles, Handle handle, double share = 1) {
     const Handles::HandleLine* longest = nullptr;
     for (const Handles::HandleLine& line : handles.lines())

@@ -30,7 +30,7 @@ std::string placed(const std::string& text, int body, const Placing& placing, in
     REQUIRE(found);
     return found->text(placing, decimals);
 }
-/// The text of a body after this.
+/// Returns the text of a body after this.
 std::string after(const std::string& body, const Placing& placing, int decimals = 3) {
     const std::string text = placed(camera_text + body, 0, placing, decimals);
     REQUIRE(text.starts_with(camera_text));
@@ -38,7 +38,7 @@ std::string after(const std::string& body, const Placing& placing, int decimals 
     return text.substr(camera_text.size());
 }
 
-/// The matrix of a placing; `axes` are those along which it scales.
+/// Returns the matrix of a placing; `axes` are those along which it scales.
 glm::dmat4 matrix_of(const Placing& placing, const std::array<DVec3, 3>& axes) {
     const auto made = [](const auto& image, const DVec3& about) {
         glm::dmat4 m(1);
