@@ -23,6 +23,7 @@
 #include "files/read_file.h"
 #include "files/streams.h"
 #include "num/decimal.h"
+#include "povref/convert/images.h"
 
 extern char** environ;
 
@@ -156,7 +157,7 @@ PovRun finished(const Scratch& scratch, const std::string& folder, std::vector<s
 }
 
 /// Returns the option by which files hold the values of a scene without a transfer curve.
-std::string file_gamma(double assumed) { return "File_Gamma=" + (assumed == 0 ? "srgb" : text_of(assumed)); }
+std::string file_gamma(double assumed) { return "File_Gamma=" + gamma_word(assumed); }
 
 /// Adds the options for averages over pixels.
 void add_grid(std::vector<std::string>& words, int grid) {

@@ -74,13 +74,11 @@ std::string image_text(const ImagePattern& image, const std::string& more, bool 
            "] [0.5 " + map + "] }" + poles;
 }
 
+std::string gamma_word(double gamma) { return gamma == 0 ? "srgb" : gamma == 1 ? "1.0" : text_of(gamma); }
+
 std::string image_macro(double gamma) {
     const auto macro = [](const char* name, double of) {
-        return std::string("#macro ") + name + "() gamma " +
-               (of == 0   ? "srgb"
-                : of == 1 ? "1.0"
-                          : text_of(of)) +
-               " #end\n";
+        return std::string("#macro ") + name + "() gamma " + gamma_word(of) + " #end\n";
     };
     return comment("Heights are taken as they are, and so are floats unless values are only a power of light.") +
            macro("As_It_Is", gamma) + macro("Floats", gamma == 0 ? 0 : 1);

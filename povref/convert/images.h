@@ -22,5 +22,7 @@ std::string image_text(const ImagePattern& image, const std::string& more, bool 
 
 /// Returns the macro that the result of image_text() calls.
 std::string image_macro(double gamma);
+/// Returns the word for a scene's `assumed_gamma`: srgb for values that are shown as they are.
+std::string gamma_word(double gamma);
 
 }  // namespace strahl

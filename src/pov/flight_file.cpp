@@ -24,9 +24,8 @@ Flythrough mirrored_path(Flythrough path) {
 std::string flight_path(const std::string& scene) { return beside(scene, ".flight"); }
 
 std::optional<Flythrough> parse_flight(const std::string& text, const std::string& path) {
-    // A path is part of a scene: this camera stands in for that of the .pov.
-    const std::string eye = "camera { position <0,0,0> look_at <0,1,0> sky <.31,.27,.9> fov 20 }\n", whole = eye + text;
-    const std::array origins{TextOrigin{0, path, text, 0}, TextOrigin{eye.size(), path, text, 0}};
+    const std::string whole = std::string(stand_in_camera) + text;
+    const std::array origins{TextOrigin{0, path, text, 0}, TextOrigin{stand_in_camera.size(), path, text, 0}};
     Scene read = parse_scene(whole, path, {}, {}, nullptr, origins);
     std::optional<Flythrough> flight = std::exchange(read.flythrough, std::nullopt);
     Scene nothing_else;

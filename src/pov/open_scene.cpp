@@ -92,10 +92,9 @@ OpenedScene open_scene_of_povray(const std::string& text, const std::string& pat
 void refuse_overwriting_scene(const std::string& option, const std::string& written, const std::string& scene,
                               const OpeningOptions& options) {
     refuse_overwriting(option, written, "the scene", scene);
-    if (options.ini) refuse_overwriting(option, written, "the scene's .ini file", options.ini->path);
-    if (!is_pov(scene)) return;
-    if (!options.ini) refuse_overwriting(option, written, "the scene's .ini file", pov::beside(scene, ".ini"));
-    refuse_overwriting(option, written, "the scene's flight", pov::flight_path(scene));
+    const std::string ini = options.ini ? options.ini->path : is_pov(scene) ? pov::beside(scene, ".ini") : "";
+    refuse_overwriting(option, written, "the scene's .ini file", ini);
+    if (is_pov(scene)) refuse_overwriting(option, written, "the scene's flight", pov::flight_path(scene));
 }
 
 OpenedScene open_scene(const std::string& text, const std::string& path, const OpeningOptions& options,

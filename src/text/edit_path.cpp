@@ -123,8 +123,7 @@ std::string applied(std::string text, std::vector<Edit> edits) {
 
 /// Parses the block alone; nothing if it has an error.
 std::optional<Flythrough> path_of(const std::string& music, const std::string& block) try {
-    const std::string eye = "camera { position <0,0,0> look_at <0,1,0> sky <.31,.27,.9> fov 20 }\n";
-    return parse_scene(eye + music + block, "").flythrough;
+    return parse_scene(std::string(stand_in_camera) + music + block, "").flythrough;
 } catch (const FileError&) {
     return std::nullopt;
 }

@@ -19,4 +19,8 @@ Scene parse_scene(std::string_view text, std::string_view file, const TextLimits
                   const ReadPixels& read_pixels = {}, FilesRead* read = nullptr,
                   std::span<const TextOrigin> origins = {});
 
+/// A camera for text that is part of a scene and parsed without the rest.
+inline constexpr std::string_view stand_in_camera =
+    "camera { position <0,0,0> look_at <0,1,0> sky <.31,.27,.9> fov 20 }\n";
+
 }  // namespace strahl

@@ -44,8 +44,7 @@ std::optional<Scene> with_body(const Scene& scene, int body, const std::string& 
                                std::string_view file, const ReadPixels& read_pixels) try {
     for (const char* word : {"track", "beat", "#"})
         if (block.find(word) != block.npos || context.find(word) != context.npos) return std::nullopt;
-    const std::string eye = "camera { position <0,0,0> look_at <0,1,0> sky <0,0,1> fov 20 }\n";
-    Scene own = parse_scene(eye + context + block, file, {}, read_pixels);
+    Scene own = parse_scene(std::string(stand_in_camera) + context + block, file, {}, read_pixels);
     if (own.primitives.size() != 1) return std::nullopt;
     const auto place = static_cast<std::size_t>(body);
     std::vector<int> numbers(own.materials.size(), -1);

@@ -6,10 +6,8 @@
 #include <iostream>
 
 #include "files/output_file.h"
-#include "files/read_file.h"
 #include "files/utf8.h"
 #include "image/compare.h"
-#include "image/pixels.h"
 #include "image/transfer.h"
 #include "main/commands/scene_file.h"
 #include "num/thread_pool.h"
@@ -67,10 +65,7 @@ void print_row(const std::string& path, const Verdict& verdict, double ours, dou
 
 /// Returns whether the two pictures agree.
 bool check(const CrosscheckOptions& options, const std::string& path, const std::atomic<bool>* stop) {
-    OpeningOptions opening = options.opening;
-    opening.time = options.time;
-    const OpenedScene opened = open_scene(read_text(path), path, opening, read_pixels);
-    tell_notes(opened, false);
+    const OpenedScene opened = load_opened(path, options.opening, options.time);
     const Scene& scene = opened.scene;
     if (options.time) flight_for("--time", scene, path);
     const View view{.camera = camera_at(scene, options.time),

@@ -31,11 +31,15 @@ void tell_notes(const OpenedScene& scene, bool all) {
         std::cerr << "strahl: warning: and " << scene.notes.size() - count << " more; strahl check lists them\n";
 }
 
-Scene load_scene(const std::string& path, OpeningOptions options, std::optional<double> time) {
+OpenedScene load_opened(const std::string& path, OpeningOptions options, std::optional<double> time) {
     options.time = time;
     OpenedScene opened = open_scene(read_text(path), path, options, read_pixels);
     tell_notes(opened, false);
-    return std::move(opened.scene);
+    return opened;
+}
+
+Scene load_scene(const std::string& path, OpeningOptions options, std::optional<double> time) {
+    return load_opened(path, std::move(options), time).scene;
 }
 
 }  // namespace strahl

@@ -131,19 +131,16 @@ inline void add_opening(CLI::App* command, OpeningOptions& options) {
     command->add_flag("--strict", options.strict,
                       "Take whatever in a .pov file cannot be shown as it is meant for an error");
 }
-/// Takes the scene that the command line names: of an .ini file, FILE.ini or FILE.ini[SECTION], the scene in it.
-inline void take_scene(const std::string& given, std::string& value, OpeningOptions& options) {
-    value = given;
-    if (!pov::is_ini(given)) return;
-    options.ini = pov::read_ini(given);
-    value = options.ini->scene;
-}
-/// Adds the scene. Options that are added later replace what an .ini file says: `follow` is called with it first.
+/// Adds the scene; of an .ini file, FILE.ini or FILE.ini[SECTION], the scene in it. Options that are added later replace
+/// what an .ini file says: `follow` is called with it first.
 inline CLI::Option* add_scene(CLI::App* command, std::string& value, OpeningOptions& options,
                               const std::function<void(const pov::IniFile&)>& follow = {}) {
     const auto take = [&value, &options, follow](const std::string& given) {
-        take_scene(given, value, options);
-        if (options.ini && follow) follow(*options.ini);
+        value = given;
+        if (!pov::is_ini(given)) return;
+        options.ini = pov::read_ini(given);
+        value = options.ini->scene;
+        if (follow) follow(*options.ini);
     };
     CLI::Option* const scene =
         command->add_option_function<std::string>("SCENE", take,
