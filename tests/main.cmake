@@ -1,5 +1,5 @@
 # The program and the launcher as users see them: one bash script per topic.
-foreach(topic usage pictures frames film resume interrupt files stats stability check import pov_scenes broken_scenes install launcher readme tutorial gallery crosscheck farm bundle lsp ci)
+foreach(topic usage pictures frames sheet film resume interrupt files stats stability check import pov_scenes broken_scenes install launcher readme tutorial gallery crosscheck farm bundle lsp ci)
   add_test(NAME command_${topic}
            COMMAND bash ${CMAKE_SOURCE_DIR}/tests/command/${topic}.sh $<TARGET_FILE:strahl> ${CMAKE_SOURCE_DIR}
                    ${CMAKE_BINARY_DIR})

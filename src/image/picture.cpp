@@ -28,7 +28,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using Decode = decltype(&strahl_decode_picture);
+/// The functions of the module.
+struct PictureLibrary {
+    decltype(&strahl_decode_picture) decode;
+    decltype(&strahl_draw_text) draw_text;
+};
 
 /// Throws OutputError if no more threads can be started. Some libraries behind the module start threads while they
 /// load, at most a few for each processor, and end the program where they cannot. So as many are started first.
@@ -50,7 +54,7 @@ void require_threads() {
 
 /// Loads the module from lib/strahl: in the build folder, whose programs are at its top or one folder down, or in the
 /// folder that it was installed to, whose programs are in bin.
-Decode load_library() {
+PictureLibrary load_library() {
     std::error_code error;
     const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
     fs::path path = folder / "lib/strahl/libstrahl_image.so";
@@ -69,12 +73,13 @@ Decode load_library() {
     // before.
     std::atexit(__lsan_do_leak_check);
 #endif
-    return reinterpret_cast<Decode>(::dlsym(handle, "strahl_decode_picture"));
+    return {reinterpret_cast<decltype(PictureLibrary::decode)>(::dlsym(handle, "strahl_decode_picture")),
+            reinterpret_cast<decltype(PictureLibrary::draw_text)>(::dlsym(handle, "strahl_draw_text"))};
 }
 
-/// The function of the module, which is loaded once, on first use.
-Decode decode() {
-    static const Decode loaded = load_library();
+/// The module, which is loaded once, on first use.
+const PictureLibrary& library() {
+    static const PictureLibrary loaded = load_library();
     return loaded;
 }
 
@@ -123,11 +128,18 @@ Picture read_picture(const std::string& path, std::uint64_t most) {
     if (!format) return read_uncompressed(file, std::min(most, possible));
     Picture picture;
     std::string reason;
-    if (!decode()({path, format, std::min(most, possible), available_memory()}, picture, reason))
+    if (!library().decode({path, format, std::min(most, possible), available_memory()}, picture, reason))
         throw FileError("cannot read '" + path + "' as a picture: " + reason.substr(0, reason.find('\n')));
     return picture;
 }
 
-void require_picture_library() { decode(); }
+void require_picture_library() { library(); }
+
+Picture text_picture(const std::string& text, int size) {
+    Picture picture;
+    std::string reason;
+    if (!library().draw_text(text, size, picture, reason)) throw FileError("cannot draw text: " + reason);
+    return picture;
+}
 
 }  // namespace strahl

@@ -21,4 +21,7 @@ extern "C" {
 /// Reads the picture in a file, or returns false and the reason. Never throws.
 [[gnu::visibility("default")]] bool strahl_decode_picture(const strahl::Wanted& wanted, strahl::Picture& picture,
                                                           std::string& reason);
+/// Makes the picture of a text, see text_picture(), or returns false and the reason. Never throws.
+[[gnu::visibility("default")]] bool strahl_draw_text(const std::string& text, int size, strahl::Picture& picture,
+                                                     std::string& reason);
 }

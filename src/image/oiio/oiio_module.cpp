@@ -2,6 +2,8 @@
 #include "image/picture_module.h"
 
 // In one file only: these headers compile the fmt library into every file that includes them.
+#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
@@ -133,6 +135,20 @@ bool decode(const strahl::Wanted& wanted, strahl::Picture& picture, std::string&
     return whole;
 }
 
+bool draw_text(const std::string& text, int size, strahl::Picture& picture, std::string& reason) {
+    for (const char* font : {"DejaVuSans", "LiberationSans-Regular"}) {
+        const ROI around = ImageBufAlgo::text_size(text, size, font);
+        if (!around.defined()) continue;
+        ImageBuf drawn(ImageSpec(around.width(), around.height(), 1, TypeDesc::FLOAT));
+        ImageBufAlgo::zero(drawn);
+        if (!ImageBufAlgo::render_text(drawn, -around.xbegin, -around.ybegin, text, size, font, {1.f}))
+            return reason = drawn.geterror(), false;
+        picture = {around.width(), around.height(), 1, std::vector<double>(drawn.spec().image_pixels())};
+        return drawn.get_pixels(ROI::All(), TypeDesc::DOUBLE, picture.values.data());
+    }
+    return reason = "there is no font; on Debian: apt install fonts-dejavu-core", false;
+}
+
 /// Catches all exceptions, of OpenImageIO and of allocations: none may leave the module.
 template <class Work>
 bool guarded(std::string& reason, Work work) {
@@ -153,4 +169,8 @@ bool guarded(std::string& reason, Work work) {
 
 bool strahl_decode_picture(const strahl::Wanted& wanted, strahl::Picture& picture, std::string& reason) {
     return guarded(reason, [&] { return decode(wanted, picture, reason); });
+}
+
+bool strahl_draw_text(const std::string& text, int size, strahl::Picture& picture, std::string& reason) {
+    return guarded(reason, [&] { return draw_text(text, size, picture, reason); });
 }

@@ -8,6 +8,7 @@
 #include "main/commands/command_lsp.h"
 #include "main/commands/command_pov.h"
 #include "main/commands/command_render.h"
+#include "main/commands/command_sheet.h"
 #include "main/commands/command_stability.h"
 #include "main/commands/command_view.h"
 #include "main/commands/scene_file.h"
@@ -101,6 +102,34 @@ void add_render(CLI::App& app, ChosenCommand& chosen) {
         "Frames:  strahl render SCENE -o film-%04d.png --frames 0-99 --fps 25\n"
         "Pipes:   strahl render - -o - --format png < SCENE | ...\n"
         "Ctrl-C saves the finished part as NAME.part.ENDING; a second Ctrl-C stops at once.");
+}
+
+int sheet_until_interrupted(const SheetOptions& options) {
+    const Interrupt interrupt;
+    return sheet_command(options, interrupt.flag());
+}
+
+void add_sheet(CLI::App& app, ChosenCommand& chosen) {
+    auto [command, o] =
+        add_command(app, chosen, "sheet", "Show moments of a scene's flight side by side in one picture",
+                    sheet_until_interrupted);
+    add_scene(command, o->scene, o->opening);
+    add_file(command, "-o,--output", o->output, "The picture: .bmp, .png or .exr");
+    command
+        ->add_option("--pictures", o->pictures,
+                     "Number of moments, 12 by default, from the start of the flight to its end")
+        ->check(CLI::Range(1, 10000).description(""))
+        ->type_name("N");
+    command->add_option("--columns", o->columns, "Pictures in a row; by default about as many as there are rows")
+        ->check(CLI::Range(1, 10000).description(""))
+        ->type_name("N");
+    add_parsed(command, "--size", o->size, parse_size,
+               "Size of each picture in pixels; by default 320 wide, in the camera's proportions", "WxH");
+    add_exposure(command, o->exposure);
+    add_depth(command, o->depth);
+    add_threads(command, o->threads);
+    command->add_flag("--quiet", o->quiet, "Show no progress");
+    command->footer("Below each picture stands its time in seconds.");
 }
 
 void add_join(CLI::App& app, ChosenCommand& chosen) {
@@ -297,6 +326,7 @@ void add_commands(CLI::App& app, ChosenCommand& chosen) {
     add_view(app, chosen);
     add_play(app, chosen);
     add_render(app, chosen);
+    add_sheet(app, chosen);
     add_join(app, chosen);
     add_check(app, chosen);
     add_compare(app, chosen);

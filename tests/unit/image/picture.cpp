@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -326,6 +327,22 @@ TEST_CASE("pictures as patterns: grey is of three equal colours, and what no pat
     refused({1, 1, 3, {1, nan, 1}, 32}, "none.exr", 32, "it has the value nan");
     refused({1, 1, 3, {1, 2e9, 1}, 32}, "sun.exr", 32, "it has the value 2e+09");
     refused({1, 32769, 1, std::vector<double>(32769), 8}, "long.png", 8, "each side may have at most 32768");
+}
+
+TEST_CASE("letters are white on black, in the size asked for, or the lack of a font is told") {
+    try {
+        const Picture small = text_picture("12.5 s", 14), large = text_picture("12.5 s", 28);
+        CHECK(small.channels == 1);
+        CHECK(small.values.size() == std::size_t(small.width) * small.height);
+        CHECK(std::abs(large.width - 2 * small.width) < 9);
+        CHECK(small.height < 20);
+        const auto [least, most] = std::ranges::minmax(large.values);
+        CHECK(least == 0);
+        CHECK(most == 1);
+        CHECK(text_picture("12.5", 14).width < small.width);
+    } catch (const FileError& error) {
+        CHECK(says(error.what(), "cannot draw text: there is no font"));
+    }
 }
 
 TEST_CASE("run away from its module" * doctest::skip()) {
