@@ -23,7 +23,7 @@ void BodyTools::loaded(const Loaded& scene) {
         bodies.open(scene.text);
     else if (bodies.edited.reload(scene.text))
         notes.announce("the file has other numbers now, which replace yours");
-    drag.reset(), awaited = false, next = -1, later.reset();
+    drag.reset(), awaited = false, next.reset(), later.reset();
     good = scene.text;
     bodies.take_lines(scene.lines);
     if (bodies.edited.changed()) return show_anew();  // there may be other bodies than in the file
@@ -44,6 +44,7 @@ const Scene& BodyTools::scene_seen(const View& view) {
 
 void BodyTools::click(const View& view, const glm::dvec2& point, double reach) {
     pace.redraw(3);
+    if (to_add) return add(view, point);
     const auto mark = lights_shown ? mark_at(marks, point, reach) : std::nullopt;
     if (mark)
         bodies.choose(*mark, *session.scene);
@@ -104,9 +105,45 @@ bool BodyTools::undo(Action action) {
     const bool done = action == Action::undo ? bodies.edited.undo(others) : bodies.edited.redo(others);
     if (!done) return false;
     notes.note(action == Action::undo ? "undone" : "redone");
-    next = -1, undone = true;
+    next.reset(), undone = true;
     show_anew();
     return true;
+}
+
+void BodyTools::begin_adding(const NewBlock& block) {
+    pace.redraw(3);
+    if (bodies.read_only()) return notes.note("the text of this scene is changed in an editor");
+    to_add = &block, bodies.close();
+}
+
+bool BodyTools::end_adding() {
+    pace.redraw();
+    return std::exchange(to_add, nullptr);
+}
+
+/// Adds what the user has chosen from the list at a point of the view's picture.
+void BodyTools::add(const View& view, const glm::dvec2& point) {
+    if (awaited) return;
+    const NewBlock& block = *std::exchange(to_add, nullptr);
+    const bool light = block.what == TopBlock::light;
+    const StandingPlace place = standing_place(scene_seen(view), view, point.x, point.y);
+    const int count = static_cast<int>(light ? session.scene->lights.size() : session.scene->primitives.size());
+    bodies.edited.change(with_new_block(bodies.edited.text(), block, count, place.point, place.normal, place.size,
+                                        place.decimals),
+                         false, session.editor.steps());
+    next = {block.what, count, place.point}, lights_shown |= light;
+    notes.announce(std::string(block.name) + " added: drag its handles; F2 writes it into the file");
+    show_anew();
+}
+
+/// Chooses the body or the light that was copied or added.
+void BodyTools::choose(const NextChoice& chosen) {
+    const bool light = chosen.what == TopBlock::light;
+    const std::size_t count = light ? session.scene->lights.size() : session.scene->primitives.size();
+    if (std::size_t(chosen.number) >= count) return bodies.close();
+    if (!chosen.added_at) return bodies.choose_next(chosen.number, *session.scene);
+    if (light) return bodies.choose({chosen.number, false}, *session.scene);
+    bodies.choose(chosen.number, *chosen.added_at, *session.scene);
 }
 
 bool BodyTools::copy() { return change_block(true); }
@@ -123,7 +160,8 @@ bool BodyTools::change_block(bool copies) {
     const std::string text = copies ? with_copy(before, what, number()) : without_block(before, what, number());
     if (text == before) return notes.note("the text of this scene is changed in an editor: F4 opens it"), true;
     bodies.edited.change(text, false, session.editor.steps());
-    next = copies ? number() + 1 : -1;
+    next.reset();
+    if (copies) next = {what, number() + 1};
     notes.announce(copies ? name + " copied; the copy is in the same place: drag its handles"
                           : name + " removed; Ctrl+Z brings it back");
     show_anew();
@@ -177,17 +215,17 @@ void BodyTools::take_shown() {
                                 shown->scene->lights.size() != session.scene->lights.size();
             session.replace(std::move(shown->scene), false);
             good = shown->text;
-            if (others && next < 0) bodies.close();
+            if (others && !next) bodies.close();
         }
     } else if (newest) {
         notes.fail(shown->fault.substr(0, shown->fault.find('\n')));
         bodies.edited.change(good, true, session.editor.steps());
-        drag.reset(), next = -1;
+        drag.reset(), next.reset();
     }
     if (newest) {
         if (std::exchange(undone, false)) bodies.find_point(*session.scene);
         awaited = false;
-        if (const int chosen = std::exchange(next, -1); chosen >= 0) bodies.choose_next(chosen, *session.scene);
+        if (const auto chosen = std::exchange(next, std::nullopt)) choose(*chosen);
     }
     if (!awaited) bodies.look(*session.scene);
     if (!awaited && later) change_block(*std::exchange(later, std::nullopt));

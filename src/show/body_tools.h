@@ -22,6 +22,7 @@
 #include "show/work/reload.h"
 #include "show/work/silhouette.h"
 #include "show/work/watched_scene.h"
+#include "text/new_block.h"
 #include "trace/world/view.h"
 
 namespace strahl {
@@ -37,6 +38,11 @@ class BodyTools {
     /// Chooses the light whose mark is at a point of the view's picture, in pixels, no further than `reach`; else the
     /// body there.
     void click(const View& view, const glm::dvec2& point, double reach);
+    /// From now on the next click puts this where it meets a surface. Stops that; false if there was nothing to stop.
+    void begin_adding(const NewBlock& block);
+    bool end_adding();
+    /// Returns the name of what the next click adds, or null.
+    const char* adding() const { return to_add ? to_add->name : nullptr; }
     /// Does what the user asked for on the panel, except for commands.
     void apply(const BodyInput& input);
     /// Undoes or redoes a change, if that is what comes next. Else returns false.
@@ -75,9 +81,17 @@ class BodyTools {
     void print_unwritten() const;
 
   private:
+    /// A body or a light to be chosen once the scene has it.
+    struct NextChoice {
+        TopBlock what;
+        int number;
+        std::optional<DVec3> added_at{};  // where it was added
+    };
     const Scene& scene_seen(const View& view);
     void show();
     void show_anew();
+    void add(const View& view, const glm::dvec2& point);
+    void choose(const NextChoice& chosen);
     bool change_block(bool copies);
     void take_shown();
     void place_handles(const View& view, double scale);
@@ -98,7 +112,8 @@ class BodyTools {
     bool awaited = false;                // the scene of a text with other bodies; until then nothing is changed
     bool undone = false;        // what was chosen may be elsewhere then
     std::optional<bool> later;  // what is chosen is copied or removed then
-    int next = -1;                       // number of the body or the light to be chosen then
+    std::optional<NextChoice> next;
+    const NewBlock* to_add = nullptr;    // by the next click
     std::shared_ptr<const Scene> still;  // a scene, if nothing moves in it
     /// A moment of a scene.
     struct SceneMoment {

@@ -110,6 +110,9 @@ void Viewer::perform(Command command) {
         case Action::handles:
         case Action::lights:
             return bodies.toggle(command.action);
+        case Action::add_block:
+            if (!bodies.end_adding()) panels.toggle(command.action);
+            return;
         case Action::copy_body:
             if (!bodies.copy()) notes.note("click a body first; Ctrl+D then copies it");
             return;
@@ -207,10 +210,12 @@ void Viewer::draw() {
     const Overlay over = overlay();
     TimelineInput done;
     BodyInput on_body;
+    const NewBlock* added = nullptr;
     screen.draw([&] {
         draw_overlay(over);
         done = panels.draw_timeline(session);
         on_body = panels.draw_body(bodies.editor(), bodies.file_name());
+        added = panels.draw_add();
     });
     pace.drawn(began);
     const Refinement& state = picture.state();
@@ -221,6 +226,7 @@ void Viewer::draw() {
     if (options.play && !tracks.wanted() && state.number > 0 && !sound.loading() && !std::exchange(started, true))
         session.perform({Action::pause}, pace.now());
     apply(done), apply(on_body);
+    if (added) bodies.begin_adding(*added);
     if (update && picture.newest()) tracks.shown();
     if (!update || before > 0) return;
     char text[80];
@@ -330,6 +336,8 @@ Overlay Viewer::overlay() const {
     overlay.fault = file.fault(), overlay.fault_title = file.fault_title();
     if (panels.info) overlay.info = info_lines(session, pace, picture);
     if (session.recording()) overlay.notes.push_back({"recording; K ends it"});
+    if (bodies.adding())
+        overlay.notes.push_back({std::string("click where the ") + bodies.adding() + " is to stand; Ctrl+A ends this"});
     overlay.notes.insert(overlay.notes.end(), notes.shown().begin(), notes.shown().end());
     if (const std::string text = stills.progress_text(); !text.empty())
         overlay.bars.push_back({text, stills.progress()});

@@ -96,7 +96,7 @@ std::vector<double> numbers_of(std::span<const std::string_view> slices) {
 
 BodyValue ValueFinder::value_of(const TextItem& item, const char* name, const char* help, NumberRange range) const {
     BodyValue value{.name = name, .help = help, .range = range, .numbers = numbers_of(item.numbers)};
-    for (const std::string_view slice : item.numbers) value.slices.push_back({at(slice), slice.size()});
+    for (const std::string_view slice : item.numbers) value.slices.push_back(slice_of(text, slice));
     if (item.tracked) value.fixed = "follows a track";
     return value;
 }
@@ -302,11 +302,10 @@ BodyText body_text(const std::string& text, const Scene& scene, int body, int le
 }
 
 std::string with_numbers(const std::string& text, const BodyValue& value, std::span<const double> numbers) {
-    std::string changed = text;
-    for (std::size_t i = value.slices.size(); i-- > 0;)
-        if (numbers[i] != value.numbers[i])
-            changed.replace(value.slices[i].begin, value.slices[i].size, text_of(numbers[i]));
-    return changed;
+    std::vector<TextChange> changes;
+    for (std::size_t i = 0; i < value.slices.size(); ++i)
+        if (numbers[i] != value.numbers[i]) changes.push_back({value.slices[i], text_of(numbers[i])});
+    return with_changes(text, std::move(changes));
 }
 
 std::string with_own_value(const std::string& text, const BodyValue& value, std::span<const double> numbers) {

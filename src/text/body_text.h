@@ -9,6 +9,7 @@
 
 #include "scene/scene.h"
 #include "text/reading/parameter.h"
+#include "text/text_changes.h"
 
 namespace strahl {
 
@@ -21,10 +22,7 @@ struct BodyValue {
     NumberRange range = anything;
     bool color = false;
     std::vector<double> numbers{};
-    struct NumberSlice {
-        std::size_t begin = 0, size = 0;
-    };
-    std::vector<NumberSlice> slices{};  // of the numbers in the text; none if they do not stand there
+    std::vector<TextSlice> slices{};  // of the numbers in the text; none if they do not stand there
     /// The block that gives them if it is not the body's own: "defaultmaterial, line 3", or `no_source`.
     std::string source{};
     std::string fixed{};  // why the value cannot be changed, or ""

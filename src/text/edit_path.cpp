@@ -7,19 +7,17 @@
 #include "num/decimal.h"
 #include "text/parse.h"
 #include "text/reading/lexer.h"
+#include "text/text_changes.h"
 #include "text/write.h"
 
 namespace strahl {
 namespace {
 
-struct Slice {
-    std::size_t begin = 0, end = 0;
-};
 /// The parts of the block `flythrough` in the text.
 struct PathSlices {
-    Slice block, duration;  // `duration` is its number alone
-    std::optional<Slice> loop;
-    std::vector<Slice> keys;
+    TextSlice block, duration;  // `duration` is its number alone
+    std::optional<TextSlice> loop;
+    std::vector<TextSlice> keys;
     std::string music;  // the block `music`
 };
 
@@ -59,13 +57,8 @@ std::optional<PathSlices> find_path(const std::string& text) {
     return slices;
 }
 
-struct Edit {
-    Slice at;
-    std::string text;
-};
-
 /// The slice with the white space before it, including at most one end of a line.
-Slice with_space(const std::string& text, Slice slice) {
+TextSlice with_space(const std::string& text, TextSlice slice) {
     const auto blank = [&](std::size_t i) { return text[i - 1] == ' ' || text[i - 1] == '\t'; };
     while (slice.begin > 0 && blank(slice.begin)) --slice.begin;
     if (slice.begin > 0 && text[slice.begin - 1] == '\n') --slice.begin;
@@ -73,14 +66,14 @@ Slice with_space(const std::string& text, Slice slice) {
 }
 
 /// The slice to remove for a key: its line, unless something else is on it.
-Slice with_line(const std::string& text, Slice key) {
+TextSlice with_line(const std::string& text, TextSlice key) {
     const std::size_t next = text.find_first_not_of(" \t", key.end);
     return next == text.npos || text[next] == '\n' || text[next] == '\r' ? with_space(text, key) : key;
 }
 
 /// The line break and indentation before a key, as in the text or else as Strahl writes it.
-std::string indentation(const std::string& text, const PathSlices& slices) {
-    for (const Slice& key : slices.keys) {
+std::string key_indentation(const std::string& text, const PathSlices& slices) {
+    for (const TextSlice& key : slices.keys) {
         const std::size_t line = text.rfind('\n', key.begin) + 1;  // 0 if there is none
         const std::string before = text.substr(line, key.begin - line);
         if (line > 0 && before.find_first_not_of(" \t") == before.npos) return "\n" + before;
@@ -89,11 +82,11 @@ std::string indentation(const std::string& text, const PathSlices& slices) {
 }
 
 /// Changes keys. Those of the same time stay where they are, as do all if there are as many as before.
-void edit_keys(std::vector<Edit>& edits, const std::string& text, const PathSlices& slices,
+void edit_keys(std::vector<TextChange>& edits, const std::string& text, const PathSlices& slices,
                const std::vector<Keyframe>& old, const std::vector<Keyframe>& keys, EyeWords words) {
-    const std::string indent = indentation(text, slices);
+    const std::string indent = key_indentation(text, slices);
     const bool in_step = old.size() == keys.size();
-    std::size_t i = 0, j = 0, after = std::max(slices.duration.end, slices.loop.value_or(Slice{}).end);
+    std::size_t i = 0, j = 0, after = std::max(slices.duration.end, slices.loop.value_or(TextSlice{}).end);
     if (!old.empty() && slices.keys[0].begin < after) after = slices.keys[0].begin;
     while (i < old.size() || j < keys.size()) {
         const bool both = i < old.size() && j < keys.size();
@@ -107,18 +100,6 @@ void edit_keys(std::vector<Edit>& edits, const std::string& text, const PathSlic
             edits.push_back({{after, after}, indent + write_key(keys[j++], words)});
         }
     }
-}
-
-std::string applied(std::string text, std::vector<Edit> edits) {
-    std::ranges::stable_sort(edits, {}, [](const Edit& edit) { return edit.at.begin; });
-    std::string result;
-    std::size_t done = 0;
-    for (const Edit& edit : edits) {
-        const std::size_t from = std::max(done, edit.at.begin);
-        result.append(text, done, from - done).append(edit.text);
-        done = std::max(from, edit.at.end);
-    }
-    return result.append(text, done);
 }
 
 /// Parses the block alone; nothing if it has an error.
@@ -159,22 +140,22 @@ std::string with_path(const std::string& text, const std::optional<Flythrough>& 
         if (text.empty()) return write_flythrough(*path, words);
         return text + (text.back() == '\n' ? "\n" : "\n\n") + write_flythrough(*path, words);
     }
-    const Slice block = slices->block;
-    if (!path) return applied(text, {{with_space(text, block), ""}});
+    const TextSlice block = slices->block;
+    if (!path) return with_changes(text, {{with_space(text, block), ""}});
     const auto old = path_of(slices->music, text.substr(block.begin, block.end - block.begin));
     const std::string whole = write_flythrough(*path, words);
-    const Edit anew{block, whole.substr(0, whole.size() - 1)};
-    if (!old) return applied(text, {anew});
+    const TextChange anew{block, whole.substr(0, whole.size() - 1)};
+    if (!old) return with_changes(text, {anew});
 
-    std::vector<Edit> edits;
+    std::vector<TextChange> edits;
     if (old->duration != path->duration) edits.push_back({slices->duration, text_of(path->duration)});
     if (path->loop && !old->loop) edits.push_back({{slices->duration.end, slices->duration.end}, "  loop"});
     if (!path->loop && old->loop) edits.push_back({with_space(text, *slices->loop), ""});
     edit_keys(edits, text, *slices, old->keys, path->keys, words);
-    std::string changed = applied(text, edits);
+    std::string changed = with_changes(text, edits);
     const std::size_t length = changed.size() - (text.size() - (block.end - block.begin));
     // Nothing that was written in an unusual way may get lost.
-    return path_of(slices->music, changed.substr(block.begin, length)) == path ? changed : applied(text, {anew});
+    return path_of(slices->music, changed.substr(block.begin, length)) == path ? changed : with_changes(text, {anew});
 }
 
 }  // namespace strahl

@@ -23,7 +23,7 @@ void add_values(const std::string& text, const TextItem& block, const Parameters
         const TextItem* const given = block.item(parameter.name);
         if (given) {
             for (const std::string_view number : given->numbers) {
-                value.slices.push_back({std::size_t(number.data() - text.data()), number.size()});
+                value.slices.push_back(slice_of(text, number));
                 read_number(number, value.numbers.emplace_back());
             }
             if (given->tracked) value.fixed = "follows a track";

@@ -56,15 +56,6 @@ DVec3 degrees_of(const Axes& axes, const DVec3& before) {
     return way(other) < way(one) ? other : one;
 }
 
-bool blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
-
-/// Returns the white space at the beginning of the line with this place.
-std::string indentation(const std::string& text, std::size_t at) {
-    const std::size_t line = at == 0 ? 0 : text.rfind('\n', at - 1) + 1;
-    const std::size_t first = std::min(text.find_first_not_of(" \t", line), text.size());
-    return text.substr(line, std::min(first, at) - line);
-}
-
 /// Returns a text to be inserted before the closing brace at `end`: in the same line, or else in one of its own.
 std::pair<std::size_t, std::string> before_end(const std::string& text, std::size_t end, const std::string& added) {
     std::size_t at = end;
@@ -101,10 +92,7 @@ std::optional<PlacedBody> PlacedBody::find(std::string text, const Scene& scene,
     const std::string& all = placed.original;
     const TextItem item = items_of_body(all, body).body;
     if (item.word.empty() || item.end.empty()) return std::nullopt;
-    const auto slice_of = [&](std::string_view slice) {
-        return NumberPlace{std::size_t(slice.data() - all.data()), slice.size()};
-    };
-    placed.end = slice_of(item.end).begin;
+    placed.end = slice_of(all, item.end).begin;
 
     std::vector<const TextItem*> steps;
     for (const TextItem& inner : item.items)
@@ -115,8 +103,8 @@ std::optional<PlacedBody> PlacedBody::find(std::string text, const Scene& scene,
         const auto& written = steps.back()->numbers;
         if (written.size() != 3 && written.size() != 1) return;
         for (std::size_t i = 0; i < 3; ++i) read_number(written[std::min(i, written.size() - 1)], step.value[int(i)]);
-        for (const std::string_view number : written) step.numbers.push_back(slice_of(number));
-        step.at = slice_of(steps.back()->word).begin;
+        for (const std::string_view number : written) step.numbers.push_back(slice_of(all, number));
+        step.at = slice_of(all, steps.back()->word).begin;
         steps.pop_back();
     };
     take(placed.last.translate), take(placed.last.rotate), take(placed.last.scale);
@@ -139,7 +127,7 @@ std::optional<PlacedBody> PlacedBody::find(std::string text, const Scene& scene,
         primitive.shape);
     placed.box = item.word == Cuboid::name;
     for (const std::string_view number : item.numbers) {
-        placed.slices.push_back(slice_of(number));
+        placed.slices.push_back(slice_of(all, number));
         read_number(number, placed.numbers.emplace_back());
     }
     return placed;
@@ -150,11 +138,7 @@ Axes PlacedBody::axes() const { return axes_of(last.rotate.value); }
 std::string PlacedBody::text(const Placing& placing, int decimals) const {
     std::vector<TextChange> changes;
     if (!place_arguments(placing, decimals, changes)) place_steps(placing, decimals, changes);
-    std::ranges::stable_sort(changes, {}, [](const TextChange& change) { return change.at.begin; });
-    std::string changed = original;
-    for (std::size_t i = changes.size(); i-- > 0;)
-        changed.replace(changes[i].at.begin, changes[i].at.size, changes[i].text);
-    return changed;
+    return with_changes(original, std::move(changes));
 }
 
 /// Gives the body other arguments. False if that would not do.
@@ -215,7 +199,7 @@ void PlacedBody::place_steps(const Placing& placing, int decimals, std::vector<T
             added += even ? strahl::text_of(value.x) : strahl::text_of(value);
             continue;
         }
-        if (!added.empty()) changes.push_back({{step.at, 0}, std::exchange(added, "") + " "});
+        if (!added.empty()) changes.push_back({{step.at, step.at}, std::exchange(added, "") + " "});
         if (step.numbers.size() == 1 && !single) {
             changes.push_back({step.numbers[0], strahl::text_of(value)});
             continue;
@@ -226,7 +210,7 @@ void PlacedBody::place_steps(const Placing& placing, int decimals, std::vector<T
     }
     if (added.empty()) return;
     const auto [place, text] = before_end(original, end, added);
-    changes.push_back({{place, 0}, text});
+    changes.push_back({{place, place}, text});
 }
 
 namespace {
@@ -238,26 +222,23 @@ std::pair<std::size_t, std::size_t> place_of(const std::string& text, TopBlock w
     return {std::size_t(item.word.data() - text.data()), std::size_t(item.end.data() - text.data()) + 1};
 }
 
-/// Returns the end of the line if nothing but a comment stands on it from here on, else `at`.
-std::size_t rest_of_line(const std::string& text, std::size_t at) {
-    std::size_t next = at;
-    while (next < text.size() && blank(text[next])) ++next;
-    if (text.compare(next, 2, "//") == 0) next = std::min(text.find('\n', next), text.size());
-    return next == text.size() || text[next] == '\n' ? next : at;
-}
-
 }  // namespace
 
 std::string with_copy(const std::string& text, TopBlock what, int number) {
     const auto [begin, end] = place_of(text, what, number);
-    if (end == 0) return text;
-    const std::string block = text.substr(begin, end - begin), indent = indentation(text, begin);
+    return end == 0 ? text : with_block(text, what, number, text.substr(begin, end - begin));
+}
+
+std::string with_block(const std::string& text, TopBlock what, int number, const std::string& block) {
+    const auto [begin, end] = place_of(text, what, number);
+    std::string longer = text;
+    if (end == 0) return longer += (text.empty() || text.back() == '\n' ? "" : "\n") + block + "\n";
+    const std::string indent = indentation(text, begin);
     const bool own_line = begin == indent.size() || text[begin - indent.size() - 1] == '\n';
     const std::size_t rest = rest_of_line(text, end);
     const bool ends_line = rest == text.size() || text[rest] == '\n';
-    std::string copied = text;
-    if (own_line && ends_line) return copied.insert(rest, "\n" + indent + block);
-    return copied.insert(end, " " + block);
+    if (own_line && ends_line) return longer.insert(rest, "\n" + indent + block);
+    return longer.insert(end, " " + block);
 }
 
 std::string without_block(const std::string& text, TopBlock what, int number) {

@@ -11,6 +11,7 @@
 
 #include "num/vec.h"
 #include "scene/scene.h"
+#include "text/text_changes.h"
 
 namespace strahl {
 
@@ -50,13 +51,6 @@ class PlacedBody {
     std::array<DVec3, 3> axes() const;
 
   private:
-    struct NumberPlace {
-        std::size_t begin = 0, size = 0;
-    };
-    struct TextChange {
-        NumberPlace at;
-        std::string text;
-    };
     /// An argument of the body: its first number, and what it is.
     struct PlacedArgument {
         enum Means { point, direction, size } meaning;
@@ -67,7 +61,7 @@ class PlacedBody {
         const char* word;
         DVec3 value;
         std::size_t at = 0;            // of its word, if it is written
-        std::vector<NumberPlace> numbers{};  // one or three; none if it is not written
+        std::vector<TextSlice> numbers{};  // one or three; none if it is not written
     };
     /// The last transformations; what comes before them stays as it is.
     struct LastSteps {
@@ -80,7 +74,7 @@ class PlacedBody {
     std::string original;
     bool box = false;
     std::vector<PlacedArgument> arguments;  // none if other numbers in their place would not do
-    std::vector<NumberPlace> slices;        // of the numbers of all arguments
+    std::vector<TextSlice> slices;        // of the numbers of all arguments
     std::vector<double> numbers;
     LastSteps last;
     std::size_t end = 0;  // of its block: the closing brace
@@ -93,5 +87,7 @@ enum class TopBlock { body, light };
 /// block.
 std::string with_copy(const std::string& text, TopBlock what, int number);
 std::string without_block(const std::string& text, TopBlock what, int number);
+/// Returns the text with another block behind this one, or at the end if there is no such block.
+std::string with_block(const std::string& text, TopBlock what, int number, const std::string& block);
 
 }  // namespace strahl

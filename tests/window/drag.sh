@@ -83,5 +83,17 @@ await 'chosen: light 2, light, line 3'
 drag "$x" "$((y + 3))" 20 -10
 writes '^light { position <-[12]\.[0-9]*, -[0-9.]*, [0-9.]*>  color <.2, 0, .2> }$'
 [[ $(diff first.rt scene.rt | grep -c '^<') == 1 ]] || fault "more than a line has changed: $(diff first.rt scene.rt)"
+
+echo "-- a cone is chosen from a list and added where a click meets the floor; undone at once"
+cp scene.rt before.rt
+xdotool key ctrl+a sleep 0.3 mousemove --window "$id" 50 188 sleep 0.2 click 1
+xdotool sleep 0.3 mousemove --window "$id" 300 320 click 1
+await 'cone added'
+writes '^cone { <[-0-9., ]*, 0>, [0-9.]*, <[-0-9., ]*>, 0  material { rgb <.8, .8, .8> .* } }$'
+[[ $(diff before.rt scene.rt | grep -c '^[<>]') == 1 ]] || fault "more than a line was added: $(diff before.rt scene.rt)"
+xdotool key ctrl+z
+await 'undone'
+writes '^sphere'
+cmp before.rt scene.rt || fault "undone is not the file as it was"
 quit
 finish

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "num/vec_math.h"
+#include "show/session/handles.h"
 #include "text/light_text.h"
 
 namespace strahl {
@@ -22,6 +23,23 @@ Camera approached(const Camera& camera, const Box& box, double aspect) {
     moved.look_at = box.centre();
     moved.position = moved.look_at - 1.2 * radius / std::sin(angle) * frame.forward;
     return moved;
+}
+
+StandingPlace standing_place(const Scene& scene, const View& view, double x, double y) {
+    const Ray<double> ray = ray_at(view, x, y);
+    const CameraFrame frame = frame_of(view.camera, double(view.width) / view.height);
+    const std::vector<BodyHit> met = bodies_along(scene, ray);
+    StandingPlace place{.normal = DVec3(0) - frame.down};
+    double distance = length(view.camera.look_at - view.camera.position);
+    if (!met.empty()) {
+        const DVec3& normal = met[0].hit.normal;
+        place.normal = dot_product(normal, ray.direction) > 0 ? DVec3(0) - normal : normal;
+        distance = met[0].hit.t;
+    }
+    place.point = ray.origin + distance * ray.direction;
+    const double pixel = 2 * distance * dot_product(ray.direction, frame.forward) * frame.tan_y / view.height;
+    place.size = round_length(pixel * view.height / 12), place.decimals = decimals_of(pixel);
+    return place;
 }
 
 void BodyEditor::click(const Scene& now, const Scene& scene, const View& view, double x, double y) {
@@ -42,6 +60,12 @@ void BodyEditor::click(const Scene& now, const Scene& scene, const View& view, d
 void BodyEditor::choose(const LightPoint& point, const Scene& scene) {
     close(), clicked.reset(), allowed.clear(), description = {};
     chosen_light = point;
+    look(scene);
+}
+
+void BodyEditor::choose(int body, const DVec3& point, const Scene& scene) {
+    close(), clicked.reset(), allowed.clear(), description = {};
+    chosen = {.at = {.body = body, .hit = {}}, .point = point};
     look(scene);
 }
 

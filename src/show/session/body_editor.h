@@ -26,6 +26,16 @@ Ray<double> ray_at(const View& view, double x, double y);
 /// of view stays.
 Camera approached(const Camera& camera, const Box& box, double aspect);
 
+/// A place where a new body can stand.
+struct StandingPlace {
+    DVec3 point{0}, normal{0, 0, 1};  // of the surface that is seen there; the normal points to the eye
+    double size = 1;                  // a round length, about a twelfth of the picture's height there
+    int decimals = 2;                 // of coordinates, as many as can be seen there
+};
+/// Returns the place at the point (x, y) of a view's picture. Where no body is seen, it is as far away as the point
+/// that the camera looks at, and the normal points up the picture.
+StandingPlace standing_place(const Scene& scene, const View& view, double x, double y);
+
 class BodyEditor {
   public:
     /// The body that was clicked, and where.
@@ -46,6 +56,8 @@ class BodyEditor {
     void click(const Scene& now, const Scene& scene, const View& view, double x, double y);
     /// Chooses a light in place of a body.
     void choose(const LightPoint& point, const Scene& scene);
+    /// Chooses a body with which nothing was done yet; `point` is the middle of one without end.
+    void choose(int body, const DVec3& point, const Scene& scene);
     /// Chooses the body with this number, or the light, if one of these is chosen.
     void choose_next(int number, const Scene& scene);
     void close() { chosen.reset(), chosen_light.reset(); }

@@ -36,14 +36,15 @@ bool within_area(const std::vector<glm::dvec2>& edge, const glm::dvec2& point) {
     return inside;
 }
 
-/// Returns the largest of 1, 2 and 5 times a power of ten that is not above a length.
+double in_steps(double value, double step) { return std::round(value / step) * step; }
+
+}  // namespace
+
 double round_length(double length) {
     const double power = std::pow(10., std::floor(std::log10(length)));
     return length >= 5 * power ? 5 * power : length >= 2 * power ? 2 * power : power;
 }
-double in_steps(double value, double step) { return std::round(value / step) * step; }
-
-}  // namespace
+int decimals_of(double pixel) { return std::clamp(static_cast<int>(std::ceil(-std::log10(pixel))), -9, 12); }
 
 std::optional<glm::dvec2> place_in(const View& view, const DVec3& point) {
     const CameraFrame frame = frame_of(view.camera, double(view.width) / view.height);
@@ -188,6 +189,6 @@ Placing Handles::drag(Handle handle, const glm::dvec2& from, const glm::dvec2& t
     return scale;
 }
 
-int Handles::decimals() const { return std::clamp(static_cast<int>(std::ceil(-std::log10(pixel))), -9, 12); }
+int Handles::decimals() const { return decimals_of(pixel); }
 
 }  // namespace strahl

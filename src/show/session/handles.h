@@ -16,6 +16,11 @@ namespace strahl {
 /// of the camera.
 std::optional<glm::dvec2> place_in(const View& view, const DVec3& point);
 
+/// Returns the largest of 1, 2 and 5 times a power of ten that is not above a length.
+double round_length(double length);
+/// Returns how many decimals of coordinates can be seen where a pixel is so large.
+int decimals_of(double pixel);
+
 enum class HandleMode { move, turn, scale };
 
 /// A handle: one of three axes, or all of them: moves in the plane of the view, turns about the line of sight, scales

@@ -31,6 +31,7 @@ constexpr Meaning letters[] = {
 constexpr Meaning control_letters[] = {
     {'S', {Action::write_path}}, {'O', {Action::open_file}},  {'Z', {Action::undo}},
     {'Y', {Action::redo}},       {'N', {Action::clear_path}}, {'D', {Action::copy_body}},
+    {'A', {Action::add_block}},
 };
 /// Keys that are the same in all layouts.
 constexpr Meaning other_keys[] = {

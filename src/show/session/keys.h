@@ -48,6 +48,7 @@ enum class Action {
     handles,
     lights,
     copy_body,
+    add_block,
 };
 struct Command {
     Action action;
@@ -104,6 +105,7 @@ inline constexpr std::array key_help{
     KeyHelp{"Ctrl+O", "open another scene; or drop a file here"},
     KeyHelp{"Bodies", ""},
     KeyHelp{"click", "choose a body; again: the one behind"},
+    KeyHelp{"Ctrl+A", "add a body or a light from a list"},
     KeyHelp{"M", "its handles move, turn, scale; Ctrl: in steps"},
     KeyHelp{"Ctrl+D Del", "copy, remove the body or light chosen"},
     KeyHelp{"L", "show lights: click and drag their marks"},

@@ -11,10 +11,6 @@
 namespace strahl {
 namespace {
 
-constexpr ImGuiWindowFlags panel_flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
-                                         ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
-                                         ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoSavedSettings |
-                                         ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing;
 constexpr const char* digits = "%.4g";
 
 /// Draws a slider for a share, else numbers that are dragged or typed. Returns whether they have changed.
@@ -72,18 +68,13 @@ std::string numbers_text(const std::vector<double>& numbers) {
 
 BodyInput BodyPanel::draw(const BodyEditor& editor, const std::string& file, float reserved) {
     BodyInput input;
-    const ImVec2 size = ImGui::GetIO().DisplaySize;
-    const float edge = ImGui::GetFontSize() * .8f;
-    ImGui::SetNextWindowPos({size.x - edge, edge}, ImGuiCond_Always, {1, 0});
-    const float most = std::max(size.y - reserved - 2 * edge, 1.f);
-    ImGui::SetNextWindowSizeConstraints({0, 0}, {std::max(size.x - 2 * edge, 1.f), most});
-    ImGui::Begin("body", nullptr, panel_flags);
+    begin_panel("body", 1, 0, reserved);
     const BodyText& body = editor.body();
     const auto& light = editor.light();
     ImGui::Text("%s %d: %s", light ? "light" : "body", 1 + (light ? light->light : editor.choice()->at.body),
                 body.kind.c_str());
     if (body.line > 0) dim_text(file + ", line " + std::to_string(body.line));
-    if (const auto& chosen = editor.choice()) {
+    if (const auto& chosen = editor.choice(); chosen && chosen->at.hit.t > 0) {
         char text[120];
         std::snprintf(text, sizeof text, "%.5g away, at <%.4g, %.4g, %.4g>", chosen->at.hit.t, chosen->point.x,
                       chosen->point.y, chosen->point.z);
@@ -103,10 +94,8 @@ BodyInput BodyPanel::draw(const BodyEditor& editor, const std::string& file, flo
     ImGui::Separator();
     for (std::size_t i = 0; i < body.values.size(); ++i) draw_value(editor, i, input);
     if (!ImGui::IsAnyItemActive()) held = false;
-    const ImVec2 corner = ImGui::GetWindowPos(), own = ImGui::GetWindowSize();
-    left = corner.x, top = corner.y, right = left + own.x, bottom = top + own.y;
-    wide = own.x + edge;
-    ImGui::End();
+    own = end_panel();
+    wide = own.right - own.left + ImGui::GetFontSize() * .8f;
     return input;
 }
 

@@ -7,6 +7,7 @@
 
 #include "show/session/body_editor.h"
 #include "show/session/keys.h"
+#include "show/window/covered_area.h"
 
 namespace strahl {
 
@@ -30,13 +31,13 @@ class BodyPanel {
     BodyInput draw(const BodyEditor& editor, const std::string& file, float reserved);
     /// Its width in pixels, with the space beside it.
     float width() const { return wide; }
-    /// Does it cover this point of the window?
-    bool covers(double x, double y) const { return x >= left && y >= top && x < right && y < bottom; }
+    const CoveredArea& area() const { return own; }
 
   private:
     void draw_value(const BodyEditor& editor, std::size_t number, BodyInput& input);
 
-    float wide = 0, left = 0, top = 0, right = 0, bottom = 0;
+    float wide = 0;
+    CoveredArea own;
     bool held = false;  // a value has been changed since the mouse button is down
 };
 

@@ -122,7 +122,7 @@ glm::dvec2 Input::pointed() const {
 bool Input::on_panel() const {
     const glm::dvec2 at = pointed();
     const bool on_list = panels.take_input() && ImGui::GetIO().WantCaptureMouse;  // one that a panel has opened
-    return at.y > screen.height() - panels.reserved() || panels.body_covers(at.x, at.y) || on_list;
+    return at.y > screen.height() - panels.reserved() || panels.cover(at.x, at.y) || on_list;
 }
 
 /// Gives the pointer another shape where it can take hold of something.

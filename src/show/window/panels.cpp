@@ -4,10 +4,11 @@ namespace strahl {
 
 void Panels::toggle(Action action) {
     pace.redraw();
-    bool& shown = action == Action::help       ? help
-                  : action == Action::info     ? info
-                  : action == Action::timeline ? timeline_open
-                                               : quiet;
+    bool& shown = action == Action::help        ? help
+                  : action == Action::info      ? info
+                  : action == Action::timeline  ? timeline_open
+                  : action == Action::add_block ? add_open
+                                                : quiet;
     shown = !shown;
     if (&shown != &quiet) quiet = false;
 }
@@ -20,6 +21,12 @@ TimelineInput Panels::draw_timeline(const Session& session) {
                           .time = session.flight.time(pace.now()),
                           .duration = flight ? flight->duration : session.editor.path().duration,
                           .running = session.flight.under_way()});
+}
+
+const NewBlock* Panels::draw_add() {
+    const NewBlock* const chosen = add_shown() ? add.draw(reserved()) : nullptr;
+    if (chosen) add_open = false;
+    return chosen;
 }
 
 BodyInput Panels::draw_body(const BodyEditor& editor, const std::string& file) {

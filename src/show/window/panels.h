@@ -3,6 +3,7 @@
 #include <string>
 
 #include "show/session/session.h"
+#include "show/window/add_panel.h"
 #include "show/window/body_panel.h"
 #include "show/window/timeline.h"
 #include "show/work/pace.h"
@@ -14,7 +15,8 @@ class Panels {
     /// `no_text`: no panel is shown until the user asks for one.
     Panels(Pace& pace, bool no_text) : quiet(no_text), pace(pace) {}
 
-    /// Shows or hides what the action names: help, info, timeline, or all text (Action::quiet).
+    /// Shows or hides what the action names: help, info, timeline, the list of what can be added, or all text
+    /// (Action::quiet).
     void toggle(Action action);
 
     /// Draws the timeline, if it is shown, and returns what the user did on it. To be called while ImGui makes a frame.
@@ -22,25 +24,33 @@ class Panels {
     /// Draws the panel of the body that is chosen, if any, and returns what the user did on it. Likewise. `file` is the
     /// name of the scene.
     BodyInput draw_body(const BodyEditor& editor, const std::string& file);
-    /// Does that panel cover this point of the window?
-    bool body_covers(double x, double y) const { return body_shown && body.covers(x, y); }
+    /// Draws the list of what can be added, if it is shown, and returns what the user has clicked in it, or null.
+    /// Likewise.
+    const NewBlock* draw_add();
+    /// Does one of these panels cover this point of the window?
+    bool cover(double x, double y) const {
+        return (body_shown && body.area().has(x, y)) || (add_shown() && add.area().has(x, y));
+    }
     /// The width in pixels that it takes at the right of the window.
     float reserved_right() const { return body_shown ? body.width() : 0; }
     /// The height in pixels of what lies at the bottom of the window.
     float reserved() const { return timeline_shown() ? timeline.height() : 0; }
     /// Is there a panel that takes input, even if all text is hidden?
-    bool take_input() const { return timeline_open || body_shown; }
+    bool take_input() const { return timeline_open || body_shown || add_open; }
 
     bool help = false, info = false, quiet;
 
   private:
     bool timeline_shown() const { return timeline_open && !quiet; }
+    bool add_shown() const { return add_open && !quiet; }
 
     Pace& pace;
     bool timeline_open = false;
     Timeline timeline;
     bool body_shown = false;
     BodyPanel body;
+    bool add_open = false;
+    AddPanel add;
 };
 
 }  // namespace strahl

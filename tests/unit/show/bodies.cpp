@@ -78,6 +78,26 @@ TEST_CASE("the camera moves to where a body fills the picture, and looks into th
     for (const BodyHit& met : bodies_along(*around, ray_at(view, 80, 4))) CHECK(met.body != 3);
 }
 
+TEST_CASE("a new body stands where a surface is seen, or as far away as the camera looks") {
+    const auto scene = shown_scene();
+    const View view = shown_view(*scene);
+    const StandingPlace on_ball = standing_place(*scene, view, 80, 50);
+    CHECK(std::abs(length(on_ball.point - DVec3(0, 0, 2)) - 2) < 1e-9);
+    CHECK(length(on_ball.normal - normalize(on_ball.point - DVec3(0, 0, 2))) < 1e-9);
+    // 24 degrees of view, at a distance of 25, are 120 pixels: a twelfth of these is .7 long.
+    CHECK(on_ball.size == .5);
+    CHECK(on_ball.decimals == 2);
+    // A surface that is seen from behind carries bodies on this side.
+    Camera below = view.camera;
+    below.position.z = -18;
+    CHECK(standing_place(*scene, {.camera = below, .width = 160, .height = 120}, 80, 60).normal == DVec3(0, 0, -1));
+    Camera up = view.camera;
+    up.look_at = up.position + DVec3(0, 0, 5), up.up = {0, 1, 0};
+    const StandingPlace in_air = standing_place(*scene, {.camera = up, .width = 160, .height = 120}, 80, 60);
+    CHECK(length(in_air.point - up.look_at) < 1e-9);
+    CHECK(length(in_air.normal - DVec3(0, -1, 0)) < 1e-9);
+}
+
 TEST_CASE("what is clicked is what is traced") {
     const auto scene = shown_scene(
         "difference { box { <-4,-4,0>, <-1,-1,3> } sphere { <-2,-4,2>, 1.5 } cylinder { <-3,-3,-1>, <-3,-3,9>, .5 } }"

@@ -1,0 +1,18 @@
+#include "show/window/add_panel.h"
+
+#include <imgui.h>
+
+namespace strahl {
+
+const NewBlock* AddPanel::draw(float reserved) {
+    const NewBlock* chosen = nullptr;
+    begin_panel("add", 0, .5f, reserved);
+    ImGui::TextUnformatted("Add");
+    const float width = 8 * ImGui::GetFontSize();
+    for (const NewBlock& block : new_blocks)
+        if (ImGui::Button(block.name, {width, 0})) chosen = &block;
+    own = end_panel();
+    return chosen;
+}
+
+}  // namespace strahl

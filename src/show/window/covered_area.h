@@ -1,0 +1,18 @@
+// The part of the window that a panel covers, where clicks are meant for it.
+#pragma once
+
+namespace strahl {
+
+/// In pixels of the window; nothing by default.
+struct CoveredArea {
+    float left = 0, top = 0, right = 0, bottom = 0;
+    bool has(double x, double y) const { return x >= left && y >= top && x < right && y < bottom; }
+};
+
+/// Begins a panel of ImGui that takes input, with its corner at (x, y), where (0, 0) is the top left corner of the
+/// window and (1, 1) the bottom right one. Leaves free so many pixels at the bottom of the window.
+void begin_panel(const char* name, float x, float y, float reserved);
+/// Ends it. Returns what it covers.
+CoveredArea end_panel();
+
+}  // namespace strahl

@@ -1,0 +1,104 @@
+#include "text/new_block.h"
+
+#include <cmath>
+#include <limits>
+
+#include "num/decimal.h"
+
+namespace strahl {
+namespace {
+
+/// Numbers as a person would write them.
+struct Decimals {
+    int count;
+    std::string operator()(double value) const {
+        return text_of(rounded(value, std::numeric_limits<double>::infinity(), count) + 0.);  // no -0
+    }
+    std::string operator()(const DVec3& v) const {
+        return "<" + (*this)(v.x) + ", " + (*this)(v.y) + ", " + (*this)(v.z) + ">";
+    }
+};
+/// Directions need no more than this.
+constexpr Decimals for_directions{3};
+
+/// A matt grey, whatever the defaultmaterial.
+std::string body(const char* word, const std::string& arguments) {
+    return std::string(word) + " { " + arguments +
+           "  material { rgb <.8, .8, .8>  reflection 0  refraction 0  diffuse .8  ambient .1  specular .3 } }";
+}
+
+std::string sphere(const DVec3& point, const DVec3& normal, double size, int decimals) {
+    const Decimals text{decimals};
+    return body("sphere", text(point + size * normal) + ", " + text(size));
+}
+
+/// A box lies along the axes, with one side on the surface.
+std::string box(const DVec3& point, const DVec3& normal, double size, int decimals) {
+    const Decimals text{decimals};
+    int axis = 0;
+    for (int i = 1; i < 3; ++i)
+        if (std::abs(normal[i]) > std::abs(normal[axis])) axis = i;
+    DVec3 centre = point;
+    centre[axis] += std::copysign(size, normal[axis]);
+    return body("box", text(centre - DVec3(size)) + ", " + text(centre + DVec3(size)));
+}
+
+std::string cylinder(const DVec3& point, const DVec3& normal, double size, int decimals) {
+    const Decimals text{decimals};
+    return body("cylinder", text(point) + ", " + text(point + 2. * size * normal) + ", " + text(size / 2));
+}
+
+std::string cone(const DVec3& point, const DVec3& normal, double size, int decimals) {
+    const Decimals text{decimals};
+    return body("cone", text(point) + ", " + text(size) + ", " + text(point + 2. * size * normal) + ", 0");
+}
+
+std::string torus(const DVec3& point, const DVec3& normal, double size, int decimals) {
+    const Decimals text{decimals};
+    return body("torus", text(point + size / 4 * normal) + ", " + for_directions(normal) + ", " + text(size) + ", " +
+                             text(size / 4));
+}
+
+/// A disc is a little above the surface, which would hide parts of it else.
+std::string disc(const DVec3& point, const DVec3& normal, double size, int decimals) {
+    const Decimals text{decimals};
+    return body("disc", text(point + size / 20 * normal) + ", " + for_directions(normal) + ", " + text(size));
+}
+
+/// A plane through the point, parallel to the surface there.
+std::string plane(const DVec3& point, const DVec3& normal, double size, int decimals) {
+    const Decimals text{decimals};
+    const DVec3 other = std::abs(normal.x) < .9 ? DVec3(1, 0, 0) : DVec3(0, 1, 0);
+    const DVec3 u = normalize(cross_product(other, normal)), v = cross_product(normal, u), at = point + size * normal;
+    return body("plane", text(at) + ", " + text(at + size * u) + ", " + text(at + size * v));
+}
+
+std::string light(const DVec3& point, const DVec3& normal, double size, int decimals) {
+    const Decimals text{decimals};
+    return "light { position " + text(point + 4. * size * normal) + "  color <.7, .7, .7> }";
+}
+
+std::string spotlight(const DVec3& point, const DVec3& normal, double size, int decimals) {
+    const Decimals text{decimals};
+    return "light { position " + text(point + 6. * size * normal) + "  color <.9, .9, .9>  spot { look_at " +
+           text(point) + "  radius 20  falloff 30 } }";
+}
+
+}  // namespace
+
+constexpr std::array<NewBlock, 9> new_blocks{{{"sphere", TopBlock::body, sphere},
+                                              {"box", TopBlock::body, box},
+                                              {"cylinder", TopBlock::body, cylinder},
+                                              {"cone", TopBlock::body, cone},
+                                              {"torus", TopBlock::body, torus},
+                                              {"disc", TopBlock::body, disc},
+                                              {"plane", TopBlock::body, plane},
+                                              {"light", TopBlock::light, light},
+                                              {"spotlight", TopBlock::light, spotlight}}};
+
+std::string with_new_block(const std::string& text, const NewBlock& added, int count, const DVec3& point,
+                           const DVec3& normal, double size, int decimals) {
+    return with_block(text, added.what, count - 1, added.block(point, normal, size, decimals));
+}
+
+}  // namespace strahl
