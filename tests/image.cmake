@@ -8,4 +8,4 @@ target_sources(test_image PRIVATE ${CMAKE_SOURCE_DIR}/src/main/commands/command_
                                   ${CMAKE_SOURCE_DIR}/src/main/process/progress.cpp)
 # So does this.
 strahl_tests(test_film unit/main strahl_image film_start values)
-target_sources(test_film PRIVATE ${CMAKE_SOURCE_DIR}/src/main/render/film.cpp ${CMAKE_SOURCE_DIR}/src/main/render/values.cpp)
+target_sources(test_film PRIVATE ${CMAKE_SOURCE_DIR}/src/main/render/values.cpp)

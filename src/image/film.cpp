@@ -1,5 +1,5 @@
 // Runs ffmpeg as a child process: its input is a socket, and its messages go to a file in memory.
-#include "main/render/film.h"
+#include "image/film.h"
 
 #include <fcntl.h>
 #include <spawn.h>
@@ -19,7 +19,6 @@
 
 #include "files/streams.h"
 #include "image/picture.h"
-#include "main/render/values.h"
 #include "num/decimal.h"
 
 extern char** environ;
@@ -147,9 +146,10 @@ void Film::fail() {
 }
 
 std::string Film::keep() {
-    const std::string name = before_ending(path, ".part");
-    file.finish_as(name);
-    return name;
+    std::filesystem::path name = path;
+    name.replace_extension(".part" + name.extension().string());
+    file.finish_as(name.string());
+    return name.string();
 }
 
 void Film::finish() {

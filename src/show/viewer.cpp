@@ -74,6 +74,7 @@ Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::unique_ptr<Reload
              .let_go = [this] { bodies.let_go(); }}),
       picture(o.threads, notes, pace, glfwPostEmptyEvent),
       stills(options, notes, pace, glfwPostEmptyEvent),
+      film(options, notes, pace, glfwPostEmptyEvent),
       file(first, error_is_final(o), std::move(reload), notes, pace, glfwPostEmptyEvent),
       bodies(session, file, notes, pace, glfwPostEmptyEvent),
       side(o.threads, notes, pace, glfwPostEmptyEvent),
@@ -96,6 +97,11 @@ void Viewer::perform(Command command) {
             if (screen.width() == 0 || file.waiting()) return;  // an icon, or nothing to see
             return stills.add(session, file.path(), session.view(screen.width(), screen.height()),
                               command.number == 1 ? ".png" : options.still_ending);
+        case Action::film:
+            if (screen.width() == 0 || file.waiting()) return;
+            if (file.uses_clock())
+                return notes.note("a scene that uses POV-Ray's clock is filmed by: strahl render SCENE -o FILM.mp4");
+            return film.toggle(session, file.path(), screen.width(), screen.height());
         case Action::open_file:
             if (const std::string why = dialog.open(file.path()); !why.empty()) notes.fail(why);
             return;
@@ -194,8 +200,8 @@ void Viewer::move() {
 /// The time of the next drawing; infinite if there is nothing to draw.
 double Viewer::next_draw() const {
     const double for_picture = pace.next_draw(picture.has_update(), tracks.awaited() || picture.finished());
-    const bool counting = !stills.progress_text().empty() || file.reading() || picture.seconds_built() > 0 ||
-                          side.under_way();
+    const bool counting = !stills.progress_text().empty() || film.under_way() || file.reading() ||
+                          picture.seconds_built() > 0 || side.under_way();
     const double for_count = counting ? pace.last_draw() + 0.25 : Pace::forever;
     return std::min({for_picture, for_count, notes.next_change(), file.next_change()});
 }
@@ -341,6 +347,7 @@ Overlay Viewer::overlay() const {
     overlay.notes.insert(overlay.notes.end(), notes.shown().begin(), notes.shown().end());
     if (const std::string text = stills.progress_text(); !text.empty())
         overlay.bars.push_back({text, stills.progress()});
+    if (film.under_way()) overlay.bars.push_back({film.progress_text(), film.progress()});
     if (check.under_way()) overlay.bars.push_back({"checking rounding", check.progress()});
     return overlay;
 }
@@ -389,16 +396,17 @@ int Viewer::run(const std::atomic<bool>& interrupted) {
         // A signal ends the window as Esc does; the next one ends the program at once.
         if (interrupted && !std::exchange(signalled, true)) {
             log_line("interrupted");
-            stills.finish();
+            stills.finish(), film.finish();
         }
-        closed |= stills.finished();
+        film.tell_done();
+        closed |= stills.finished() && !film.under_way();
         stills.tell_done();
     }
     end();
-    return stills.failed() ? 1 : 0;
+    return stills.failed() || film.failed() ? 1 : 0;
 }
 
-/// Ends the program as soon as all stills are done. Asks first, once, if the path is not written.
+/// Ends the program as soon as all stills and the film are done. Asks first, once, if the path is not written.
 void Viewer::quit() {
     notes.tell(session.end_recording(pace.now()));
     if (!options.play && session.editor.asks())
@@ -406,7 +414,7 @@ void Viewer::quit() {
     if (!options.play && bodies.asks())
         return notes.announce("changes of the text are not written: F2 writes them into " + file.name() +
                               "; Esc again quits");
-    stills.finish();
+    stills.finish(), film.finish();
 }
 
 /// Prints the paths that would be lost now.

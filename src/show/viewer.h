@@ -7,6 +7,7 @@
 
 #include "show/body_tools.h"
 #include "show/file_dialog.h"
+#include "show/film_recorder.h"
 #include "show/session/session.h"
 #include "show/session/view_options.h"
 #include "show/side_by_side.h"
@@ -78,6 +79,7 @@ class Viewer {
     Input input;
     WindowPicture picture;
     StillRequests stills;
+    FilmRecorder film;
     WatchedScene file;
     BodyTools bodies;
     SideBySide side;

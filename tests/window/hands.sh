@@ -106,6 +106,32 @@ xdotool key ctrl+o
 await "opened $PWD/other.rt"
 quit
 
+echo "-- a flight becomes a film with the frames of strahl render; ended early, its first part stays, and Esc waits"
+printf '#!/usr/bin/env bash\nfile=${!#}\nexec cat >"${file#file:}"\n' >bin/ffmpeg # the film is its stream of frames
+chmod +x bin/ffmpeg
+put "$camera" "$world" "${path//60/1}"
+PATH=$PWD/bin:$PATH
+start scene.rt --size 64x48
+PATH=$path_before
+xdotool key ctrl+F12
+await 'film saved: scene-'
+"$strahl" render scene.rt -o - --format y4m --frames 0-24 --size 64x48 >frames || fault "render of frames"
+cmp frames "${line#*film saved: }" || fault "the film has other frames"
+put "$camera" "$world" "${path//60/6000}"
+await 'read again'
+xdotool key ctrl+F12
+await 'a film of the flight is being made: scene-'
+until [[ -n $(find . -name '.strahl-*' -size +20k) ]] || ! kill -0 "$pid"; do sleep 0.05; done # two frames
+xdotool key ctrl+F12
+await 'film ended after'
+[[ -s ${line##*: } && ${line##*: } == *.part.mp4 ]] || fault "there is no part of the film: $line"
+put "$camera" "$world" "${path//60/1}"
+await 'read again'
+xdotool key ctrl+F12
+await 'a film of the flight is being made'
+quit
+(($(grep -cF 'film saved' log) == 2)) || fault "the window did not wait for the film"
+
 echo "-- size and place are remembered"
 export XDG_STATE_HOME=$work/state
 # placed: waits until the window has the size and place of this test.

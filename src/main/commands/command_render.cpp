@@ -106,7 +106,7 @@ bool render_stream(const RenderOptions& options, const Lattice& part, Renderer& 
 
 /// Returns all frames of a flight.
 FrameList frames_of(const Flythrough& flight, const FrameRate& rate) {
-    const double count = std::max(std::ceil(flight.duration * rate.per_second() - 1e-6), 1.);
+    const double count = rate.frames_in(flight.duration);
     if (count > 1e9) throw UsageError("the flight has more than a billion frames; choose some with --frames");
     return {{{0, static_cast<int>(count) - 1, 1}}};
 }

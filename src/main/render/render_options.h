@@ -3,10 +3,10 @@
 #include <optional>
 #include <string>
 
+#include "image/film.h"
 #include "image/frame_rate.h"
 #include "image/picture.h"
 #include "image/transfer.h"
-#include "main/render/film.h"
 #include "main/render/values.h"
 #include "pov/open_scene.h"
 #include "trace/tracer.h"

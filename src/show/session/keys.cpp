@@ -59,6 +59,7 @@ std::optional<Command> command_of_key(int key, int scancode, int modifiers, bool
     if (auto command = find(other_keys, key)) {
         if (shift && command->action == Action::step) command->number *= 25;
         if (shift && command->action == Action::still) command->number = 1;
+        if (modifiers & GLFW_MOD_CONTROL && command->action == Action::still) return Command{Action::film};
         return command;
     }
     const char letter = letter_of(key, scancode);

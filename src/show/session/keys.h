@@ -8,6 +8,7 @@ namespace strahl {
 enum class Action {
     quit,
     still,
+    film,
     play,
     pause,
     rewind,
@@ -113,6 +114,7 @@ inline constexpr std::array key_help{
     KeyHelp{"F4", "open the chosen body's line in $EDITOR"},
     KeyHelp{"Picture", ""},
     KeyHelp{"F12", "save a still; with Shift a .png"},
+    KeyHelp{"Ctrl+F12", "make a film of the flight; again: end it"},
     KeyHelp{"[ ]", "fewer, more reflections"},
     KeyHelp{"+ - 0", "brighter, darker, light as it is"},
     KeyHelp{", .", "lower, higher quality in motion"},

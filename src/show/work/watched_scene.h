@@ -25,6 +25,8 @@ class WatchedScene {
     bool waiting() const { return awaited; }
     /// Is the first file still being read?
     bool reading() const { return awaited && error.empty(); }
+    /// Does the scene use POV-Ray's clock?
+    bool uses_clock() const { return changes; }
     /// Opens another file, unless it has an error.
     void open(std::string path) { reload->open(std::move(path)); }
     /// Reads a scene that uses POV-Ray's clock for another moment of its flight.

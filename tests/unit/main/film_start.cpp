@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "main/render/film.h"
+#include "image/film.h"
 #include "scene/error.h"
 #include "tests/unit/scratch.h"
 

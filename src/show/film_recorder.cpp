@@ -1,0 +1,135 @@
+#include "show/film_recorder.h"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <utility>
+
+#include "files/utf8.h"
+#include "image/encoder.h"
+#include "image/picture_writer.h"
+#include "num/decimal.h"
+#include "num/thread_pool.h"
+#include "scene/filled_view.h"
+#include "scene/moving_scene.h"
+#include "show/work/stills.h"
+#include "text/reading/scene_files.h"
+#include "trace/tracer.h"
+
+namespace strahl {
+namespace {
+
+constexpr FrameRate rate{};
+
+}  // namespace
+
+std::optional<FilmOrder> film_of(const Session& session, const std::string& scene_path, int width, int height) {
+    FilmOrder order{.scene = *session.scene, .view = session.view(width, height), .exposure = session.exposure};
+    Scene& scene = order.scene;
+    if (session.tracks) scene.tracks = *session.tracks;
+    scene.flythrough = session.path_to_fly();
+    if (!scene.flythrough) return std::nullopt;
+    // Where nothing moves the camera it stays where the user has put it.
+    if (scene.flythrough->keys.empty() && scene.camera_follows.empty()) scene.camera = session.camera;
+    order.fit = session.fill;
+    order.view.tracks = nullptr;
+    order.view.width = std::max(order.view.width & ~1, 2), order.view.height = std::max(order.view.height & ~1, 2);
+    if (!scene.music.sound.empty()) order.sound = FilmSound{path_beside(scene_path, scene.music.sound), 0};
+    return order;
+}
+
+FilmRecorder::~FilmRecorder() {
+    stop = true;
+    if (thread.joinable()) thread.join();
+}
+
+void FilmRecorder::toggle(const Session& session, const std::string& scene_path, int width, int height) {
+    pace.redraw();
+    if (under_way()) return void(stop = true);
+    auto order = film_of(session, scene_path, options.still_size.width > 0 ? options.still_size.width : width,
+                         options.still_size.width > 0 ? options.still_size.height : height);
+    if (!order) return notes.note("nothing flies or moves here; P adds keys of a path");
+    try {
+        const std::string ffmpeg = find_ffmpeg("a film");
+        path = order->path =
+            reserve_file(std::filesystem::path(options.still_folder) / still_name(scene_path, std::nullopt), ".mp4");
+    } catch (const FileError& error) {
+        any_failed = true;
+        return notes.fail(error.what());
+    }
+    notes.announce("a film of the flight is being made: " + path + "; Ctrl+F12 ends it");
+    stop = done = false, share = 0, said.clear(), fault.clear();
+    thread = std::thread([this, order = *std::move(order)] {
+        // On Linux priority belongs to a thread and is inherited by the threads that it starts.
+        static_cast<void>(::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), 10));
+        try {
+            make(order);
+        } catch (const FileError& error) {
+            fault = error.what();
+        } catch (const std::bad_alloc&) {
+            fault = "not enough memory for a film of this size";
+        }
+        std::error_code error;  // of a film that was not made there is an empty file
+        if (std::filesystem::file_size(order.path, error) == 0) std::filesystem::remove(order.path, error);
+        done = true;
+        notify();
+    });
+}
+
+void FilmRecorder::make(const FilmOrder& order) {
+    View view = order.view;
+    const int count = static_cast<int>(rate.frames_in(flight_of(order.scene)->duration));
+    const double all = double(view.width) * view.height;
+    const FileFormat format{.bits = 8, .gamma = order.scene.settings.assumed_gamma, .exposure = order.exposure};
+    const SampledRegion picture{{.columns = view.width, .rows = view.height},
+                                {.error = Sampling{}.error / gain_of(order.exposure)}};
+    Film film(find_ffmpeg(order.path), order.path, rate, order.sound);
+    const auto append = [&](std::string_view bytes) { film.append(bytes); };
+    append(stream_head(".y4m", {view.width, view.height}, rate));
+    ThreadPool pool(options.threads);
+    Tracer tracer(order.scene, Precision::float64);
+    int frame = 0;
+    for (; frame < count; ++frame) {
+        view.time = rate.moment(frame), view.camera = camera_at(order.scene, view.time);
+        if (order.fit) view.camera = filled_view(view.camera, double(view.width) / view.height);
+        PictureWriter writer(view.width, view.height, 3, ".y4m", format);
+        std::atomic<int> pixels = 0;
+        const auto keep = [&](const Tile& tile) {
+            const auto& [x, y, columns, rows, step_x, step_y] = tile.lattice;
+            std::visit([&](auto rgb) { writer.put(x, y, columns, rows, rgb.data()); }, tile.rgb);
+            const double before = share;
+            share = (frame + (pixels += columns * rows) / all) / count;
+            if (int(100 * before) != int(100 * share)) notify();
+        };
+        tracer.trace({view, pool, keep, &stop}, picture);
+        if (stop) break;
+        writer.write(append);
+    }
+    if (frame == count) return film.finish(), void(said = "film saved: " + order.path);
+    if (frame == 0) return void(said = "the film was ended before its first frame");
+    said = "film ended after " + text_of(rate.moment(frame)) + " s: " + film.finish_part();
+}
+
+void FilmRecorder::finish() {
+    if (!under_way()) return;
+    if (std::exchange(finishing, true)) return void(stop = true);
+    log_line("waiting for the film; Esc or a signal ends it");
+    pace.redraw();
+}
+
+void FilmRecorder::tell_done() {
+    if (!done.exchange(false)) return;
+    thread.join();
+    any_failed |= !fault.empty();
+    fault.empty() ? notes.announce(said) : notes.fail(fault);
+    pace.redraw();
+}
+
+std::string FilmRecorder::progress_text() const {
+    if (!under_way()) return "";
+    return "A film: " + std::to_string(int(100 * share)) + " %, " + std::filesystem::path(path).filename().string() +
+           (finishing ? "; Esc ends it" : "; Ctrl+F12 ends it");
+}
+
+}  // namespace strahl
