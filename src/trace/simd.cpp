@@ -97,7 +97,9 @@ bool supported(Simd simd) {
 Simd best_simd() {
     for (const Simd simd : {Simd::v4, Simd::v3, Simd::v2, Simd::neon})
         if (supported(simd)) return simd;
-    if (least) throw std::runtime_error("this program was built for another processor; build it again on this one");
+    if (least)
+        throw std::runtime_error("this program was built for other processors; cmake --preset release "
+                                 "-D STRAHL_LEVELS=all builds one for all");
     return Simd::scalar;
 }
 

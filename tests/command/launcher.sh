@@ -46,11 +46,18 @@ else
     cache=$2/build/release/CMakeCache.txt
     levels=$(sed -n 's/.*-DSTRAHL_LEVELS=//p' <<<"$*")
     [[ $levels ]] || levels=$(sed -n 's/^STRAHL_LEVELS:STRING=//p' "$cache")
-    printf '%s\n' "CMAKE_HOME_DIRECTORY:INTERNAL=$2" "STRAHL_LEVELS:STRING=$levels" >"$cache"
+    built=$(sed -n 's/^STRAHL_BUILT_LEVELS:INTERNAL=//p' "$cache" 2>/dev/null)
+    case $FLAGS in *avx512*) built+=";v4" ;; *avx2*) built+=";v3" ;; *) built+=";v2" ;; esac
+    printf '%s\n' "CMAKE_HOME_DIRECTORY:INTERNAL=$2" "STRAHL_LEVELS:STRING=$levels" \
+        "STRAHL_BUILT_LEVELS:INTERNAL=$built" >"$cache"
     echo "build strahl" >"$2/build/release/build.ninja"
 fi
 TOOL
-export PATH="$tools:$PATH"
+tool grep <<TOOL
+#!/bin/bash
+if [[ \$* == *" /proc/cpuinfo" ]]; then echo "flags : \$FLAGS"; else exec $(command -v grep) "\$@"; fi
+TOOL
+export PATH="$tools:$PATH" FLAGS="sse4_2 fma avx2 abm"
 
 # launch STATUS LOG ARGUMENT...: starts it in another folder; LOG are the expected calls of the mocks.
 launch() {
@@ -101,18 +108,41 @@ launch 7 "$again"
 launch 7 ""
 
 # What the first build leaves out is built when an option asks for it, once.
-more="configure --preset release -DSTRAHL_LEVELS=host
-$again"
-launch 7 "$more" render a --prove map.png
-launch 7 "" render a --prove=map.png
-launch 7 "" render a --simd scalar
-launch 7 "" render a
+more="configure --preset release -DSTRAHL_LEVELS"
+launch 7 "$more=host
+$again" render a --prove map.png
+for option in --prove=map.png "--simd scalar" "--simd auto" ""; do
+    # shellcheck disable=SC2086  # the words are arguments
+    launch 7 "" render a $option
+done
+launch 7 "$more=runnable
+$again" render a --simd v2
+launch 7 "" render a --simd=v3
+launch 7 "" render a --prove map.png
 mv "$root/build/release" "$work/whole"
 launch 7 "configure --preset release -DSTRAHL_TESTS=OFF -DSTRAHL_LEVELS=host
 $again" render a --simd scalar
+
+# On another processor its own kernels are built, and those of the one before are kept.
+newer="sse4_2 fma avx2 abm avx512cd avx512bw avx512vl umip"
+FLAGS=$newer launch 7 "$more=host
+$again"
+launch 7 ""
+FLAGS="sse4_2 avx2" launch 7 "$more=host
+$again"
+FLAGS=$newer launch 7 ""
+FLAGS=$newer launch 7 "$more=runnable
+$again" render a --simd v2
+# Where nothing can be built, the program that is there is started.
+other=(env)
+((EUID != 0)) || other=(setpriv --reuid=65534 --regid=65534 --clear-groups)
+chmod a+rx "$work"
+chmod a-w "$root/build"
+sed -i 's/;v4//g' "$root/build/release/built"
+FLAGS=$newer by=${other[0]} launch 7 "" "${other[@]:1}" "$root/strahl"
+chmod u+w "$root/build"
 rm -r "$root/build/release"
 mv "$work/whole" "$root/build/release"
-sed -i s/=host/=least/ "$root/build/release/CMakeCache.txt"
 launch 7 ""
 
 # A program that was cut off is built again, and so is one whose build folder was.
