@@ -47,7 +47,7 @@ struct NormalDifferences {
     }
 };
 
-std::vector<Transformation> any_steps(Dice& dice) {
+std::vector<Transformation> some_steps(Dice& dice) {
     std::vector<Transformation> steps;
     if (dice.chance(.5)) steps.push_back(Rotate{dice.vector(-200, 200)});
     if (dice.chance(.5)) steps.push_back(Scale{std::pow(10, dice.in(-1, 1)) * dice.vector(.3, 1)});
@@ -61,7 +61,7 @@ Scene bent_ball(Dice& dice, Vector& point) {
     Scene scene;
     scene.materials.emplace_back();
     proof::bend(dice, std::pow(10, dice.in(-1, 1)), dice.vector(-3, 3), scene.materials[0]);
-    scene.primitives.push_back({Sphere{{0, 0, 0}, 1}, 0, any_steps(dice)});
+    scene.primitives.push_back({Sphere{{0, 0, 0}, 1}, 0, some_steps(dice)});
     const exact::Body<R> body(scene, scene.primitives[0]);
     const exact::Leaf<R>& leaf = body.leaves[0];
     const bool by_bump = leaf.material.bump.pattern != nullptr;
@@ -79,7 +79,7 @@ Scene bent_triangle(Dice& dice, Vector& point, Vector& n) {
     Mesh mesh{std::make_shared<const MeshData>(MeshData{{a, a + along, c}, {}, {{0, 1, 2}}, {}}), ""};
     do proof::paint_by_uv(dice, mesh, scene.materials[0], .6);
     while (!scene.materials[0].bends());
-    scene.primitives.push_back({mesh, 0, any_steps(dice)});
+    scene.primitives.push_back({mesh, 0, some_steps(dice)});
     const exact::Body<R> body(scene, scene.primitives[0]);
     const auto& [x, y, z] = body.leaves[0].space.columns;
     const auto in_world = [&](const Vector& v) { return v.x * x + v.y * y + v.z * z; };
