@@ -5,7 +5,13 @@ foreach(topic usage pictures frames sheet film resume interrupt files stats stab
                    ${CMAKE_BINARY_DIR})
 endforeach()
 # With sanitizers these take minutes, and show no more of the program than the others do.
-set_tests_properties(command_pictures command_farm command_film command_resume command_install PROPERTIES LABELS slow)
+set_tests_properties(command_pictures command_farm command_film command_resume command_install command_gallery
+                     command_readme command_crosscheck PROPERTIES LABELS slow)
+# These show the same in every build.
+set_tests_properties(command_usage command_files command_check command_import command_broken_scenes
+                     PROPERTIES LABELS memory)
+# These start other programs only.
+set_tests_properties(command_launcher command_ci PROPERTIES LABELS figures)
 
 # The language server, without the program.
 strahl_tests(test_lsp unit/main strahl_lsp lsp)

@@ -178,8 +178,8 @@ echo "ctest $*" >>"$LOG"
 printf 'Could not find executable x\n  Test #1: a_test\n\nTotal Tests: 1\n'
 TOOL
 by="$root/tests/run" launch 0 "configure --preset release -DSTRAHL_TESTS=ON -DSTRAHL_LEVELS=runnable
-ctest --test-dir $root/build/release -N -R a
-ctest --test-dir $root/build/release -LE slow|window -N -R a" -N -R a
+ctest --test-dir $root/build/release -LE memory -N -R a
+ctest --test-dir $root/build/release -LE slow|window|figures -N -R a" -N -R a
 says "  Test #1: a_test
 Total Tests: 1
   Test #1: a_test

@@ -13,7 +13,6 @@
 #include "tests/referee/torus.h"
 #include "tests/referee/triangle.h"
 #include "tests/stability/stage.h"
-#include "tests/unit/sanitized.h"
 
 using namespace strahl;
 using namespace strahl::stability;
@@ -219,7 +218,7 @@ void compare(Dice& dice, bool meshes, Precision precision, R unsure, Count& sum)
     Tree tree(dice, meshes);
     Camera& camera = tree.stage.scene.camera;
     tree.stage.look(dice.direction() * dice(7, 12), DVec3(dice(-1, 1), dice(-1, 1), dice(-1, 1)), 30, dice.direction());
-    const Frame frame = shoot(tree.stage.scene, precision, sanitized() ? Shot{.width = 20, .height = 15} : Shot{});
+    const Frame frame = shoot(tree.stage.scene, precision, Shot{});
     const CameraFrame view = frame_of(camera, double(frame.width) / frame.height);
     for (int y = 0; y < frame.height; ++y)
         for (int x = 0; x < frame.width; ++x) {
@@ -251,7 +250,7 @@ void compare(double rays, bool meshes) {
 }
 double wanted_rays() {
     const char* const wanted = std::getenv("STRAHL_RAYS");
-    return wanted ? std::atof(wanted) : sanitized() ? 1e4 : 6e4;
+    return wanted ? std::atof(wanted) : 6e4;
 }
 
 }  // namespace
@@ -259,14 +258,14 @@ double wanted_rays() {
 TEST_CASE("random trees with faces in the same planes, against plain inside tests") { compare(wanted_rays(), false); }
 
 TEST_CASE("random trees with closed meshes, against plain inside tests") {
-    compare(sanitized() ? 2000 : std::max(wanted_rays() / 2, 3e4), true);
+    compare(std::max(wanted_rays() / 2, 3e4), true);
 }
 
 /// Half of the light is mirrored and some passes, so that rays start on faces; the sun makes shadows.
 TEST_CASE("what a ray sees of random trees does not depend on the rays beside it") {
     Dice dice;
     ThreadPool pool(1);
-    for (int round = 0; round < (sanitized() ? 4 : 120); ++round) {
+    for (int round = 0; round < 120; ++round) {
         Tree tree(dice, round % 3 == 0);
         Scene& scene = tree.stage.scene;
         for (Material& material : scene.materials) {

@@ -8,7 +8,6 @@
 
 #include "num/thread_pool.h"
 #include "tests/referee/dice.h"
-#include "tests/unit/sanitized.h"
 #include "tests/unit/trace/cut_out.h"
 #include "text/parse.h"
 #include "trace/cells/cell_picture.h"
@@ -141,7 +140,6 @@ TEST_CASE("images become linear light before they are averaged, and reliefs of t
 }
 
 TEST_CASE("a floor of checks to the horizon comes out as the mean of 4096 rays a pixel") {
-    if (sanitized()) return;  // only figures count
     const Scene scene = scene_of(floor_to_horizon);
     const View view = view_of(scene, 80, 60);
     const Lattice all{.columns = view.width, .rows = view.height};
@@ -167,14 +165,13 @@ TEST_CASE("images of all maps are filtered") {
     for (const std::string& body : bodies) texts.push_back(eye + body);
     for (const std::string& text : texts) {
         CAPTURE(text);
-        const auto [own, error] = compared(scene_of(text), 64, 48, sanitized() ? 1 : 32);
+        const auto [own, error] = compared(scene_of(text), 64, 48, 32);
         CAPTURE(own.samples);
-        if (!sanitized()) CHECK(error < 3);
+        CHECK(error < 3);
     }
 }
 
 TEST_CASE("images in mirrors and behind glass are filtered by what a sample sees there") {
-    if (sanitized()) return;  // only figures count
     struct Case {
         std::string body;
         double error, samples;  // at most; the comment says how much there was when camera rays alone were filtered
@@ -202,7 +199,6 @@ TEST_CASE("images in mirrors and behind glass are filtered by what a sample sees
 
 /// Seen in a mirror, a scene looks as it does to the camera behind the mirror.
 TEST_CASE("an image in a flat mirror looks as it does from behind the mirror") {
-    if (sanitized()) return;  // only figures count
     const std::string floor =
         "plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0>\n"
         "        material { rgb image { \"checks\"  scale 2  rotate <0, 0, 25> } } }\n";
