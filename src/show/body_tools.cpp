@@ -1,6 +1,7 @@
 #include "show/body_tools.h"
 
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <utility>
 
@@ -19,6 +20,7 @@ constexpr std::array<DVec3, 3> world_axes{DVec3(1, 0, 0), DVec3(0, 1, 0), DVec3(
 }  // namespace
 
 void BodyTools::loaded(const Loaded& scene) {
+    if (scene.opened) show_all();
     if (scene.opened)
         bodies.open(scene.text);
     else if (bodies.edited.reload(scene.text))
@@ -49,10 +51,14 @@ void BodyTools::click(const View& view, const glm::dvec2& point, double reach) {
     if (mark)
         bodies.choose(*mark, *session.scene);
     else
-        bodies.click(scene_seen(view), *session.scene, view, point.x, point.y);
+        bodies.click(scene_seen(view), *session.scene, view, point.x, point.y, not_shown);
+    log_choice();
+}
+
+void BodyTools::log_choice() {
     if (!bodies.any()) return;
     const BodyText& text = bodies.body();
-    notes.log((mark ? "chosen: light " : "chosen: body ") + std::to_string(number() + 1) + ", " + text.kind +
+    notes.log((bodies.light() ? "chosen: light " : "chosen: body ") + std::to_string(number() + 1) + ", " + text.kind +
               (text.line > 0 ? ", line " + std::to_string(text.line) : ""));
 }
 
@@ -72,6 +78,44 @@ void BodyTools::apply(const BodyInput& input) {
         changed = bodies.change(values[change->value], change->numbers, change->merged, others);
     if (input.own) changed = bodies.make_own(values[*input.own], others);
     if (changed) show();
+}
+
+void BodyTools::apply(const OutlinerInput& input) {
+    if (const auto& row = input.choose; row && !awaited && !drag) {
+        if (row->what == TopBlock::light) {
+            lights_shown = true;
+            bodies.choose({row->number, false}, *session.scene);
+        } else {
+            const Box box = world_bounds(session.scene->primitives[std::size_t(row->number)]);
+            const DVec3 middle = box.finite() ? box.centre() : session.camera.look_at;
+            bodies.choose(row->number, middle, *session.scene, row->leaf);
+        }
+        log_choice();
+    }
+    if (!input.choose && !input.hide && !input.alone && !input.show_all) return;
+    pace.redraw(3);
+    const std::set<int> before = not_shown;
+    if (input.hide && not_shown.erase(input.hide->number) == 0) not_shown.insert(input.hide->number);
+    if (input.alone) {
+        not_shown.clear();
+        for (int i = 0; i < std::ssize(session.scene->primitives); ++i)
+            if (i != input.alone->number) not_shown.insert(i);
+        if (not_shown == before) not_shown.clear();
+    }
+    if (input.show_all) not_shown.clear();
+    if (not_shown != before) whole = not_shown.empty() ? nullptr : session.scene, shown = nullptr;
+}
+
+std::shared_ptr<const Scene> BodyTools::scene_shown() {
+    // Where bodies were added or removed, these numbers are of other ones.
+    if (whole && whole->primitives.size() != session.scene->primitives.size()) show_all();
+    if (not_shown.empty()) return session.scene;
+    if (shown && whole == session.scene) return shown;
+    Scene rest = *(whole = session.scene);
+    rest.primitives.clear();
+    for (int i = 0; i < std::ssize(whole->primitives); ++i)
+        if (!not_shown.contains(i)) rest.primitives.push_back(whole->primitives[std::size_t(i)]);
+    return shown = std::make_shared<const Scene>(std::move(rest));
 }
 
 /// Shows the text as it is now, in which bodies and lights have the numbers that they had.
@@ -126,7 +170,7 @@ void BodyTools::add(const View& view, const glm::dvec2& point) {
     if (awaited) return;
     const NewBlock& block = *std::exchange(to_add, nullptr);
     const bool light = block.what == TopBlock::light;
-    const StandingPlace place = standing_place(scene_seen(view), view, point.x, point.y);
+    const StandingPlace place = standing_place(scene_seen(view), view, point.x, point.y, not_shown);
     const int count = static_cast<int>(light ? session.scene->lights.size() : session.scene->primitives.size());
     bodies.edited.change(with_new_block(bodies.edited.text(), block, count, place.point, place.normal, place.size,
                                         place.decimals),
@@ -201,6 +245,15 @@ void BodyTools::open_text() {
     if (bodies.body().line == 0 || file.path() == "-") return notes.note("no line of a file is known for it");
     const std::string fault = open_in_editor(bodies.file().empty() ? file.path() : bodies.file(), bodies.body().line);
     if (!fault.empty()) notes.fail(fault);
+}
+
+void BodyTools::open_text(const std::string& message) {
+    for (std::size_t colon = message.find(':'); colon != message.npos; colon = message.find(':', colon + 1)) {
+        const int line = std::atoi(message.c_str() + colon + 1);
+        if (line <= 0) continue;
+        if (const std::string fault = open_in_editor(message.substr(0, colon), line); !fault.empty()) notes.fail(fault);
+        return;
+    }
 }
 
 /// Takes over the scene of a changed text once it is read.

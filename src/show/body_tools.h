@@ -5,6 +5,7 @@
 #include <glm/vec2.hpp>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "show/session/light_marks.h"
 #include "show/session/session.h"
 #include "show/window/body_panel.h"
+#include "show/window/outliner.h"
 #include "show/window/overlay.h"
 #include "show/work/notes.h"
 #include "show/work/pace.h"
@@ -45,12 +47,19 @@ class BodyTools {
     const char* adding() const { return to_add ? to_add->name : nullptr; }
     /// Does what the user asked for on the panel, except for commands.
     void apply(const BodyInput& input);
+    /// Chooses, hides and shows what the user asked for in the outline.
+    void apply(const OutlinerInput& input);
+    /// The bodies that are hidden in the picture; nothing is written of that.
+    const std::set<int>& hidden() const { return not_shown; }
+    /// Returns the session's scene without these.
+    std::shared_ptr<const Scene> scene_shown();
     /// Undoes or redoes a change, if that is what comes next. Else returns false.
     bool undo(Action action);
     /// Moves the camera to where the body chosen fills the picture, if it is bounded.
     void approach(const View& view);
-    /// Opens the line of what is chosen in the user's editor.
+    /// Opens the line of what is chosen, or that which a message names, "FILE:LINE: ...", in the user's editor.
     void open_text();
+    void open_text(const std::string& message);
     /// Chooses what handles do; or shows or hides the marks of lights.
     void toggle(Action action);
     /// Copies what is chosen in the text and chooses the copy; or removes it. False if nothing is chosen.
@@ -90,6 +99,7 @@ class BodyTools {
     const Scene& scene_seen(const View& view);
     void show();
     void show_anew();
+    void show_all() { not_shown.clear(), whole = shown = nullptr; }
     void add(const View& view, const glm::dvec2& point);
     void choose(const NextChoice& chosen);
     bool change_block(bool copies);
@@ -100,6 +110,7 @@ class BodyTools {
     std::array<DVec3, 3> own_axes();
     void find_pointed();
     int number() const;
+    void log_choice();
 
     Session& session;
     WatchedScene& file;
@@ -122,6 +133,8 @@ class BodyTools {
         std::shared_ptr<const std::vector<Track>> tracks;
         bool operator==(const SceneMoment&) const = default;
     };
+    std::set<int> not_shown;                   // bodies
+    std::shared_ptr<const Scene> whole, shown;  // the scene of these, and what it is without them
     SceneMoment moment;  // the one of `now`
     Scene now;
 

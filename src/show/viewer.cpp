@@ -140,6 +140,7 @@ void Viewer::perform(Command command) {
         case Action::info:
         case Action::quiet:
         case Action::timeline:
+        case Action::outline:
             return panels.toggle(command.action);
         default:
             notes.tell(session.perform(command, pace.now()));
@@ -157,6 +158,12 @@ void Viewer::apply(const TimelineInput& done) {
 
 void Viewer::apply(const BodyInput& done) {
     if (done.command) perform(*done.command);
+    bodies.apply(done);
+}
+
+void Viewer::apply(const OutlinerInput& done) {
+    if (done.command) perform(*done.command);
+    if (done.message) bodies.open_text(*done.message);
     bodies.apply(done);
 }
 
@@ -217,11 +224,14 @@ void Viewer::draw() {
     TimelineInput done;
     BodyInput on_body;
     const NewBlock* added = nullptr;
+    OutlinerInput on_outline;
     screen.draw([&] {
         draw_overlay(over);
         done = panels.draw_timeline(session);
         on_body = panels.draw_body(bodies.editor(), bodies.file_name());
         added = panels.draw_add();
+        if (!file.waiting())
+            on_outline = panels.draw_outline(session, bodies.editor(), bodies.hidden(), file.messages());
     });
     pace.drawn(began);
     const Refinement& state = picture.state();
@@ -231,7 +241,7 @@ void Viewer::draw() {
     }
     if (options.play && !tracks.wanted() && state.number > 0 && !sound.loading() && !std::exchange(started, true))
         session.perform({Action::pause}, pace.now());
-    apply(done), apply(on_body);
+    apply(done), apply(on_body), apply(on_outline);
     if (added) bodies.begin_adding(*added);
     if (update && picture.newest()) tracks.shown();
     if (!update || before > 0) return;
@@ -335,7 +345,8 @@ Overlay Viewer::overlay() const {
     if (panels.quiet && overlay.sides) overlay.sides->left = overlay.sides->right = "";
     if (!work.empty() && (!panels.quiet || state.number == 0)) overlay.notes.push_back({work});
     if (panels.quiet) return overlay;
-    overlay.reserved = panels.reserved(), overlay.reserved_right = panels.reserved_right();
+    overlay.reserved = panels.reserved(), overlay.reserved_left = panels.reserved_left();
+    overlay.reserved_right = panels.reserved_right();
     if (!pace.moving()) overlay.silhouette = bodies.lines();
     overlay.tools = bodies.drawn();
     overlay.help = panels.help, overlay.share = state.share;
@@ -378,7 +389,7 @@ int Viewer::run(const std::atomic<bool>& interrupted) {
         if (!file.waiting() && screen.width() > 0) {
             const View view = session.view(screen.width(), screen.height());
             bodies.follow(view, screen.pixels_to_reach() / 6);
-            picture.order(session, screen.width(), screen.height());
+            picture.order(session, bodies.scene_shown(), screen.width(), screen.height());
             side.follow(session, view, !pace.moving() && picture.finished());
         }
         draw();

@@ -45,6 +45,7 @@ class Viewer {
     void perform(Command command);
     void apply(const TimelineInput& input);
     void apply(const BodyInput& input);
+    void apply(const OutlinerInput& input);
     void click(double x, double y);
     Hold points_at(double x, double y);
     glm::dvec2 in_picture(double x, double y) const;

@@ -25,10 +25,21 @@ Camera approached(const Camera& camera, const Box& box, double aspect) {
     return moved;
 }
 
-StandingPlace standing_place(const Scene& scene, const View& view, double x, double y) {
+namespace {
+
+/// Returns the bodies along a ray that are not hidden.
+std::vector<BodyHit> seen_along(const Scene& scene, const Ray<double>& ray, const std::set<int>& hidden) {
+    std::vector<BodyHit> met = bodies_along(scene, ray);
+    std::erase_if(met, [&](const BodyHit& hit) { return hidden.contains(hit.body); });
+    return met;
+}
+
+}  // namespace
+
+StandingPlace standing_place(const Scene& scene, const View& view, double x, double y, const std::set<int>& hidden) {
     const Ray<double> ray = ray_at(view, x, y);
     const CameraFrame frame = frame_of(view.camera, double(view.width) / view.height);
-    const std::vector<BodyHit> met = bodies_along(scene, ray);
+    const std::vector<BodyHit> met = seen_along(scene, ray, hidden);
     StandingPlace place{.normal = DVec3(0) - frame.down};
     double distance = length(view.camera.look_at - view.camera.position);
     if (!met.empty()) {
@@ -42,13 +53,14 @@ StandingPlace standing_place(const Scene& scene, const View& view, double x, dou
     return place;
 }
 
-void BodyEditor::click(const Scene& now, const Scene& scene, const View& view, double x, double y) {
+void BodyEditor::click(const Scene& now, const Scene& scene, const View& view, double x, double y,
+                       const std::set<int>& hidden) {
     const Ray<double> ray = ray_at(view, x, y);
     const double same_point = 3 * length(ray_at(view, x + 1, y).direction - ray.direction);
     const bool again = chosen && clicked && clicked->origin == ray.origin &&
                        length(clicked->direction - ray.direction) < same_point;
     const Ray<double> along = again ? *clicked : ray;
-    const std::vector<BodyHit> met = bodies_along(now, along);
+    const std::vector<BodyHit> met = seen_along(now, along, hidden);
     const int number = again ? chosen->behind + 1 : 0;
     close(), clicked = along, allowed.clear(), description = {};
     if (number >= std::ssize(met)) return;
@@ -63,9 +75,9 @@ void BodyEditor::choose(const LightPoint& point, const Scene& scene) {
     look(scene);
 }
 
-void BodyEditor::choose(int body, const DVec3& point, const Scene& scene) {
+void BodyEditor::choose(int body, const DVec3& point, const Scene& scene, int leaf) {
     close(), clicked.reset(), allowed.clear(), description = {};
-    chosen = {.at = {.body = body, .hit = {}}, .point = point};
+    chosen = {.at = {.body = body, .hit = {.leaf = leaf}}, .point = point};
     look(scene);
 }
 

@@ -33,8 +33,9 @@ struct StandingPlace {
     int decimals = 2;                 // of coordinates, as many as can be seen there
 };
 /// Returns the place at the point (x, y) of a view's picture. Where no body is seen, it is as far away as the point
-/// that the camera looks at, and the normal points up the picture.
-StandingPlace standing_place(const Scene& scene, const View& view, double x, double y);
+/// that the camera looks at, and the normal points up the picture. Bodies that are hidden are not seen.
+StandingPlace standing_place(const Scene& scene, const View& view, double x, double y,
+                             const std::set<int>& hidden = {});
 
 class BodyEditor {
   public:
@@ -52,12 +53,13 @@ class BodyEditor {
 
     /// Chooses the body that is seen at a point of the view's picture, in pixels, or none. The same point clicked again
     /// chooses the body behind the one chosen, and after the last one none. `now` is the scene at the moment seen, and
-    /// `scene` that of the text.
-    void click(const Scene& now, const Scene& scene, const View& view, double x, double y);
+    /// `scene` that of the text. Bodies that are hidden are not seen.
+    void click(const Scene& now, const Scene& scene, const View& view, double x, double y,
+               const std::set<int>& hidden = {});
     /// Chooses a light in place of a body.
     void choose(const LightPoint& point, const Scene& scene);
-    /// Chooses a body with which nothing was done yet; `point` is the middle of one without end.
-    void choose(int body, const DVec3& point, const Scene& scene);
+    /// Chooses a body, or a leaf of it, that was not clicked; `point` is the middle of one without end.
+    void choose(int body, const DVec3& point, const Scene& scene, int leaf = 0);
     /// Chooses the body with this number, or the light, if one of these is chosen.
     void choose_next(int number, const Scene& scene);
     void close() { chosen.reset(), chosen_light.reset(); }

@@ -27,6 +27,7 @@ constexpr Meaning letters[] = {
     {'C', {Action::copy_camera}}, {'H', {Action::help}},     {'I', {Action::info}},   {'X', {Action::stability}},
     {'N', {Action::quiet}},       {'T', {Action::timeline}}, {'K', {Action::record}},
     {'B', {Action::approach}},    {'G', {Action::second}},   {'M', {Action::handles}},  {'L', {Action::lights}},
+    {'O', {Action::outline}},
 };
 constexpr Meaning control_letters[] = {
     {'S', {Action::write_path}}, {'O', {Action::open_file}},  {'Z', {Action::undo}},

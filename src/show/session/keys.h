@@ -50,6 +50,7 @@ enum class Action {
     lights,
     copy_body,
     add_block,
+    outline,
 };
 struct Command {
     Action action;
@@ -106,6 +107,7 @@ inline constexpr std::array key_help{
     KeyHelp{"Ctrl+O", "open another scene; or drop a file here"},
     KeyHelp{"Bodies", ""},
     KeyHelp{"click", "choose a body; again: the one behind"},
+    KeyHelp{"O", "list what is in the scene: find, choose, hide"},
     KeyHelp{"Ctrl+A", "add a body or a light from a list"},
     KeyHelp{"M", "its handles move, turn, scale; Ctrl: in steps"},
     KeyHelp{"Ctrl+D Del", "copy, remove the body or light chosen"},

@@ -9,8 +9,8 @@ namespace strahl {
 class AddPanel {
   public:
     /// To be called while ImGui makes a frame. Returns what the user has clicked, or null. Leaves free so many pixels
-    /// at the bottom of the window.
-    const NewBlock* draw(float reserved);
+    /// at the bottom and at the left of the window.
+    const NewBlock* draw(float reserved, float left);
     const CoveredArea& area() const { return own; }
 
   private:

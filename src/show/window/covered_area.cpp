@@ -6,15 +6,15 @@
 
 namespace strahl {
 
-void begin_panel(const char* name, float x, float y, float reserved) {
+void begin_panel(const char* name, float x, float y, float reserved, float left) {
     constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                        ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoNav |
                                        ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
                                        ImGuiWindowFlags_NoFocusOnAppearing;
     const float edge = ImGui::GetFontSize() * .8f;
     const ImVec2 all = ImGui::GetIO().DisplaySize;
-    const ImVec2 room{std::max(all.x - 2 * edge, 1.f), std::max(all.y - reserved - 2 * edge, 1.f)};
-    ImGui::SetNextWindowPos({edge + x * room.x, edge + y * room.y}, ImGuiCond_Always, {x, y});
+    const ImVec2 room{std::max(all.x - left - 2 * edge, 1.f), std::max(all.y - reserved - 2 * edge, 1.f)};
+    ImGui::SetNextWindowPos({left + edge + x * room.x, edge + y * room.y}, ImGuiCond_Always, {x, y});
     ImGui::SetNextWindowSizeConstraints({0, 0}, room);
     ImGui::Begin(name, nullptr, flags);
 }

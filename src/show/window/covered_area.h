@@ -10,8 +10,9 @@ struct CoveredArea {
 };
 
 /// Begins a panel of ImGui that takes input, with its corner at (x, y), where (0, 0) is the top left corner of the
-/// window and (1, 1) the bottom right one. Leaves free so many pixels at the bottom of the window.
-void begin_panel(const char* name, float x, float y, float reserved);
+/// window and (1, 1) the bottom right one. Leaves free so many pixels at the bottom and at the left of
+/// the window.
+void begin_panel(const char* name, float x, float y, float reserved, float left = 0);
 /// Ends it. Returns what it covers.
 CoveredArea end_panel();
 

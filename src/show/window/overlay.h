@@ -42,8 +42,8 @@ struct Overlay {
         std::optional<Handle> pointed;  // the one under the pointer
     };
     Tools tools;
-    // Pixels at the bottom and at the right of the window that panels must leave free.
-    float reserved = 0, reserved_right = 0;
+    // Pixels at the bottom, at the left and at the right of the window that panels must leave free.
+    float reserved = 0, reserved_left = 0, reserved_right = 0;
 };
 
 /// To be called while ImGui makes a frame.

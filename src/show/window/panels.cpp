@@ -8,6 +8,7 @@ void Panels::toggle(Action action) {
                   : action == Action::info      ? info
                   : action == Action::timeline  ? timeline_open
                   : action == Action::add_block ? add_open
+                  : action == Action::outline   ? outline_open
                                                 : quiet;
     shown = !shown;
     if (&shown != &quiet) quiet = false;
@@ -24,9 +25,14 @@ TimelineInput Panels::draw_timeline(const Session& session) {
 }
 
 const NewBlock* Panels::draw_add() {
-    const NewBlock* const chosen = add_shown() ? add.draw(reserved()) : nullptr;
+    const NewBlock* const chosen = add_shown() ? add.draw(reserved(), reserved_left()) : nullptr;
     if (chosen) add_open = false;
     return chosen;
+}
+
+OutlinerInput Panels::draw_outline(const Session& session, const BodyEditor& editor, const std::set<int>& hidden,
+                                   const std::vector<std::string>& notes) {
+    return outline_shown() ? outliner.draw(session.scene, editor, hidden, notes, reserved()) : OutlinerInput{};
 }
 
 BodyInput Panels::draw_body(const BodyEditor& editor, const std::string& file) {

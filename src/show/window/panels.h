@@ -1,10 +1,13 @@
 // Which panels lie over the picture.
 #pragma once
+#include <set>
 #include <string>
+#include <vector>
 
 #include "show/session/session.h"
 #include "show/window/add_panel.h"
 #include "show/window/body_panel.h"
+#include "show/window/outliner.h"
 #include "show/window/timeline.h"
 #include "show/work/pace.h"
 
@@ -15,8 +18,8 @@ class Panels {
     /// `no_text`: no panel is shown until the user asks for one.
     Panels(Pace& pace, bool no_text) : quiet(no_text), pace(pace) {}
 
-    /// Shows or hides what the action names: help, info, timeline, the list of what can be added, or all text
-    /// (Action::quiet).
+    /// Shows or hides what the action names: help, info, timeline, the list of what can be added, the outline, or
+    /// all text (Action::quiet).
     void toggle(Action action);
 
     /// Draws the timeline, if it is shown, and returns what the user did on it. To be called while ImGui makes a frame.
@@ -27,22 +30,29 @@ class Panels {
     /// Draws the list of what can be added, if it is shown, and returns what the user has clicked in it, or null.
     /// Likewise.
     const NewBlock* draw_add();
+    /// Draws the outline, if it is shown, and returns what the user did in it. Likewise; see Outliner::draw.
+    OutlinerInput draw_outline(const Session& session, const BodyEditor& editor, const std::set<int>& hidden,
+                               const std::vector<std::string>& notes);
     /// Does one of these panels cover this point of the window?
     bool cover(double x, double y) const {
-        return (body_shown && body.area().has(x, y)) || (add_shown() && add.area().has(x, y));
+        return (body_shown && body.area().has(x, y)) || (add_shown() && add.area().has(x, y)) ||
+               (outline_shown() && outliner.area().has(x, y));
     }
     /// The width in pixels that it takes at the right of the window.
     float reserved_right() const { return body_shown ? body.width() : 0; }
+    /// The width in pixels that the outline takes at the left.
+    float reserved_left() const { return outline_shown() ? outliner.width() : 0; }
     /// The height in pixels of what lies at the bottom of the window.
     float reserved() const { return timeline_shown() ? timeline.height() : 0; }
     /// Is there a panel that takes input, even if all text is hidden?
-    bool take_input() const { return timeline_open || body_shown || add_open; }
+    bool take_input() const { return timeline_open || body_shown || add_open || outline_open; }
 
     bool help = false, info = false, quiet;
 
   private:
     bool timeline_shown() const { return timeline_open && !quiet; }
     bool add_shown() const { return add_open && !quiet; }
+    bool outline_shown() const { return outline_open && !quiet; }
 
     Pace& pace;
     bool timeline_open = false;
@@ -51,6 +61,8 @@ class Panels {
     BodyPanel body;
     bool add_open = false;
     AddPanel add;
+    bool outline_open = false;
+    Outliner outliner;
 };
 
 }  // namespace strahl

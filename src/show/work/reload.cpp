@@ -47,6 +47,7 @@ Loaded loaded_scene(const std::string& path, const std::string& text, bool opene
     const EyeWords words = is_pov(path) ? EyeWords{} : eye_words(text);
     return {.path = path,
             .scene = std::move(scene),
+            .notes = std::move(read.notes),
             .opened = opened,
             .words = words,
             .mirrored = read.mirrored,

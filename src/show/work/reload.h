@@ -34,6 +34,7 @@ struct Loaded {
     std::string path;
     std::shared_ptr<const Scene> scene{};  // null if it has an error, or is still being read
     std::string fault{};                   // the message of the error
+    std::vector<std::string> notes{};      // see OpenedScene
     bool opened = false;                   // it is a newly opened file
     EyeWords words{};                      // those of its camera
     bool mirrored = false;                 // see OpenedScene

@@ -16,7 +16,8 @@ WatchedScene::WatchedScene(const Loaded& first, bool final, std::unique_ptr<Relo
       reload(std::move(reader)),
       awaited(!first.scene),
       error(first.fault),
-      changes(first.changes) {
+      changes(first.changes),
+      said(first.notes) {
     reload->listen(std::move(notify));
     if (reading()) log_line("reading " + name());
     if (!error.empty()) log_line("waiting until the scene has no error\n" + error);
@@ -34,7 +35,7 @@ std::optional<Loaded> WatchedScene::take() {
     error = loaded->fault;
     if (loaded->scene) {
         const bool first = std::exchange(awaited, false);
-        file = loaded->path, changes = loaded->changes;
+        file = loaded->path, changes = loaded->changes, said = loaded->notes;
         if (loaded->opened) moment = 0;
         if (loaded->moved) return loaded;
         if (!first || !loaded->opened) log_line((loaded->opened ? "opened " : "read again: ") + file);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "show/work/notes.h"
 #include "show/work/reload.h"
@@ -25,6 +26,8 @@ class WatchedScene {
     bool waiting() const { return awaited; }
     /// Is the first file still being read?
     bool reading() const { return awaited && error.empty(); }
+    /// What was said when the scene was read, see OpenedScene::notes.
+    const std::vector<std::string>& messages() const { return said; }
     /// Does the scene use POV-Ray's clock?
     bool uses_clock() const { return changes; }
     /// Opens another file, unless it has an error.
@@ -69,6 +72,7 @@ class WatchedScene {
     std::string error;
     double error_until = Pace::forever;  // only the error of another file, which was not opened, expires
     bool changes = false;                // see Loaded
+    std::vector<std::string> said;
     double moment = 0;                   // of the flight for which the scene was read, or is being read
     double write_until = -1;             // until then the user may confirm that a changed file is written
 };

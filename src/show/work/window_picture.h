@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <memory>
 
 #include "show/work/notes.h"
 #include "show/work/stability_check.h"
@@ -16,8 +17,9 @@ class WindowPicture {
     WindowPicture(int threads, Notes& notes, Pace& pace, const std::function<void()>& notify)
         : notes(notes), pace(pace), tracing(threads, notify), check(threads, notify) {}
 
-    /// Orders the picture that a window of this size should show, unless it is the one ordered last.
-    void order(const Session& session, int width, int height);
+    /// Orders the picture of this scene, all of the session's or a part of it, that a window of this size should show,
+    /// unless it is the one ordered last.
+    void order(const Session& session, std::shared_ptr<const Scene> scene, int width, int height);
     /// Passes what is new since the last call to `upload`. False if nothing is new.
     bool take(const TraceThread::Upload& upload);
 
