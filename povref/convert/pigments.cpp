@@ -33,6 +33,8 @@ std::string solid_text(const SolidPattern& own) {
     constexpr std::array<const char*, 5> waves{"ramp", "triangle", "sine", "scallop", "cubic"};
     const SolidPattern usual;
     std::string text(solid_names[static_cast<std::size_t>(own.solid)]);
+    if (own.solid == Solid::uniform) text = "function { 0 }";
+    if (own.solid == Solid::spiral1 || own.solid == Solid::spiral2) text += " " + text_of(own.arms);
     if (own.solid == Solid::gradient) text += " " + text_of(own.axis);
     text += std::string(" ") + waves[static_cast<std::size_t>(std::clamp(own.wave, 0., 4.))] + "_wave";
     if (own.turbulence != DVec3(0)) text += " turbulence " + text_of(own.turbulence);

@@ -102,7 +102,7 @@ OpenedScene open_scene(const std::string& text, const std::string& path, const O
     pov::InterpreterOptions how;
     how.file = path, how.library = options.library;
     for (const std::string& folder : pov::standard_library()) how.library.push_back(folder);
-    how.stop = options.stop, how.files = options.files;
+    how.stop = options.stop, how.files = options.files, how.as_text = options.as_text;
     if (is_pov(path)) return open_scene_of_povray(text, path, options, std::move(how), read_pixels);
     how.clock = options.clock.value_or(0);
     FilesRead own;

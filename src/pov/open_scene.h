@@ -18,6 +18,7 @@ struct OpeningOptions {
     std::optional<double> clock;       // at all times; by default it changes from 0 to 1 during the flight
     std::vector<std::string> library;  // folders of included files, searched before those of POV-Ray's package
     bool strict = false;               // whatever cannot be shown as it is meant is an error
+    bool as_text = false;              // the scene is written: what scene text has no words for is approximated
     std::optional<pov::IniFile> ini;   // given in place of the scene; by default the one beside it
     std::optional<double> time;        // the moment of the flight at which the scene is read; without it the first one
     const std::atomic<bool>* stop = nullptr;  // throws Interrupted once it is true

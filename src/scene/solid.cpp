@@ -50,6 +50,10 @@ int hash_of(int x, int y, int z) {
     return hash[hash[hash[x & 4095] ^ (y & 4095)] ^ (z & 4095)];
 }
 double random_at(int index) { return random_numbers()[static_cast<std::size_t>(index & 32767)]; }
+DVec3 random_of(int x, int y, int z) {
+    const int first = hash_of(x, y, z);
+    return {random_at(first), random_at(first + 1), random_at(first + 2)};
+}
 int whole(double x) { return static_cast<int>(std::floor(std::clamp(x, -1e9, 1e9))); }
 
 /// The difference of the distances to the two nearest of points that are spread one to a cell.
@@ -60,9 +64,7 @@ double crackle_at(const DVec3& p) {
         for (int j = -2; j <= 2; ++j)
             for (int k = -2; k <= 2; ++k) {
                 if ((std::abs(i) == 2) + (std::abs(j) == 2) + (std::abs(k) == 2) > 1) continue;
-                const int first = hash_of(x + i, y + j, z + k);
-                const DVec3 point(x + i + random_at(first), y + j + random_at(first + 1), z + k + random_at(first + 2));
-                const DVec3 way = p - point;
+                const DVec3 way = p - (DVec3(x + i, y + j, z + k) + random_of(x + i, y + j, z + k));
                 const double squared = dot_product(way, way);
                 if (squared < nearest)
                     second = nearest, nearest = squared;
@@ -97,6 +99,7 @@ double quilt(double t) {
 
 /// The value before frequency, phase and wave, at a point that turbulence has moved.
 double raw_value(const SolidPattern& own, const DVec3& p) {
+    if (own.function) return own.function->value_at(p);
     const double frequency = static_cast<float>(own.frequency), phase = static_cast<float>(own.phase);
     const auto length_of = [](double a, double b) { return std::sqrt(a * a + b * b); };
     switch (own.solid) {
@@ -151,6 +154,16 @@ double raw_value(const SolidPattern& own, const DVec3& p) {
                 sum += cycle(length(p - source.centre) * frequency + phase);
             return .5 * (1 + sum / wave_sources);
         }
+        case Solid::spiral1:
+        case Solid::spiral2: {
+            const double away = length_of(p.x, p.y), slope = away > 0 ? std::asin(p.y / away) : 0;
+            const double angle = away > 0 ? (p.x < 0 ? 3 : 1) * std::numbers::pi / 2 + (p.x < 0 ? -slope : slope) : 0;
+            const double moved_by = own.turbulence.x == 0 ? 0 : own.turbulence.x * turbulent(own, p);
+            const double value = p.z + away + std::trunc(own.arms) * angle / (2 * std::numbers::pi) + moved_by;
+            return own.solid == Solid::spiral1 ? value : rise_and_fall(away) + rise_and_fall(value);
+        }
+        case Solid::uniform:
+            return 0;
         case Solid::waves: {
             double sum = 0;
             for (const WaveSource& source : sources())
@@ -211,15 +224,25 @@ double value_of(const SolidPattern& own, const DVec3& p) {
     return std::isfinite(value) ? std::clamp(value, 0., 1.) : 0;
 }
 
+/// Returns what values add to a normal, by their differences around a point that turbulence has moved.
+DVec3 slope_of(const SolidPattern& own, const DVec3& p) {
+    DVec3 sum(0);
+    for (const DVec3& corner : bend_corners) sum = sum - 5 * value_of(own, p + .02 * corner) * corner;
+    return sum;
+}
+
 }  // namespace
 
 double value_at(const SolidPattern& own, const DVec3& p) {
     return within_reach(p) ? value_of(own, place_of(own, p)) : 0;
 }
 
+DVec3 random_at_cell(const DVec3& cell) { return random_of(whole(cell.x), whole(cell.y), whole(cell.z)); }
+
 DVec3 bend_at(const SolidPattern& own, const DVec3& given) {
     if (!within_reach(given)) return DVec3(0);
     const DVec3 p = place_of(own, given);
+    if (own.function) return own.function->bend_at(p).value_or(slope_of(own, p));
     switch (own.solid) {
         case Solid::bumps:
             return lattice::vector_noise(p);
@@ -245,12 +268,8 @@ DVec3 bend_at(const SolidPattern& own, const DVec3& given) {
             }
             return sum;
         }
-        default: {
-            // Differences of values, not of noise: turbulence has moved the point already.
-            DVec3 sum(0);
-            for (const DVec3& corner : bend_corners) sum = sum - 5 * value_of(own, p + .02 * corner) * corner;
-            return sum;
-        }
+        default:
+            return slope_of(own, p);
     }
 }
 

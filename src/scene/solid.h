@@ -2,6 +2,8 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <string_view>
 #include <tuple>
 
@@ -12,11 +14,22 @@ namespace strahl {
 /// The kinds of solid patterns, in the order of `solid_names`.
 enum class Solid : std::int32_t {
     agate, boxed, bozo, bumps, cells, crackle, cylindrical, dents, gradient, granite, leopard,
-    marble, onion, planar, quilted, radial, ripples, spherical, waves, wood, wrinkles,
+    marble, onion, planar, quilted, radial, ripples, spherical, spiral1, spiral2, uniform,
+    waves, wood, wrinkles,
 };
-inline constexpr std::array<std::string_view, 21> solid_names{
+inline constexpr std::array<std::string_view, 24> solid_names{
     "agate", "boxed", "bozo", "bumps", "cells", "crackle", "cylindrical", "dents", "gradient", "granite", "leopard",
-    "marble", "onion", "planar", "quilted", "radial", "ripples", "spherical", "waves",    "wood",    "wrinkles"};
+    "marble", "onion", "planar", "quilted", "radial", "ripples", "spherical", "spiral1", "spiral2", "uniform",
+    "waves", "wood", "wrinkles"};
+
+/// Values that a POV-Ray scene computes in a way of its own, such as by a function. Scene text cannot say them.
+struct SolidFunction {
+    virtual ~SolidFunction() = default;
+    /// Returns the value at a point, before frequency, phase and wave. Several threads may call it at once.
+    virtual double value_at(const DVec3& point) const = 0;
+    /// Returns what is added to the normal at a point; nothing if that is the slope of the values.
+    virtual std::optional<DVec3> bend_at(const DVec3&) const { return {}; }
+};
 
 /// A pattern of POV-Ray 3.7: what its manual calls the pattern's value goes through `frequency` and `phase`, repeats
 /// every 1.00001 and then takes the form of a wave. It is computed in double, point by point, whatever the precision of
@@ -25,6 +38,8 @@ struct SolidPattern {
     Solid solid = Solid::bozo;
     DVec3 axis{1, 0, 0}, turbulence{0};
     double octaves = 6, omega = .5, lambda = 2, frequency = 1, phase = 0, wave = 0, generator = 2;
+    double arms = 1;
+    std::shared_ptr<const SolidFunction> function{};  // has the values in place of `solid`
 
     static constexpr const char* name = "solid";
     static constexpr const char* help = "a pattern of POV-Ray; its name stands first in the block";
@@ -35,8 +50,9 @@ struct SolidPattern {
         Field{"omega", &SolidPattern::omega, "strength of each octave relative to the one before", Range::any},
         Field{"lambda", &SolidPattern::lambda, "how many times finer each octave is than the one before", Range::any},
         Field{"frequency", &SolidPattern::frequency, "how often the colours repeat", Range::any},
-        Field{"phase", &SolidPattern::phase, "by how much the values are moved", Range::any},
+        Field{"phase", &SolidPattern::phase, "by how much the values are moved; the value of `uniform`", Range::any},
         Field{"wave", &SolidPattern::wave, "0 ramp, 1 triangle, 2 sine, 3 scallop, 4 cubic", Range::zero_or_more},
+        Field{"arms", &SolidPattern::arms, "how many arms `spiral1` and `spiral2` have", Range::any},
         Field{"generator", &SolidPattern::generator, "POV-Ray's noise_generator: 1, 2 or 3", Range::positive});
     bool operator==(const SolidPattern&) const = default;
 };
@@ -46,5 +62,7 @@ double value_at(const SolidPattern& pattern, const DVec3& point);
 /// Returns what is added to the normal at a point, for a height of 1, which is POV-Ray's amount: noise or waves for
 /// `bumps`, `dents`, `wrinkles`, `ripples` and `waves`, for all others the slope of the values.
 DVec3 bend_at(const SolidPattern& pattern, const DVec3& point);
+/// Returns three numbers from 0 to 1 for a cell, which has whole coordinates, from POV-Ray's table of random numbers.
+DVec3 random_at_cell(const DVec3& cell);
 
 }  // namespace strahl

@@ -147,6 +147,9 @@ inline void decode(Pigment& pigment, double gamma) {
     pigment = Pigment(std::move(pattern));
 }
 
+template <class R>
+struct Paint;
+
 /// The colour of a pigment at a point of its pattern's space.
 template <class R>
 Vector<R> color_of(const Pigment& pigment, const Vector<R>& p) {
@@ -155,11 +158,14 @@ Vector<R> color_of(const Pigment& pigment, const Vector<R>& p) {
     const std::vector<ColorStop>& stops = pigment.pattern->colors;
     std::size_t next = 0;
     while (next < stops.size() && value > R(stops[next].at)) ++next;
-    if (next == 0) return stops.front().color;
-    if (next == stops.size()) return stops.back().color;
+    const auto own = [&](const ColorStop& stop) {
+        return stop.pattern ? Paint<R>(Pigment(*stop.pattern), glm::dmat4(1)).at(p) : Vector<R>(stop.color);
+    };
+    if (next == 0) return own(stops.front());
+    if (next == stops.size()) return own(stops.back());
     const ColorStop &from = stops[next - 1], &to = stops[next];
     const R share = (value - R(from.at)) / (R(to.at) - R(from.at));
-    return (1 - share) * Vector<R>(from.color) + share * Vector<R>(to.color);
+    return (1 - share) * own(from) + share * own(to);
 }
 /// The colour of a pigment at a point of its own space, before the pattern's transformations are undone.
 template <class R>

@@ -129,7 +129,9 @@ std::string summary(const Scene& scene) {
 }  // namespace
 
 int check_command(const CheckOptions& options) {
-    const OpenedScene opened = open_scene(read_text(options.scene), options.scene, options.opening, read_pixels);
+    OpeningOptions opening = options.opening;
+    opening.as_text = options.print;
+    const OpenedScene opened = open_scene(read_text(options.scene), options.scene, opening, read_pixels);
     std::string text;
     if (options.print) {
         text = write_scene(opened.scene);

@@ -20,7 +20,9 @@ namespace {
 
 Imported import_any(const ImportOptions& options) {
     if (!is_pov(options.file)) return import_scene(read_text(options.file), shown_name(options.file));
-    OpenedScene opened = open_scene(read_text(options.file), options.file, options.opening, read_pixels);
+    OpeningOptions opening = options.opening;
+    opening.as_text = true;
+    OpenedScene opened = open_scene(read_text(options.file), options.file, opening, read_pixels);
     return {.scene = std::move(opened.scene), .size = {}, .warnings = std::move(opened.notes)};
 }
 

@@ -41,7 +41,9 @@ void check(const PovOptions& options) {
 int pov_command(const PovOptions& options) {
     namespace fs = std::filesystem;
     check(options);
-    Scene scene = load_scene(options.scene, options.opening, options.time);
+    OpeningOptions opening = options.opening;
+    opening.as_text = true;
+    Scene scene = load_scene(options.scene, opening, options.time);
     PovRequest request{.title = options.scene == "-" ? "A scene" : fs::path(options.scene).filename().string(),
                        .pov_path = options.output,
                        .picture_path = fs::path(options.output).replace_extension(".png").string(),

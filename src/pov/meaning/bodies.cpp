@@ -245,15 +245,23 @@ std::optional<SceneMaker::Part> SceneMaker::clipped(const ObjectThing& object, c
         notes.approximated(object.place, "a clipped union in a composite is a merge");
     if (materials[material].transmits() && materials[material].ior != 1)
         notes.approximated(object.place, "light enters a clipped body of glass where it is clipped");
+    // The composite has the body's space, in which the patterns of its texture are.
+    std::vector<Transformation> own, back;
+    if (part.primitive.transformations == transformations_of(object.steps, mirrored)) {
+        own = std::exchange(part.primitive.transformations, {});
+        back = transformations_of(inverse(object.steps), mirrored);
+    }
     std::vector<Primitive> solid, hollow;
     solid.push_back(std::move(part.primitive));
     Around bare = around;
     bare.clips = true;
     for (const auto& clip : object.clips) {
         std::optional<Part> cut = build(*clip, bare);
-        if (cut && close(cut->primitive.shape)) (cut->negated ? hollow : solid).push_back(std::move(cut->primitive));
+        if (!cut || !close(cut->primitive.shape)) continue;
+        cut->primitive.transformations.insert(cut->primitive.transformations.end(), back.begin(), back.end());
+        (cut->negated ? hollow : solid).push_back(std::move(cut->primitive));
     }
-    return Part{{.shape = share_of(std::move(solid), std::move(hollow)), .material = material, .transformations = {}},
+    return Part{{.shape = share_of(std::move(solid), std::move(hollow)), .material = material, .transformations = own},
                 false};
 }
 

@@ -11,22 +11,38 @@ double share(double v) { return std::isfinite(v) ? std::clamp(tidy(v), 0., 1.) :
 double coefficient(double v) { return std::isfinite(v) ? std::clamp(tidy(v), 0., 1e9) : 0; }
 Color coefficients(const Color& c) { return {coefficient(c.x), coefficient(c.y), coefficient(c.z)}; }
 
-/// Returns the texture with a pattern of textures replaced by the one that it shows most.
+bool same_finish(const LayerValues& a, const LayerValues& b) {
+    const FinishValues &own = a.finish, &other = b.finish;
+    return own == other && !a.normal.blend && !b.normal.blend;
+}
+
+/// Returns a texture for a pattern of textures: their pigments in the pattern, with the finish and the normal of the
+/// one that it shows most. That is the same if they differ in their pigments only.
 LayerValues without_blend(const LayerValues& layer, const NoteTaker& notes) {
     if (!layer.blend || !layer.blend.map || layer.blend.map->entries.empty()) return layer;
-    const auto& entries = layer.blend.map->entries;
+    std::vector<LayerValues> parts;
+    auto pigments = std::make_shared<MapThing>(*layer.blend.map);
     std::size_t most = 0;
     double width = -1;
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-        const double own = (i + 1 < entries.size() ? entries[i + 1].at : 1) - (i > 0 ? entries[i - 1].at : 0);
-        if (own > width && dynamic_cast<const TextureThing*>(entries[i].thing.get())) width = own, most = i;
+    for (std::size_t i = 0; i < pigments->entries.size(); ++i) {
+        MapEntry& entry = pigments->entries[i];
+        const auto* const texture = dynamic_cast<const TextureThing*>(entry.thing.get());
+        if (!texture) return layer;
+        if (texture->layers.size() > 1)
+            notes.approximated(layer.blend.place, "of layers in a pattern of textures the uppermost is shown");
+        parts.push_back(without_blend(texture->layers.back(), notes));
+        entry.thing = std::make_shared<PigmentThing>(parts.back().pigment);
+        const double before = i > 0 ? pigments->entries[i - 1].at : 0;
+        const double own = (i + 1 < pigments->entries.size() ? pigments->entries[i + 1].at : 1) - before;
+        if (own > width) width = own, most = i;
     }
-    const auto* const texture = dynamic_cast<const TextureThing*>(entries[most].thing.get());
-    notes.approximated(layer.blend.place, "a pattern of textures is one of them");
-    if (!texture) return layer;
-    LayerValues own = texture->layers.back();
-    transform(own, layer.blend.steps);
-    return without_blend(own, notes);
+    if (!std::ranges::all_of(parts, [&](const LayerValues& part) { return same_finish(part, parts[most]); }))
+        notes.approximated(layer.blend.place, "the finish of a pattern of textures is that of one of them");
+    LayerValues own = parts[most];
+    append(own.normal.blend.steps, layer.blend.steps);
+    own.pigment.blend = layer.blend;
+    own.pigment.blend.map = std::move(pigments);
+    return own;
 }
 
 /// Is the object a light, or does it hold one?
@@ -181,11 +197,12 @@ Material MaterialMaker::layered_material_of(const TextureThing& texture, const I
 void MaterialMaker::approximate_opacity(Material& layer, const LayerValues& values) {
     const double version = notes.in.version_given() ? notes.in.version() : 3.62;
     if (version >= 3.7 || layer.rgb.filter == 0) return;
-    const double now = 1 - layer.rgb.filter - layer.rgb.transmit;
-    const double then = 1 - layer.rgb.filter * max_of(layer.rgb.color) - layer.rgb.transmit;
-    if (layer.rgb.pattern || !(now > 1e-6))
+    if (layer.rgb.pattern || layer.metallic > 0 || layer.gilding > 0)
         return notes.approximated(values.place, "a surface that filters light scatters as in version 3.7");
-    layer.diffuse = coefficient(layer.diffuse * then / now), layer.ambient = coefficient(layer.ambient * then / now);
+    // The same light comes through a brighter colour of which less comes through.
+    const double most = max_of(layer.rgb.color);
+    layer.rgb.color = layer.rgb.color / most, layer.rgb.filter *= most;
+    layer.diffuse = coefficient(layer.diffuse * most), layer.ambient = coefficient(layer.ambient * most);
 }
 
 /// Returns the material by the article's terms alone, or by POV-Ray's if those do not say all.

@@ -1,10 +1,11 @@
 #include "pov/meaning/pigments.h"
 
 #include <algorithm>
-#include <numbers>
+#include <bit>
 
 #include "files/words.h"
 #include "num/vec_math.h"
+#include "pov/things/pattern_values.h"
 #include "pov/things/solids.h"
 #include "scene/error.h"
 
@@ -37,8 +38,7 @@ PigmentMaker::Mean PigmentMaker::mean_of(const PigmentThing& pigment) {
     }
     if (!pigment.blend.map) return {Color(.5)};
     const std::uint16_t own = pigment.blend.word;
-    return mean_of(*pigment.blend.map, own == word("checker") || own == word("brick") || own == word("hexagon") ||
-                                           own == word("square") || own == word("average"));
+    return mean_of(*pigment.blend.map, listed_colors(own) > 0 || own == word("average"));
 }
 
 /// Returns the mean of a list, or of what a map shows at values from 0 to 1.
@@ -58,17 +58,70 @@ PigmentMaker::Mean PigmentMaker::mean_of(const MapThing& map, bool list) {
 }
 
 std::vector<ColorStop> PigmentMaker::stops_of(const Blend& blend) {
-    if (!blend.map) return {{0, Color(0)}, {1, Color(1)}};
+    if (listed_colors(blend.word) > 0) return listed_stops(blend);
     std::vector<ColorStop> stops;
-    for (const MapEntry& entry : blend.map->entries) {
+    for (const MapEntry& entry : blend.map ? blend.map->entries : usual_entries(blend)) {
         const double at = std::clamp(decimal(static_cast<float>(entry.at)), stops.empty() ? 0 : stops.back().at, 1.);
         stops.push_back(stop_of(blend, entry, at));
     }
     return stops;
 }
 
-/// Returns the stop of a map's or a list's entry. A pattern there is in the space of the pattern around it, whose own
-/// turbulence it does not follow.
+/// Returns the stops of a list, in which colours that are missing are the usual ones, and pigments black.
+std::vector<ColorStop> PigmentMaker::listed_stops(const Blend& blend) {
+    const std::vector<MapEntry>& usual = usual_entries(blend);
+    const bool pigments = blend.map && blend.map->entries[0].thing;
+    std::vector<ColorStop> stops;
+    for (std::size_t i = 0; i < usual.size(); ++i) {
+        const bool given = blend.map && i < blend.map->entries.size();
+        stops.push_back(given      ? stop_of(blend, blend.map->entries[i], usual[i].at)
+                        : pigments ? ColorStop{usual[i].at}
+                                   : stop_of(blend, usual[i], usual[i].at));
+    }
+    return stops;
+}
+
+/// Returns the moves by which patterns inside this one find their points in the space around it, or in its own if
+/// transformations lead there.
+Moves PigmentMaker::moves_inside(const Blend& blend) const {
+    Moves own = moves_of(blend, !around.empty());
+    if (around.empty() && blend.warps.empty() && !moves_points(blend)) return {};
+    own.insert(own.begin(), around.begin(), around.end());
+    return own;
+}
+
+/// Makes a pattern whose colour is the mean of a map's entries: two colours are blended, each of which may be blended
+/// of two in turn. Returns false if the weights have no mean.
+bool PigmentMaker::add_mean(const Blend& blend, Pattern& pattern) {
+    const auto& entries = blend.map->entries;
+    if (std::ranges::any_of(entries, [](const MapEntry& entry) { return !(entry.at > 0); })) return false;
+    const int levels = std::bit_width(std::max<std::size_t>(entries.size(), 2) - 1);
+    patterns_around += levels - 1;
+    const auto blend_range = [&](const auto& self, std::size_t first, std::size_t last, Pattern& own) -> double {
+        const std::size_t middle = first + (last - first + 1) / 2;
+        double weights[2]{0, 0};
+        own.colors.clear();
+        for (const int side : {0, 1}) {
+            const std::size_t from = side == 0 ? first : middle, to = side == 0 ? middle : last;
+            if (from == to) continue;
+            if (to - from == 1) {
+                own.colors.push_back(stop_of(blend, entries[from], side));
+                weights[side] = entries[from].at;
+                continue;
+            }
+            Pattern half{.kind = SolidPattern(), .colors = {}, .transformations = {}};
+            weights[side] = self(self, from, to, half);
+            own.colors.push_back({double(side), Color(0), 0, 0, std::make_shared<const Pattern>(std::move(half))});
+        }
+        own.kind = SolidPattern{.solid = Solid::uniform, .phase = weights[1] / (weights[0] + weights[1])};
+        return weights[0] + weights[1];
+    };
+    blend_range(blend_range, 0, entries.size(), pattern);
+    patterns_around -= levels - 1;
+    return true;
+}
+
+/// Returns the stop of a map's or a list's entry. A pattern there is in the space of the pattern around it.
 ColorStop PigmentMaker::stop_of(const Blend& blend, const MapEntry& entry, double at) {
     const Mean mean = mean_of(entry);
     ColorStop stop{at, mean.color, mean.filter, mean.transmit};
@@ -82,12 +135,11 @@ ColorStop PigmentMaker::stop_of(const Blend& blend, const MapEntry& entry, doubl
         notes.approximated(blend.place, "patterns that are nested deeply are their mean colours");
         return stop;
     }
-    const std::uint16_t own = blend.word;
-    const bool stays = own == word("marble") || own == word("wood") || own == word("agate");
-    if (blend.turbulence != DVec3(0) && !stays)
-        notes.approximated(blend.place, "patterns in a map do not follow its turbulence");
     ++patterns_around;
+    Moves inside = moves_inside(blend);
+    std::swap(around, inside);
     const Look look = look_of(*nested, {}, false);
+    std::swap(around, inside);
     --patterns_around;
     if (!look.pigment.pattern) return {at, look.pigment.color, look.filter, look.transmit};
     if (look.filter + look.transmit > 0 && !look.pigment.clear())
@@ -114,22 +166,29 @@ std::shared_ptr<const Pixels> PigmentMaker::pixels_of(const Blend& blend) {
 /// Returns the transformations of a pattern, from the space of the scene's own pattern into that of the body.
 std::vector<Transformation> PigmentMaker::space_of(const Blend& blend, const Steps& way, const Steps& first) const {
     Steps steps = first;
-    append(steps, blend.steps);
+    if (around.empty()) append(steps, blend.steps);
     if (!blend.uv) append(steps, way);
     return transformations_of(steps, mirrored);
 }
 
 /// Returns the scene's solid pattern for POV-Ray's, if it has one. `bends`: it bends normals.
 std::optional<SolidPattern> PigmentMaker::solid_of(const Blend& blend, bool bends) const {
-    const std::optional<SolidPattern> solid = pov::solid_of(blend, bends, notes.in.noise_generator);
-    if (solid && blend.wave == Wave::poly) notes.approximated(blend.place, "a poly_wave is a ramp");
+    std::optional<SolidPattern> solid = pov::solid_of(blend, bends, notes.in.noise_generator);
+    if (!solid) return solid;
+    if (blend.wave == Wave::poly) notes.approximated(blend.place, "a poly_wave is a ramp");
+    if (!around.empty()) {
+        Moves moves = around;
+        if (!blend.steps.empty()) moves.push_back(glm::inverse(matrix_of(blend.steps)));
+        solid = SolidPattern{.frequency = 0, .function = moved_values(std::move(moves), *solid)};
+    }
+    if (solid->function && notes.in.options().as_text) return std::nullopt;
     return solid;
 }
 
 /// Sets the kind of a pattern that has values. Returns false if the scene has no such pattern.
 bool PigmentMaker::set_kind(const Blend& blend, Pattern& pattern) {
     const std::uint16_t own = blend.word;
-    const bool plain = blend.turbulence == DVec3(0) && !pattern.nests();
+    const bool plain = around.empty() && blend.warps.empty() && blend.turbulence == DVec3(0) && !pattern.nests();
     const auto waves = [&](Wave usual) { return blend.wave.value_or(usual) == usual; };
     if (plain && own == word("gradient") && waves(Wave::ramp))
         pattern.kind = Gradient{mirror(blend.axis, mirrored)};
@@ -168,7 +227,6 @@ Pigment Look::opaque() const {
 
 /// Tells what is not shown of a pattern.
 void PigmentMaker::tell_ignored(const Blend& blend) const {
-    if (blend.warped) notes.approximated(blend.place, "a pattern without its warps");
     if (blend.ignored != end_code)
         notes.approximated(blend.place, strahl::quoted(word_text(blend.ignored)) + " of a pattern has no effect");
 }
@@ -205,20 +263,11 @@ Look PigmentMaker::look_of(const PigmentThing& pigment, const Steps& way, bool m
     }
     tell_ignored(blend);
     Pattern pattern{.kind = Checker{}, .colors = {}, .transformations = {}, .by_uv = blend.uv};
-    if (blend.word == word("checker") || blend.word == word("brick")) {
-        const bool brick = blend.word == word("brick");
-        std::array<ColorStop, 2> colors{ColorStop{0, brick ? Color(.5) : Color(0, 0, 1)},
-                                        ColorStop{1, brick ? Color(.6, .15, .15) : Color(0, 1, 0)}};
-        // A colour that is missing is the usual one; a pigment that is missing is black.
-        if (blend.map && blend.map->entries[0].thing) colors[1].color = Color(0);
-        for (std::size_t i = 0; blend.map && i < std::min<std::size_t>(blend.map->entries.size(), 2); ++i) {
-            colors[i] = stop_of(blend, blend.map->entries[i], double(i));
-            look.varies |= colors[i].pattern && Pigment(*colors[i].pattern).clear();
-        }
-        if (blend.turbulence != DVec3(0))
-            notes.approximated(blend.place, "'" + word_text(blend.word) + "' without turbulence");
-        if (brick) pattern.kind = Brick{blend.brick_size, blend.mortar};
-        pattern.colors = {colors[0], colors[1]};
+    const bool still = around.empty() && blend.warps.empty() && blend.turbulence == DVec3(0);
+    if (still && (blend.word == word("checker") || blend.word == word("brick"))) {
+        if (blend.word == word("brick")) pattern.kind = Brick{blend.brick_size, blend.mortar};
+        pattern.colors = listed_stops(blend);
+        for (const ColorStop& stop : pattern.colors) look.varies |= stop.pattern && Pigment(*stop.pattern).clear();
         // All that is mirrored is the argument of the pattern.
         pattern.transformations = space_of(blend, way, {});
         if (mirrored) pattern.transformations.insert(pattern.transformations.begin(), Scale{{1, 1, -1}});
@@ -235,7 +284,7 @@ Look PigmentMaker::look_of(const PigmentThing& pigment, const Steps& way, bool m
             notes.approximated(blend.place, "the pixels of a picture are interpolated");
         if (image.single_colors) notes.left_out(blend.place, "transparency of single colours of a picture");
         if (image.once) notes.approximated(blend.place, "beside a picture that is shown once its body is black");
-        if (blend.turbulence != DVec3(0)) notes.approximated(blend.place, "a picture without turbulence");
+        if (!still) notes.approximated(blend.place, "a picture without warps and turbulence");
         ImagePattern own{
             .file = image.path, .pixels = pixels, .map = static_cast<ImageMap>(image.map_type), .once = {}};
         if (image.once) own.once = Color(0);
@@ -243,6 +292,8 @@ Look PigmentMaker::look_of(const PigmentThing& pigment, const Steps& way, bool m
         pattern.colors.clear();
         Steps first;
         Blend moved = blend;
+        for (auto own = blend.warps.rbegin(); own != blend.warps.rend(); ++own)
+            moved.steps.insert(moved.steps.begin(), own->before.begin(), own->before.end());
         if (image.map_type != 0) {
             const auto* const turn = moved.steps.empty() ? nullptr : std::get_if<MatrixStep>(&moved.steps[0]);
             if (turn && *turn == poles && !mirrored)
@@ -252,13 +303,17 @@ Look PigmentMaker::look_of(const PigmentThing& pigment, const Steps& way, bool m
             else
                 first = {Scale{{1, -1, 1}}, Rotate{{-90, 0, 0}}};
         }
-        pattern.transformations = space_of(moved, way, first);
+        append(first, moved.steps);
+        if (!blend.uv) append(first, way);
+        pattern.transformations = transformations_of(first, mirrored);
         look.pigment = Pigment(std::move(pattern));
         return look;
     }
-    pattern.colors = stops_of(blend);
+    const bool average = blend.word == word("average") && blend.map;
+    if (average && !add_mean(blend, pattern)) return as_mean("this average");
+    if (!average) pattern.colors = stops_of(blend);
     for (const ColorStop& stop : pattern.colors) look.varies |= stop.pattern && Pigment(*stop.pattern).clear();
-    if (!set_kind(blend, pattern)) return as_mean("the pattern '" + word_text(blend.word) + "'");
+    if (!average && !set_kind(blend, pattern)) return as_mean("the pattern '" + word_text(blend.word) + "'");
     const bool solid = std::holds_alternative<SolidPattern>(pattern.kind);
     Steps first;
     const bool ramp = std::holds_alternative<Gradient>(pattern.kind);
@@ -291,10 +346,17 @@ Bump PigmentMaker::bump_of(const NormalThing& normal, const Steps& way, bool map
         bump.height = normal.amount / pixels->width;
         notes.approximated(blend.place, "a bump_map bends normals a little differently");
     } else {
-        const std::optional<SolidPattern> solid = solid_of(blend, true);
-        if (blend.map || !solid) return none("'" + word_text(blend.word) + "'");
+        std::optional<SolidPattern> solid;
+        if (blend.map && !notes.in.options().as_text) {
+            if (auto bends = bends_of(normal, notes.in.noise_generator))
+                solid = SolidPattern{.frequency = 0, .function = std::move(bends)};
+            notes.approximated(blend.place, "the normals of a map are added before their lengths become 1");
+        } else if (!blend.map) {
+            solid = solid_of(blend, true);
+        }
+        if (!solid) return none("'" + word_text(blend.word) + "'");
         pattern.kind = *solid;
-        bump.height = decimal(static_cast<float>(normal.amount));
+        bump.height = blend.map ? 1 : decimal(static_cast<float>(normal.amount));
     }
     pattern.transformations = space_of(blend, way, {});
     if (mirrored && std::holds_alternative<SolidPattern>(pattern.kind))

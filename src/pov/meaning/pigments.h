@@ -40,6 +40,7 @@ class PigmentMaker {
     Mean mean_of(const MapThing& map, bool list);
     ColorStop stop_of(const Blend& blend, const MapEntry& entry, double at);
     std::vector<ColorStop> stops_of(const Blend& blend);
+    std::vector<ColorStop> listed_stops(const Blend& blend);
     std::optional<SolidPattern> solid_of(const Blend& blend, bool bends) const;
     std::shared_ptr<const Pixels> pixels_of(const Blend& blend);
     void tell_ignored(const Blend& blend) const;
@@ -50,7 +51,13 @@ class PigmentMaker {
     NoteTaker notes;
     ReadPixels read_pixels;
     const bool mirrored;
+    bool add_mean(const Blend& blend, Pattern& pattern);
+    Moves moves_inside(const Blend& blend) const;
+
     std::map<std::string, std::shared_ptr<const Pixels>> pictures;
+    // From the space of the pigment that is made, if it is nested: into that of the pattern around it, where that
+    // cannot be done by transformations.
+    Moves around;
     int patterns_around = 0;               // the pigment that is made
     static constexpr int most_nested = 4;  // as scene text has it
 };

@@ -4,6 +4,7 @@
 
 #include "num/vec_math.h"
 #include "pov/reading/reader.h"
+#include "pov/things/pattern_values.h"
 #include "pov/things/solids.h"
 
 namespace strahl::pov {
@@ -28,35 +29,18 @@ struct ConstantFunction : FunctionThing {
     const std::shared_ptr<std::atomic<bool>> used;
 };
 
-/// The value of a solid pattern or, with a map, its colour.
+/// The value of a pattern; of one with a list of colours, the number of the colour.
 struct PatternFunction : FunctionThing {
-    PatternFunction(const SolidPattern& solid, const Blend& blend, bool colored)
-        : solid(solid), inverse(glm::inverse(matrix_of(blend.steps))) {
-        results = colored ? 5 : 1;
-        if (blend.map) entries = blend.map->entries;
-        if (entries.empty()) entries = {{0, {}, nullptr}, {1, {1, 1, 1, 0, 0}, nullptr}};
-    }
+    PatternFunction(const SolidPattern& solid, const Blend& blend)
+        : solid(solid),
+          factor(std::max(1, listed_colors(blend.word) - 1)),
+          inverse(glm::inverse(matrix_of(blend.steps))) {}
     void evaluate(const double* given, double* result) const override {
-        const double value = value_at(solid, transform_point(inverse, {given[0], given[1], given[2]}));
-        if (results == 1) {
-            *result = value;
-            return;
-        }
-        const auto after = std::ranges::find_if(entries, [&](const MapEntry& own) { return own.at >= value; });
-        const MapEntry& high = after == entries.end() ? entries.back() : *after;
-        const MapEntry& low = after == entries.end() || after == entries.begin() ? high : *(after - 1);
-        const double share = high.at > low.at ? (value - low.at) / (high.at - low.at) : 1;
-        const auto mix = [&](float FilterColor::*part) {
-            return share * double(high.color.*part) + (1 - share) * double(low.color.*part);
-        };
-        int i = 0;
-        for (float FilterColor::*const part : {&FilterColor::red, &FilterColor::green, &FilterColor::blue,
-                                               &FilterColor::filter, &FilterColor::transmit})
-            result[i++] = mix(part);
+        *result = factor * value_at(solid, transform_point(inverse, {given[0], given[1], given[2]}));
     }
     const SolidPattern solid;
+    const int factor;
     const glm::dmat4 inverse;
-    std::vector<MapEntry> entries;
 };
 
 }  // namespace
@@ -80,11 +64,10 @@ std::shared_ptr<const FunctionThing> PovReader::read_function(Interpreter& in) {
         }
         in.end_block();
     }
-    const auto of_color = [](const MapEntry& entry) { return !entry.thing; };
-    if (const auto solid = solid_of(own.blend, false, in.noise_generator);
-        solid && (pattern || !own.blend.map || std::ranges::all_of(own.blend.map->entries, of_color))) {
-        if (own.blend.warped) in.remark(Remark::Kind::approximated, place, "a function of a pattern without its warps");
-        return std::make_shared<PatternFunction>(*solid, own.blend, !pattern);
+    if (!pattern) {
+        if (auto colors = colors_of(own, in.noise_generator)) return colors;
+    } else if (const auto solid = solid_of(own.blend, false, in.noise_generator)) {
+        return std::make_shared<PatternFunction>(*solid, own.blend);
     }
     pattern_functions.emplace_back(place, std::make_shared<std::atomic<bool>>(false));
     return std::make_shared<ConstantFunction>(pattern ? 1 : 5, pattern_functions.back().second);

@@ -1,6 +1,8 @@
 // Reads patterns, their modifiers and their maps, which are alike in pigments, normals and textures.
 #include <algorithm>
+#include <utility>
 
+#include "num/vec_math.h"
 #include "pov/reading/reader.h"
 
 namespace strahl::pov {
@@ -43,11 +45,83 @@ struct Usual {
     double value;
 };
 constexpr std::array numbers_not_shown{
-    Usual{word("agate_turb"), 1},       Usual{word("control0"), 1},    Usual{word("control1"), 1},
-    Usual{word("metric"), 2},           Usual{word("offset"), 0},      Usual{word("size"), 1},
-    Usual{word("coords"), 0},           Usual{word("accuracy"), .02},  Usual{word("strength"), 1},
-    Usual{word("number_of_waves"), 10}, Usual{word("exponent"), 2},    Usual{word("solid"), 0},
-    Usual{word("no_bump_scale"), 0}};
+    Usual{word("agate_turb"), 1}, Usual{word("control0"), 1},         Usual{word("control1"), 1},
+    Usual{word("size"), 1},       Usual{word("coords"), 0},           Usual{word("accuracy"), .02},
+    Usual{word("strength"), 1},   Usual{word("number_of_waves"), 10}, Usual{word("no_bump_scale"), 0}};
+
+constexpr int most_iterations = 1'000'000;  // of a fractal
+
+DVec3 unit_of(const DVec3& v) { return v == DVec3(0) ? v : normalize(v); }
+
+TurbulenceWarp read_turbulence_warp(Interpreter& in) {
+    TurbulenceWarp own{.by = in.read_vector()};
+    for (;;)
+        if (in.accept("octaves"))
+            own.octaves = std::clamp(in.read_integer(), 1, 10);
+        else if (in.accept("omega"))
+            own.omega = in.read_number();
+        else if (in.accept("lambda"))
+            own.lambda = in.read_number();
+        else
+            return own;
+}
+RepeatWarp read_repeat_warp(Interpreter& in) {
+    const DVec3 by = in.read_vector();
+    RepeatWarp own;
+    int axes = 0;
+    for (int c = 0; c < 3; ++c)
+        if (by[c] != 0) ++axes, own.axis = c, own.width = by[c];
+    if (axes != 1) in.fail("the vector of 'repeat' has to lie along one axis");
+    for (;;)
+        if (in.accept("offset")) {
+            own.offset = in.read_vector();
+        } else if (in.accept("flip")) {
+            const DVec3 flip = in.read_vector();
+            for (int c = 0; c < 3; ++c) own.flip[c] = flip[c] != 0 ? -1 : 1;
+        } else {
+            return own;
+        }
+}
+BlackHoleWarp read_black_hole(Interpreter& in) {
+    BlackHoleWarp own{.centre = in.read_vector()};
+    in.skip_comma();
+    own.radius = in.read_number();
+    // As POV-Ray does, keeps balls that are repeated apart from each other.
+    const auto spread = [&] {
+        for (int c = 0; own.repeats && c < 3; ++c) {
+            if (!(own.repeat[c] > 0)) continue;
+            own.centre[c] = std::max(own.centre[c], own.radius);
+            own.repeat[c] = std::max(own.repeat[c], own.centre[c] + own.radius + own.uncertain[c]);
+        }
+    };
+    for (;;)
+        if (in.accept("strength"))
+            own.strength = in.read_number();
+        else if (in.accept("falloff"))
+            own.falloff = in.read_number();
+        else if (in.accept("inverse"))
+            own.inverse = true;
+        else if (in.accept("type"))
+            in.read_number();
+        else if (in.accept("repeat"))
+            own.repeat = in.read_vector(), own.repeats = true, spread();
+        else if (in.accept("turbulence"))
+            own.uncertain = in.read_vector(), spread();
+        else
+            return own;
+}
+RoundWarp read_round_warp(Interpreter& in, RoundWarp::Shape shape) {
+    RoundWarp own{.shape = shape};
+    for (;;)
+        if (in.accept("orientation"))
+            own.orientation = unit_of(in.read_vector());
+        else if (in.accept("dist_exp"))
+            own.exponent = in.read_number();
+        else if (shape == RoundWarp::Shape::torus && in.accept("major_radius"))
+            own.major_radius = in.read_number();
+        else
+            return own;
+}
 
 }  // namespace
 
@@ -78,7 +152,8 @@ std::shared_ptr<const MapThing> PovReader::read_map(Interpreter& in, ValueKind l
         entry.at = at_single(in) ? static_cast<float>(in.read_number()) : 1;
         in.skip_comma();
         if (level == ValueKind::slope_map) {
-            in.read_components();
+            const auto [height, slope] = in.read_uv();
+            entry.height = height, entry.slope = slope;
         } else if (level != ValueKind::none) {
             entry.thing = read_nested(in, level);
         } else if (at_single(in)) {  // the old form: two values and two colours
@@ -98,6 +173,51 @@ std::shared_ptr<const MapThing> PovReader::read_map(Interpreter& in, ValueKind l
     if (map->entries.empty()) in.expected("an entry of the map, such as [0.5 rgb 1]");
     in.end_block();
     return map;
+}
+
+/// Reads a warp from '{' to '}'.
+Warp PovReader::read_warp(Interpreter& in) {
+    in.begin_block();
+    Warp warp;
+    const std::uint16_t code = in.code();
+    if (code != end_code && code != '}') in.skip();
+    switch (code) {
+        case word("turbulence"):
+            warp = read_turbulence_warp(in);
+            break;
+        case word("repeat"):
+            warp = read_repeat_warp(in);
+            break;
+        case word("black_hole"):
+            warp = read_black_hole(in);
+            break;
+        case word("cylindrical"):
+            warp = read_round_warp(in, RoundWarp::Shape::cylinder);
+            break;
+        case word("spherical"):
+            warp = read_round_warp(in, RoundWarp::Shape::ball);
+            break;
+        case word("toroidal"):
+            warp = read_round_warp(in, RoundWarp::Shape::torus);
+            break;
+        case word("planar"): {
+            PlanarWarp planar;
+            if (!in.at('}')) {
+                planar.orientation = unit_of(in.read_vector());
+                in.skip_comma();
+                planar.offset = in.read_number();
+            }
+            warp = planar;
+            break;
+        }
+        case word("cubic"):
+            warp = CubicWarp{};
+            break;
+        default:
+            in.fail("the name of a warp, such as 'turbulence' or 'repeat', expected");
+    }
+    in.end_block();
+    return warp;
 }
 
 /// Reads the colours or blocks after the word of a pattern that has a fixed number of them.
@@ -193,6 +313,7 @@ bool PovReader::read_pattern_word(Interpreter& in, Blend& blend, ValueKind level
     const auto take = [&] {
         in.skip();
         blend.word = code, blend.place = in.last_place();
+        blend.function = nullptr, blend.pigment = nullptr;
         return true;
     };
     if (is_one_of(code, plain_patterns)) return take();
@@ -213,6 +334,9 @@ bool PovReader::read_pattern_word(Interpreter& in, Blend& blend, ValueKind level
             return true;
         case word("spiral1"):
         case word("spiral2"):
+            take();
+            blend.arms = in.read_number();
+            return true;
         case word("quilted"):
         case word("pavement"):
         case word("tiling"):
@@ -223,10 +347,18 @@ bool PovReader::read_pattern_word(Interpreter& in, Blend& blend, ValueKind level
         case word("magnet"):
         case word("julia"):
             take();
-            if (code == word("magnet")) in.read_number(), in.skip();
-            if (in.at('<') || code == word("julia") || in.kind() == ValueKind::uv)
-                in.read_components(), in.skip_comma();
-            in.read_number();
+            blend.fractal = {.julia = code == word("julia")};
+            if (code == word("magnet")) {
+                blend.fractal.magnet = std::clamp(in.read_integer(), 1, 2);
+                blend.fractal.julia = in.at("julia");
+                if (!in.accept("julia") && !in.accept("mandel")) in.expected("'mandel' or 'julia'");
+            }
+            if (blend.fractal.julia) {
+                const auto [re, im] = in.read_uv();
+                blend.fractal.re = re, blend.fractal.im = im;
+                in.skip_comma();
+            }
+            blend.fractal.iterations = std::clamp(in.read_integer(), 0, most_iterations);
             in.skip_comma();
             return true;
         case word("object"):
@@ -250,7 +382,8 @@ bool PovReader::read_pattern_word(Interpreter& in, Blend& blend, ValueKind level
             return true;
         case word("function"):
             blend.word = code, blend.place = in.place();
-            in.read_function();
+            blend.pigment = nullptr;
+            blend.function = in.read_function();
             return true;
         case word("density_file"):
             take();
@@ -260,7 +393,7 @@ bool PovReader::read_pattern_word(Interpreter& in, Blend& blend, ValueKind level
         case word("pigment_pattern"):
             take();
             in.begin_block();
-            read_nested(in, ValueKind::pigment);
+            blend.pigment = std::static_pointer_cast<const PigmentThing>(read_nested(in, ValueKind::pigment));
             in.end_block();
             return true;
         case word("image_map"):
@@ -334,8 +467,8 @@ bool PovReader::read_modifier(Interpreter& in, Blend& blend, ValueKind level) {
             return blend.uv = true;
         case word("warp"):
             in.skip();
-            in.skip_block();
-            return blend.warped = true;
+            blend.warps.push_back({std::exchange(blend.steps, {}), read_warp(in)});
+            return true;
         case word("color_map"):
             in.skip();
             blend.map = in.at('{') ? read_map(in, ValueKind::none) : in.accept_thing<MapThing>(ValueKind::color_map);
@@ -354,22 +487,40 @@ bool PovReader::read_modifier(Interpreter& in, Blend& blend, ValueKind level) {
             return true;
         case word("slope_map"):
             in.skip();
-            read_map(in, ValueKind::slope_map);
-            blend.ignored = code;
+            blend.slopes = read_map(in, ValueKind::slope_map);
             return true;
         case word("form"):
             in.skip();
-            if (in.read_vector() != DVec3(-1, 1, 0)) blend.ignored = code;
+            blend.crackle.form = in.read_vector();
+            return true;
+        case word("metric"):
+            return number(blend.crackle.metric);
+        case word("offset"):
+            return number(blend.crackle.offset);
+        case word("solid"):
+            in.skip();
+            blend.crackle.solid = in.read_flag();
+            return true;
+        case word("exponent"):
+            in.skip();
+            blend.fractal.exponent = std::clamp(in.read_integer(), 2, 33);
             return true;
         case word("noise_generator"):
             in.skip();
             blend.noise_generator = in.read_integer();
             return true;
         case word("interior"):
-        case word("exterior"):
+        case word("exterior"): {
             in.skip();
-            in.read_number(), in.skip_comma(), in.read_number();
+            const int type = in.read_integer();
+            in.skip_comma();
+            const double factor = in.read_number();
+            if (code == word("interior"))
+                blend.fractal.inside = type, blend.fractal.inside_factor = factor;
+            else
+                blend.fractal.outside = type, blend.fractal.outside_factor = factor;
             return true;
+        }
         case word("altitude"):
             in.skip();
             in.read_vector();

@@ -54,6 +54,7 @@ class PovReader : public SceneLayer {
     std::shared_ptr<const Thing> read_nested(Interpreter& in, ValueKind level);
     std::shared_ptr<const MapThing> read_map(Interpreter& in, ValueKind level);
     void read_list(Interpreter& in, Blend& blend, ValueKind level);
+    static Warp read_warp(Interpreter& in);
     std::shared_ptr<const ImageThing> read_image(Interpreter& in);
     // objects.cpp
     std::shared_ptr<const ObjectThing> read_object(Interpreter& in);

@@ -4,6 +4,7 @@
 
 #include "pov/reading/reader.h"
 #include "pov/things/numbers.h"
+#include "pov/things/solids.h"
 
 namespace strahl::pov {
 namespace {
@@ -51,7 +52,7 @@ ReflectionValues read_reflection(Interpreter& in) {
 /// Reads the inside of a pigment, up to before what does not belong to it.
 void PovReader::read_pigment_body(Interpreter& in, PigmentThing& pigment) {
     if (const auto known = in.accept_thing<PigmentThing>(ValueKind::pigment)) pigment = *known;
-    for (;;) {
+    for (bool changed = false;; changed = true) {
         if (in.accept("quick_color")) {
             in.read_color();
         } else if (in.at_color()) {
@@ -59,6 +60,7 @@ void PovReader::read_pigment_body(Interpreter& in, PigmentThing& pigment) {
             pigment.blend.word = end_code;
         } else if (!read_pattern_word(in, pigment.blend, ValueKind::pigment) &&
                    !read_modifier(in, pigment.blend, ValueKind::pigment)) {
+            if (changed) keep_values(pigment.blend, false, in.noise_generator);
             return;
         }
         if (pigment.blend.word == word("brick") || pigment.blend.map) in.skip_comma();
@@ -72,13 +74,14 @@ void PovReader::read_pigment(Interpreter& in, PigmentThing& pigment) {
 
 void PovReader::read_normal_body(Interpreter& in, NormalThing& normal) {
     if (const auto known = in.accept_thing<NormalThing>(ValueKind::normal)) normal = *known;
-    for (;;) {
+    for (bool changed = false;; changed = true) {
         if (in.accept("bump_size")) {
             normal.amount = in.read_number();
         } else if (read_pattern_word(in, normal.blend, ValueKind::normal)) {
             in.skip_comma();
             normal.amount = in.read_number_or(normal.amount);
         } else if (!read_modifier(in, normal.blend, ValueKind::normal)) {
+            if (changed) keep_values(normal.blend, true, in.noise_generator);
             return;
         }
     }
@@ -259,6 +262,7 @@ std::shared_ptr<const TextureThing> PovReader::read_texture_body(Interpreter& in
         }
     }
     if (layer.blend && !layer.blend.map) layer.blend.word = end_code;
+    keep_values(layer.blend, false, in.noise_generator);
     return texture;
 }
 std::shared_ptr<const TextureThing> PovReader::read_texture(Interpreter& in) {

@@ -5,28 +5,69 @@
 #include <string_view>
 
 #include "pov/language/words.h"
+#include "pov/things/pattern_values.h"
 
 namespace strahl::pov {
 
-std::optional<SolidPattern> solid_of(const Blend& blend, bool bends, int generator) {
-    if (!blend) return std::nullopt;
+TurbulenceWarp turbulence_of(const Blend& blend) {
+    return {.by = blend.turbulence,
+            .octaves = static_cast<int>(std::clamp(std::floor(blend.octaves), 1., 10.)),
+            .omega = blend.omega,
+            .lambda = blend.lambda};
+}
+
+namespace {
+
+/// Returns a pattern whose values come from a function and stay as they are.
+SolidPattern of_function(std::shared_ptr<const SolidFunction> function) {
+    return {.frequency = 0, .function = std::move(function)};
+}
+
+/// Returns the values without warps and slopes.
+std::optional<SolidPattern> plain_solid_of(const Blend& blend, bool bends, int generator) {
     const std::string_view name = reserved_words[blend.word - first_word_code];
     const bool noise = name == "spotted" || (name == "bumps" && !bends);
     const auto found = std::ranges::find(solid_names, noise ? std::string_view("bozo") : name);
-    if (found == solid_names.end()) return std::nullopt;
-    SolidPattern solid{.solid = static_cast<Solid>(found - solid_names.begin())};
-    const Wave usual = name == "marble" || name == "wood" ? Wave::triangle : Wave::ramp;
+    const int noises = std::clamp(blend.noise_generator.value_or(generator), 1, 3);
+    SolidPattern solid{.function = own_values_of(blend, noises)};
+    if (!solid.function && found == solid_names.end()) return std::nullopt;
+    if (found != solid_names.end()) solid.solid = static_cast<Solid>(found - solid_names.begin());
+    const bool spiral = solid.solid == Solid::spiral1 || solid.solid == Solid::spiral2;
+    const Wave usual = spiral || name == "marble" || name == "wood" ? Wave::triangle : Wave::ramp;
     const Wave wave = blend.wave.value_or(usual);
     if (name == "gradient" && blend.axis != DVec3(0)) solid.axis = blend.axis;
+    if (spiral) solid.arms = blend.arms;
     solid.wave = wave == Wave::poly ? 0 : static_cast<int>(wave);
     solid.turbulence = blend.turbulence;
     if (blend.turbulence != DVec3(0) || name == "agate") {
-        solid.octaves = std::clamp(std::floor(blend.octaves), 1., 10.);
+        solid.octaves = turbulence_of(blend).octaves;
         solid.omega = blend.omega, solid.lambda = blend.lambda;
     }
-    solid.frequency = blend.frequency, solid.phase = blend.phase;
-    solid.generator = std::clamp(blend.noise_generator.value_or(generator), 1, 3);
+    solid.frequency = listed_colors(blend.word) > 0 ? 0 : blend.frequency, solid.phase = blend.phase;
+    solid.generator = noises;
     return solid;
+}
+
+}  // namespace
+
+std::optional<SolidPattern> solid_of(const Blend& blend, bool bends, int generator) {
+    if (!blend) return std::nullopt;
+    if (blend.values) return of_function(blend.values);
+    std::optional<SolidPattern> solid = plain_solid_of(blend, bends, generator);
+    if (!solid) return solid;
+    if (!blend.warps.empty()) {
+        Blend still = blend;
+        still.turbulence = DVec3(0);
+        solid = of_function(moved_values(moves_of(still, false), *solid));
+    }
+    if (blend.slopes) solid = of_function(slope_values(*solid, blend.slopes->entries));
+    return solid;
+}
+
+void keep_values(Blend& blend, bool bends, int generator) {
+    blend.values = nullptr;
+    if (const auto solid = solid_of(blend, bends, generator); solid && solid->function)
+        blend.values = *solid == of_function(solid->function) ? solid->function : moved_values({}, *solid);
 }
 
 }  // namespace strahl::pov

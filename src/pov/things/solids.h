@@ -7,8 +7,14 @@
 
 namespace strahl::pov {
 
-/// Returns the solid pattern that has a pattern's values, if there is one; a poly_wave is a ramp. `bends`: it bends
-/// normals. `generator` is the scene's noise_generator.
+/// Returns the solid pattern that has a pattern's values, if there is one, in the space behind all warps; a poly_wave
+/// is a ramp. `bends`: it bends normals. `generator` is the scene's noise_generator.
 std::optional<SolidPattern> solid_of(const Blend& blend, bool bends, int generator);
+
+/// Makes the values that scene text has no words for, and keeps them in the pattern, so that its copies share them.
+void keep_values(Blend& blend, bool bends, int generator);
+
+/// Returns the turbulence of a pattern as a warp.
+TurbulenceWarp turbulence_of(const Blend& blend);
 
 }  // namespace strahl::pov

@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "pov/language/interpreter.h"
-#include "pov/things/steps.h"
+#include "pov/language/user_function.h"
+#include "pov/things/warps.h"
+#include "scene/solid.h"
 
 namespace strahl::pov {
 
@@ -15,6 +17,7 @@ struct MapEntry {
     double at = 0;
     FilterColor color{};
     std::shared_ptr<const Thing> thing;  // a pigment, a normal or a texture in place of a colour
+    double height = 0, slope = 0;        // of a slope_map
 };
 /// A colour map, a pigment map and so on.
 struct MapThing : Thing {
@@ -32,6 +35,32 @@ struct ImageThing {
     std::optional<double> gamma;  // by which it is encoded; 0 is srgb
 };
 
+/// How `mandel`, `julia` and `magnet` iterate, and how points are coloured that stay or escape.
+struct FractalForm {
+    int magnet = 0;  // its type, 1 or 2; 0 for z^exponent + c
+    bool julia = false;
+    double re = 0, im = 0;  // c of a Julia set
+    int iterations = 1, exponent = 2, inside = 0, outside = 1;
+    double inside_factor = 1, outside_factor = 1;
+};
+
+/// The sum of the distances to the three nearest points, multiplied by `form`. With `solid` all points around the
+/// nearest one have the same value.
+struct CrackleForm {
+    DVec3 form{-1, 1, 0};
+    double metric = 2, offset = 0;
+    bool solid = false;
+    bool operator==(const CrackleForm&) const = default;
+};
+
+/// A warp, and the transformations that stand between it and the warp before it.
+struct WarpEntry {
+    Steps before;
+    Warp warp;
+};
+
+struct PigmentThing;
+
 /// The pattern of a pigment, a normal or a texture, with its map.
 struct Blend {
     std::uint16_t word = end_code;  // the pattern's, such as "bozo"; end_code if there is none
@@ -42,12 +71,20 @@ struct Blend {
     DVec3 axis{1, 0, 0};       // of gradient
     DVec3 brick_size{8, 3, 4.5};
     double mortar = .5;
-    bool uv = false, warped = false;
+    double arms = 0;  // of a spiral
+    bool uv = false;
     std::optional<int> noise_generator;  // if it is not the scene's
     std::uint16_t ignored = end_code;    // a word that changes the pattern in a way that is not shown
     std::shared_ptr<const ImageThing> image;
-    std::shared_ptr<const MapThing> map;
-    Steps steps;
+    std::shared_ptr<const MapThing> map, slopes;
+    std::shared_ptr<const FunctionThing> function;
+    std::shared_ptr<const PigmentThing> pigment;  // of pigment_pattern
+    FractalForm fractal;
+    CrackleForm crackle;
+    std::vector<WarpEntry> warps;
+    Steps steps;  // behind all warps
+    // The values of patterns that scene text has no words for: made once, so that all uses share them.
+    std::shared_ptr<const SolidFunction> values;
 
     explicit operator bool() const { return word != end_code; }
 };
@@ -66,16 +103,20 @@ struct ReflectionValues {
     DVec3 least{0}, most{0};
     double falloff = 1, exponent = 1, metallic = 0;
     bool fresnel = false;
+    bool operator==(const ReflectionValues&) const = default;
 };
 
-struct FinishThing : Thing {
-    TextPlace place;
+struct FinishValues {
     DVec3 ambient{.1}, emission{0};
     double diffuse = .6, brilliance = 1, phong = 0, phong_size = 40, specular = 0, roughness = .05, metallic = 0;
     double diffuse_behind = 0, crand = 0;
     bool irid = false, conserve_energy = false, subsurface = false;
     ReflectionValues reflection;
     std::optional<double> ior, refraction;  // old words, which belong to the interior
+    bool operator==(const FinishValues&) const = default;
+};
+struct FinishThing : Thing, FinishValues {
+    TextPlace place;
 };
 
 struct InteriorThing : Thing {

@@ -332,3 +332,13 @@ TEST_CASE("POV-Ray: blobs, polynomials and isosurfaces become meshes near their 
     // A body that is declared and not shown is not made.
     CHECK(opened("#declare S = isosurface { function { x } }").notes.empty());
 }
+
+TEST_CASE("POV-Ray: a clipped body's pattern moves with the body") {
+    const std::string look = "pigment { checker } translate <-3, 1, 0>";
+    const Scene plain = whole("box { -1, 1 " + look + " }");
+    const Scene clipped = whole("box { -1, 1 clipped_by { sphere { 0, 1.2 } } " + look + " }");
+    CHECK(clipped.primitives.at(0).transformations == plain.primitives.at(0).transformations);
+    CHECK(material(clipped).rgb == material(plain).rgb);
+    const auto& parts = *std::get<Intersection>(clipped.primitives.at(0).shape).parts;
+    CHECK(matrix(parts.at(1).transformations) == glm::dmat4(1));
+}

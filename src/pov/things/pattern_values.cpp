@@ -1,0 +1,472 @@
+#include "pov/things/pattern_values.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "num/lattice_noise.h"
+#include "num/vec_math.h"
+#include "pov/things/solids.h"
+
+namespace strahl::pov {
+namespace {
+
+constexpr double nearly = 1e-10;  // POV-Ray's EPSILON
+
+int whole(double x) { return static_cast<int>(std::clamp(std::floor(x), -1e9, 1e9)); }
+int modulo(int number, int of) { return (number % of + of) % of; }
+
+/// Values from 0 to 1 of `function(point)`.
+template <class Function>
+struct ComputedValues : SolidFunction {
+    explicit ComputedValues(Function function) : function(std::move(function)) {}
+    double value_at(const DVec3& point) const override { return function(point); }
+    const Function function;
+};
+template <class Function>
+std::shared_ptr<const SolidFunction> make_values(Function function) {
+    return std::make_shared<const ComputedValues<Function>>(std::move(function));
+}
+
+struct MovedValues : SolidFunction {
+    MovedValues(Moves moves, SolidPattern values) : moves(std::move(moves)), values(std::move(values)) {}
+    double value_at(const DVec3& point) const override { return strahl::value_at(values, moved(moves, point)); }
+    std::optional<DVec3> bend_at(const DVec3& point) const override {
+        return unmoved_normal(moves, strahl::bend_at(values, moved(moves, point)));
+    }
+    const Moves moves;
+    const SolidPattern values;
+};
+
+// Complex numbers without the tests for infinities that std::complex has.
+struct Complex {
+    double re = 0, im = 0;
+    friend Complex operator+(Complex a, Complex b) { return {a.re + b.re, a.im + b.im}; }
+    friend Complex operator*(Complex a, Complex b) { return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re}; }
+    friend Complex operator*(double a, Complex b) { return {a * b.re, a * b.im}; }
+    friend Complex operator/(Complex a, Complex b) {
+        const double d = b.re * b.re + b.im * b.im;
+        return {(a.re * b.re + a.im * b.im) / d, (a.im * b.re - a.re * b.im) / d};
+    }
+    double squared() const { return re * re + im * im; }
+};
+
+/// Returns the next point of a fractal's sequence.
+Complex next_of(const FractalForm& own, Complex z, Complex c) {
+    const Complex one{-1}, two{-2};
+    if (own.magnet == 1) {
+        const Complex q = (z * z + c + one) / (2. * z + c + two);
+        return q * q;
+    }
+    if (own.magnet == 2) {
+        const Complex product = (c + one) * (c + two);
+        const Complex q =
+            (z * z * z + 3. * ((c + one) * z) + product) / (3. * (z * z) + 3. * ((c + two) * z) + product + Complex{1});
+        return q * q;
+    }
+    Complex power = z;
+    for (int i = 1; i < own.exponent; ++i) power = power * z;
+    return power + c;
+}
+double fractal_value(const FractalForm& own, const DVec3& p) {
+    const Complex at{p.x, p.y}, c = own.julia ? Complex{own.re, own.im} : at;
+    Complex z = own.magnet > 0 && !own.julia ? Complex{} : at;
+    double least = own.magnet > 0 && !own.julia ? 10000 : z.squared();
+    const auto part = [&](int type, double factor) {
+        switch (type) {
+            case 2:
+                return z.re * factor;
+            case 3:
+                return z.im * factor;
+            case 4:
+                return z.re * z.re * factor;
+            case 5:
+                return z.im * z.im * factor;
+            default:
+                return factor;
+        }
+    };
+    for (int i = 0; i < own.iterations; ++i) {
+        z = next_of(own, z, c);
+        const double squared = z.squared();
+        least = std::min(least, squared);
+        const Complex from_one = z + Complex{-1};
+        if (own.magnet > 0 ? !(squared > 10000 || from_one.squared() < 1e-4) : !(squared > 4)) continue;
+        if (own.outside == 1) return double(i) / own.iterations;
+        if (own.outside == 6) return std::sqrt(squared) * own.outside_factor;
+        return part(own.outside, own.outside_factor);
+    }
+    if (own.inside == 1) return std::sqrt(least) * own.inside_factor;
+    if (own.inside == 6) return z.re * z.re + z.im * z.im * own.inside_factor;
+    return part(own.inside, own.inside_factor);
+}
+
+int hexagon_at(const DVec3& p) {
+    // The nearest of the middles i (1.5, sqrt 3 / 2) + j (0, sqrt 3), of two the upper one.
+    const double height = std::numbers::sqrt3;
+    const double column = p.x / 1.5, row = p.z / height - column / 2;
+    const int left = whole(column), below = whole(row);
+    double nearest = 1e300;
+    int found = 0;
+    for (int i = left; i <= left + 1; ++i)
+        for (int j = below - 1; j <= below + 1; ++j) {
+            const double x = p.x - 1.5 * i, z = p.z - height * (j + i / 2.);
+            if (x * x + z * z <= nearest) nearest = x * x + z * z, found = modulo(j + 2 * i, 3);
+        }
+    return found;
+}
+int square_at(const DVec3& p) {
+    const int x = modulo(whole(p.x), 2), z = modulo(whole(p.z), 2);
+    return x == 0 ? z : 3 - z;
+}
+/// Triangles with sides of 1, six of which make a hexagon.
+int triangular_at(const DVec3& p) {
+    const double height = std::numbers::sqrt3;
+    double x = p.x - 3 * std::floor(p.x / 3), z = p.z - height * std::floor(p.z / height);
+    const int column = static_cast<int>(x);
+    x -= column;
+    const bool upper = z >= height / 2;
+    if (upper) z = height - z;
+    int number = 1;
+    if (x != 0) number = z < height * x ? z < height * (1 - x) ? 0 : 3 : 1;
+    number = modulo(number % 2 == 1 ? number + 2 * column : number - 2 * column, 6);
+    return upper ? 5 - number : number;
+}
+int cubic_at(const DVec3& p) {
+    const double x = std::fabs(p.x), y = std::fabs(p.y), z = std::fabs(p.z);
+    if (p.x >= 0 && x >= y && x >= z) return 0;
+    if (p.y >= 0 && y >= x && y >= z) return 1;
+    if (p.z >= 0 && z >= x && z >= y) return 2;
+    if (p.x < 0 && p.x <= -y && p.x <= -z) return 3;
+    return p.y < 0 && p.y <= -x && p.y <= -z ? 4 : 5;
+}
+int checker_at(const DVec3& p) { return modulo(whole(p.x + nearly) + whole(p.y + nearly) + whole(p.z + nearly), 2); }
+int brick_at(const DVec3& size, double joint, const DVec3& p) {
+    const DVec3 q = (p + DVec3(nearly + joint)) / size, mortar = DVec3(joint) / size;
+    const auto fraction = [](double x) { return x - std::floor(x); };
+    const bool even = fraction(q.y / 2) > .5;
+    return fraction(q.y) > mortar.y && fraction(q.x + (even ? .5 : 0)) > mortar.x &&
+           fraction(q.z + (even ? 0 : .5)) > mortar.z;
+}
+
+double crackle_value(const CrackleForm& own, int generator, const DVec3& p) {
+    const DVec3 cell = floor(p - DVec3(nearly));
+    double nearest[3]{1e300, 1e300, 1e300};
+    DVec3 closest(0);
+    for (int i = -2; i <= 2; ++i)
+        for (int j = -2; j <= 2; ++j)
+            for (int k = -2; k <= 2; ++k) {
+                if ((std::abs(i) == 2) + (std::abs(j) == 2) + (std::abs(k) == 2) > 1) continue;
+                const DVec3 other = cell + DVec3(i, j, k), point = other + random_at_cell(other);
+                double sum = 0;
+                for (int c = 0; c < 3; ++c) {
+                    const double way = std::fabs(point[c] - p[c]);
+                    sum += own.metric == 2 ? way * way : own.metric == 1 ? way : std::pow(way, own.metric);
+                }
+                if (sum < nearest[0]) closest = point;
+                for (double& known : nearest)
+                    if (sum < known) std::swap(sum, known);
+            }
+    if (own.solid) return lattice::noise(closest, generator);
+    double value = 0;
+    for (int i = 0; i < 3; ++i)
+        value += own.form[i] * std::pow(nearest[i] + std::pow(own.offset, own.metric), 1 / own.metric);
+    return std::clamp(value, 0., 1.);
+}
+
+/// Two entries of a map between which a value lies, and the share of the second one. They are the same at an entry.
+struct MapPlace {
+    const MapEntry *before, *after;
+    double share;
+};
+MapPlace place_in(const std::vector<MapEntry>& entries, double value) {
+    const auto found = std::ranges::find_if(entries, [&](const MapEntry& own) { return own.at >= value; });
+    if (found == entries.end()) return {&entries.back(), &entries.back(), 1};
+    if (found == entries.begin() || found->at == value) return {&*found, &*found, 1};
+    const auto before = found - 1;
+    return {&*before, &*found, (value - before->at) / (found->at - before->at)};
+}
+
+/// Heights by a slope_map, as a function of another pattern's values.
+struct SlopeValues : SolidFunction {
+    SlopeValues(SolidPattern values, std::vector<MapEntry> entries)
+        : values(std::move(values)), entries(std::move(entries)) {}
+    double value_at(const DVec3& point) const override {
+        const double value = strahl::value_at(values, point);
+        const auto [before, after, share] = place_in(entries, value);
+        if (before == after) return after->height;
+        // A cubic between two values with these slopes, which are per unit of the share.
+        const double h = share, g = 1 - h, rise = after->height - before->height;
+        return before->height + h * h * (3 - 2 * h) * rise + h * g * (g * before->slope - h * after->slope);
+    }
+    const SolidPattern values;
+    const std::vector<MapEntry> entries;
+};
+
+/// What a normal { ... } adds to normals: its own, or those of a map blended by a pattern.
+struct Bends : SolidFunction {
+    double value_at(const DVec3&) const override { return 0; }
+    std::optional<DVec3> bend_at(const DVec3& given) const override {
+        const DVec3 point = moved(moves, given);
+        DVec3 sum(0);
+        if (parts.empty()) {
+            sum = amount * strahl::bend_at(pattern, point);
+        } else if (total > 0) {
+            for (std::size_t i = 0; i < parts.size(); ++i) sum += entries[i].at / total * *parts[i]->bend_at(point);
+        } else {
+            const auto [before, after, share] = place_in(entries, strahl::value_at(pattern, point));
+            const auto part = [&](const MapEntry* entry) {
+                return *parts[std::size_t(entry - &entries[0])]->bend_at(point);
+            };
+            sum = share * part(after);
+            if (before != after) sum += (1 - share) * part(before);
+        }
+        return unmoved_normal(moves, sum);
+    }
+    Moves moves;
+    SolidPattern pattern;
+    double amount = 1;
+    std::vector<MapEntry> entries;
+    std::vector<std::shared_ptr<const Bends>> parts;  // of the entries
+    double total = 0;                                 // the sum of the weights, if the mean is taken
+};
+
+/// Returns the pattern without its warps and the turbulence that moves points.
+std::optional<SolidPattern> still_solid_of(const Blend& blend, bool bends, int generator) {
+    Blend still = blend;
+    still.warps.clear(), still.values = nullptr;
+    if (moves_points(blend)) still.turbulence = DVec3(0);
+    return solid_of(still, bends, generator);
+}
+
+/// Returns the entries of a map, those of a list at their values.
+std::vector<MapEntry> entries_of(const Blend& blend) {
+    if (!blend.map || blend.map->entries.empty()) return usual_entries(blend);
+    std::vector<MapEntry> own = blend.map->entries;
+    const int count = listed_colors(blend.word);
+    if (count == 0) return own;
+    std::vector<MapEntry> entries = usual_entries(blend);
+    for (std::size_t i = 0; i < std::min(entries.size(), own.size()); ++i)
+        own[i].at = entries[i].at, entries[i] = own[i];
+    return entries;
+}
+
+std::shared_ptr<Bends> bends_of(const NormalThing& normal, bool last, int generator) {
+    const Blend& blend = normal.blend;
+    auto made = std::make_shared<Bends>();
+    made->amount = static_cast<float>(normal.amount);
+    if (!blend) return made->amount = 0, made;
+    if (blend.image || blend.uv) return nullptr;
+    made->moves = moves_of(blend, last);
+    const bool average = blend.word == word("average");
+    if (!average) {
+        const auto own = still_solid_of(blend, !blend.map, generator);
+        if (!own) return nullptr;
+        made->pattern = *own;
+    }
+    if (!blend.map) return average ? nullptr : made;
+    made->entries = entries_of(blend);
+    for (const MapEntry& entry : made->entries) {
+        const auto* const nested = dynamic_cast<const NormalThing*>(entry.thing.get());
+        made->parts.push_back(nested ? bends_of(*nested, true, generator) : nullptr);
+        if (!made->parts.back()) return nullptr;
+        if (average) made->total += entry.at;
+    }
+    return !average || made->total > 0 ? made : nullptr;
+}
+
+/// A pigment: a colour, or a pattern with what it shows at its values.
+struct PigmentFunction : FunctionThing {
+    PigmentFunction() { results = 5; }
+    void evaluate(const double* given, double* result) const override {
+        const auto put = [&](const FilterColor& color) {
+            int i = 0;
+            for (const float part : {color.red, color.green, color.blue, color.filter, color.transmit})
+                result[i++] = double(part);
+        };
+        if (!pattern) return put(color);
+        const DVec3 point = moved(moves, {given[0], given[1], given[2]});
+        const auto add = [&](const MapEntry& entry, double weight) {
+            double own[5];
+            if (const auto* const nested = dynamic_cast<const FunctionThing*>(entry.thing.get())) {
+                const double at[3]{point.x, point.y, point.z};
+                nested->evaluate(at, own);
+            } else {
+                const FilterColor& c = entry.color;
+                std::copy_n(std::array<double, 5>{c.red, c.green, c.blue, c.filter, c.transmit}.data(), 5, own);
+            }
+            for (int i = 0; i < 5; ++i) result[i] += weight * own[i];
+        };
+        std::fill_n(result, 5, 0.);
+        if (total > 0) {
+            for (const MapEntry& entry : entries) add(entry, entry.at / total);
+            return;
+        }
+        const auto [before, after, share] = place_in(entries, strahl::value_at(*pattern, point));
+        add(*after, share);
+        if (before != after) add(*before, 1 - share);
+    }
+    FilterColor color{};
+    std::optional<SolidPattern> pattern;
+    Moves moves;
+    std::vector<MapEntry> entries;  // their things are functions
+    double total = 0;               // the sum of the weights, if the colour is a mean
+};
+
+}  // namespace
+
+int listed_colors(std::uint16_t pattern) {
+    switch (pattern) {
+        case word("checker"):
+        case word("brick"):
+            return 2;
+        case word("hexagon"):
+            return 3;
+        case word("square"):
+            return 4;
+        case word("triangular"):
+        case word("cubic"):
+            return 6;
+        default:
+            return 0;
+    }
+}
+
+std::shared_ptr<const SolidFunction> moved_values(Moves moves, const SolidPattern& values) {
+    return std::make_shared<const MovedValues>(std::move(moves), values);
+}
+
+bool moves_points(const Blend& blend) {
+    return blend.turbulence != DVec3(0) && blend.word != word("marble") && blend.word != word("wood");
+}
+
+Moves moves_of(const Blend& blend, bool last) {
+    Moves all;
+    const auto add = [&](const Steps& steps) {
+        if (!steps.empty()) all.push_back(glm::inverse(matrix_of(steps)));
+    };
+    if (last) add(blend.steps);
+    for (auto own = blend.warps.rbegin(); own != blend.warps.rend(); ++own) {
+        all.push_back(own->warp);
+        add(own->before);
+    }
+    if (moves_points(blend)) all.push_back(Warp(turbulence_of(blend)));
+    return all;
+}
+
+std::shared_ptr<const SolidFunction> own_values_of(const Blend& blend, int generator) {
+    if (blend.function)
+        return make_values([own = blend.function](const DVec3& p) {
+            const double value = own->at(p);
+            return value > 1 ? std::fmod(value, 1) : value;
+        });
+    if (blend.pigment) {
+        auto colors = colors_of(*blend.pigment, generator);
+        if (!colors) return nullptr;
+        return make_values([colors](const DVec3& p) {
+            const double given[3]{p.x, p.y, p.z};
+            double c[5];
+            colors->evaluate(given, c);
+            return .297 * c[0] + .589 * c[1] + .114 * c[2];
+        });
+    }
+    const auto listed = [count = listed_colors(blend.word)](auto number_at) {
+        return make_values([=](const DVec3& p) { return double(number_at(p)) / (count - 1); });
+    };
+    switch (blend.word) {
+        case word("mandel"):
+        case word("julia"):
+        case word("magnet"):
+            return make_values([own = blend.fractal](const DVec3& p) { return fractal_value(own, p); });
+        case word("crackle"):
+            if (blend.crackle == CrackleForm{}) return nullptr;
+            return make_values(
+                [own = blend.crackle, generator](const DVec3& p) { return crackle_value(own, generator, p); });
+        case word("checker"):
+            return listed(checker_at);
+        case word("brick"):
+            return listed(
+                [size = blend.brick_size, joint = blend.mortar](const DVec3& p) { return brick_at(size, joint, p); });
+        case word("hexagon"):
+            return listed(hexagon_at);
+        case word("square"):
+            return listed(square_at);
+        case word("triangular"):
+            return listed(triangular_at);
+        case word("cubic"):
+            return listed(cubic_at);
+        default:
+            return nullptr;
+    }
+}
+
+std::shared_ptr<const SolidFunction> slope_values(const SolidPattern& values, const std::vector<MapEntry>& entries) {
+    return std::make_shared<const SlopeValues>(values, entries);
+}
+
+std::shared_ptr<const SolidFunction> bends_of(const NormalThing& normal, int generator) {
+    return bends_of(normal, false, generator);
+}
+
+std::shared_ptr<const FunctionThing> colors_of(const PigmentThing& pigment, int generator) {
+    auto made = std::make_shared<PigmentFunction>();
+    made->color = pigment.color;
+    const Blend& blend = pigment.blend;
+    if (!blend) return made;
+    if (blend.image || blend.uv) return nullptr;
+    made->moves = moves_of(blend, true);
+    const bool average = blend.word == word("average");
+    made->pattern = average ? SolidPattern() : still_solid_of(blend, false, generator);
+    if (!made->pattern) return nullptr;
+    made->entries = entries_of(blend);
+    for (MapEntry& entry : made->entries) {
+        if (average) made->total += entry.at;
+        if (!entry.thing) continue;
+        const auto* const nested = dynamic_cast<const PigmentThing*>(entry.thing.get());
+        entry.thing = nested ? colors_of(*nested, generator) : nullptr;
+        if (!entry.thing) return nullptr;
+    }
+    if (average && !(made->total > 0)) return nullptr;
+    return made;
+}
+
+const std::vector<MapEntry>& usual_entries(const Blend& blend) {
+    using Entries = std::vector<MapEntry>;
+    const auto entry = [](double at, float r, float g, float b) {
+        return MapEntry{.at = static_cast<float>(at), .color = {r, g, b, 0, 0}, .thing = nullptr};
+    };
+    const auto list = [&](int count) {
+        const Entries all{entry(0, 1, 0, 0), entry(0, 0, 1, 0), entry(0, 0, 0, 1),
+                          entry(0, 1, 1, 0), entry(0, 0, 1, 1), entry(0, 1, 0, 1)};
+        Entries own(all.begin(), all.begin() + count);
+        for (int i = 0; i < count; ++i) own[std::size_t(i)].at = double(i) / (count - 1);
+        return own;
+    };
+    static const Entries gray{entry(0, 0, 0, 0), entry(1, 1, 1, 1)};
+    static const std::map<std::uint16_t, Entries> known{
+        {word("bozo"),
+         {entry(.4, 1, 1, 1), entry(.4, 0, 1, 0), entry(.6, 0, 1, 0), entry(.6, 0, 0, 1), entry(.8, 0, 0, 1),
+          entry(.8, 1, 0, 0)}},
+        {word("wood"), {entry(.6, .666f, .312f, .2f), entry(.6, .4f, .1333f, .066f)}},
+        {word("mandel"),
+         {entry(.001, 0, 0, 0), entry(.001, 0, 1, 1), entry(.012, 1, 1, 0), entry(.015, 1, 0, 1), entry(.1, 0, 1, 1)}},
+        {word("agate"),
+         {entry(0, 1, 1, 1), entry(.5, .95f, .75f, .5f), entry(.5, .9f, .7f, .5f), entry(.6, .9f, .7f, .4f),
+          entry(.6, 1, .7f, .4f), entry(1, .6f, .3f, 0)}},
+        {word("radial"), {entry(0, 0, 1, 1), entry(.333, 1, 1, 0), entry(.666, 1, 0, 1), entry(1, 0, 1, 1)}},
+        {word("marble"), {entry(0, .9f, .8f, .8f), entry(.9, .9f, .08f, .08f), entry(.9, 0, 0, 0)}},
+        {word("brick"), {entry(0, .5f, .5f, .5f), entry(1, .6f, .15f, .15f)}},
+        {word("checker"), {entry(0, 0, 0, 1), entry(1, 0, 1, 0)}},
+        {word("hexagon"), {entry(0, 0, 0, 1), entry(.5, 0, 1, 0), entry(1, 1, 0, 0)}},
+        {word("square"), list(4)},
+        {word("triangular"), list(6)},
+        {word("cubic"), list(6)},
+    };
+    // Fractals of other powers are other patterns in POV-Ray.
+    const bool other = blend.word == word("mandel") && blend.fractal.exponent != 2;
+    const auto found = known.find(blend.word);
+    return other || found == known.end() ? gray : found->second;
+}
+
+}  // namespace strahl::pov

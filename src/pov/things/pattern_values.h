@@ -1,0 +1,39 @@
+// Values of POV-Ray's patterns that scene text has no words for.
+#pragma once
+#include <memory>
+
+#include "pov/language/user_function.h"
+#include "pov/things/textures.h"
+#include "scene/solid.h"
+
+namespace strahl::pov {
+
+/// Returns how many colours a pattern has that takes them as a list, such as `hexagon`; 0 for all others.
+int listed_colors(std::uint16_t pattern);
+
+/// Returns the values of a pattern that has some of its own: functions, fractals, lists, pigments; null for others.
+/// Those of lists are 0 for their first entry, 1 for their last one, and evenly spaced in between.
+std::shared_ptr<const SolidFunction> own_values_of(const Blend& blend, int generator);
+/// Returns the values of another pattern at points that are moved before.
+std::shared_ptr<const SolidFunction> moved_values(Moves moves, const SolidPattern& values);
+
+/// Returns the heights of a slope_map at the values of a pattern.
+std::shared_ptr<const SolidFunction> slope_values(const SolidPattern& values, const std::vector<MapEntry>& entries);
+
+/// Returns what a normal { ... } with a map adds to normals, in the space behind all warps; null if it is not known.
+std::shared_ptr<const SolidFunction> bends_of(const NormalThing& normal, int generator);
+
+/// Returns the moves from the space around a pattern to where its values are found. With `last` its transformations
+/// behind all warps are among them. Turbulence that moves points is the last move.
+Moves moves_of(const Blend& blend, bool last);
+/// Does turbulence move the points of this pattern?
+bool moves_points(const Blend& blend);
+
+/// Returns the colour of a pigment as a function of a point with five results; null where there are pictures or
+/// patterns of which the values are not known.
+std::shared_ptr<const FunctionThing> colors_of(const PigmentThing& pigment, int generator);
+
+/// Returns the entries that POV-Ray takes for a pattern without a map.
+const std::vector<MapEntry>& usual_entries(const Blend& blend);
+
+}  // namespace strahl::pov

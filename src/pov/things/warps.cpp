@@ -1,0 +1,120 @@
+#include "pov/things/warps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "num/lattice_noise.h"
+#include "num/vec_math.h"
+#include "scene/solid.h"
+
+namespace strahl::pov {
+namespace {
+
+constexpr double farthest = 1e17;  // POV-Ray's COORDINATE_LIMIT
+constexpr double turn = 2 * std::numbers::pi;
+
+/// Returns x, y and z of the plane z = 0 as those of the plane across `orientation`, which is an axis.
+DVec3 oriented(const DVec3& p, const DVec3& orientation) {
+    if (orientation == DVec3(0, 0, 1)) return p;
+    const DVec3& o = orientation;
+    return {o.x * p.z + o.y * p.x + o.z * p.x, o.x * p.y - o.y * p.z + o.z * p.y, -o.x * p.x + o.y * p.y + o.z * p.z};
+}
+
+/// Returns the angle of (x, z) from the x axis, from 0 to 1.
+double turn_of(double x, double z, double away) {
+    if (z == 0) return x > 0 ? 0 : .5;
+    const double angle = std::acos(x / away) / turn;
+    return z < 0 ? 1 - angle : angle;
+}
+
+struct WarpPoint {
+    DVec3 p;
+
+    DVec3 operator()(const TurbulenceWarp& own) const {
+        return p + own.by * lattice::vector_turbulence(p, own.octaves, static_cast<float>(own.omega),
+                                                       static_cast<float>(own.lambda));
+    }
+    DVec3 operator()(const RepeatWarp& own) const {
+        DVec3 q = p;
+        const double number = static_cast<float>(std::floor(p[own.axis] / own.width));
+        q[own.axis] -= number * own.width;
+        if (std::fmod(number, 2) != 0) {
+            q = q * own.flip;
+            if (own.flip[own.axis] < 0) q[own.axis] += own.width;
+        }
+        return q + number * own.offset;
+    }
+    DVec3 operator()(const BlackHoleWarp& own) const {
+        DVec3 centre = own.centre;
+        if (own.repeats) {
+            DVec3 block(0);
+            for (int c = 0; c < 3; ++c)
+                if (own.repeat[c] >= 1e-10) block[c] = std::clamp(std::floor(p[c] / own.repeat[c]), -1e9, 1e9);
+            if (own.uncertain != DVec3(0)) centre += own.uncertain * random_at_cell(block);
+            centre += block * own.repeat;
+        }
+        const DVec3 way = p - centre;
+        const double away = length(way);
+        if (away >= own.radius) return p;
+        const double pull = std::min(1., std::pow(1 - away / own.radius, own.falloff) * own.strength);
+        return p + (own.inverse ? -pull : pull) * way;
+    }
+    DVec3 operator()(const RoundWarp& own) const {
+        double across, up = p.y, away;
+        const double level = std::sqrt(p.x * p.x + p.z * p.z);
+        if (own.shape == RoundWarp::Shape::ball) {
+            away = length(p);
+            if (away == 0) return p;
+            across = level == 0 ? 0 : turn_of(p.x, p.z, level);
+            up = .5 + std::asin(p.y / away) / std::numbers::pi;
+        } else {
+            if (level == 0) return p;
+            across = turn_of(p.x, p.z, level);
+            away = level;
+            if (own.shape == RoundWarp::Shape::torus) {
+                const double x = level - own.major_radius;
+                away = std::sqrt(x * x + p.y * p.y);
+                up = std::acos(-x / away) / turn;
+                if (p.y > 0) up = 1 - up;
+            }
+        }
+        const double factor = own.exponent == 0 ? 1 : std::pow(away, own.exponent);
+        if (own.shape != RoundWarp::Shape::cylinder) up *= factor;
+        return oriented({across * factor, up, away}, own.orientation);
+    }
+    DVec3 operator()(const PlanarWarp& own) const { return oriented({p.x, p.y, own.offset}, own.orientation); }
+    DVec3 operator()(const CubicWarp&) const {
+        const double x = std::fabs(p.x), y = std::fabs(p.y), z = std::fabs(p.z);
+        const auto third = [](double part, double t) { return part / 3 + (t + 1) / 6; };
+        const auto quarter = [](double t) { return .25 * (t + 1) / 2; };
+        if (p.x >= 0 && x >= y && x >= z) return {.75 - quarter(p.z / x), third(1, p.y / x), x};
+        if (p.y >= 0 && y >= x && y >= z) return {.25 + quarter(p.x / y), 1 - third(0, p.z / y), y};
+        if (p.z >= 0 && z >= x && z >= y) return {.25 + quarter(p.x / z), third(1, p.y / z), z};
+        if (p.x < 0 && p.x <= -y && p.x <= -z) return {quarter(p.z / x), third(1, p.y / x), x};
+        if (p.y < 0 && p.y <= -x && p.y <= -z) return {.25 + quarter(p.x / y), third(0, p.z / y), y};
+        return {1 - quarter(p.x / z), third(1, p.y / z), z};
+    }
+};
+
+}  // namespace
+
+DVec3 moved(std::span<const Move> moves, DVec3 point) {
+    for (const Move& move : moves) {
+        if (const auto* const matrix = std::get_if<glm::dmat4>(&move))
+            point = transform_point(*matrix, point);
+        else
+            point = std::visit(WarpPoint{point}, std::get<Warp>(move));
+    }
+    for (int c = 0; c < 3; ++c) point[c] = std::clamp(point[c], -farthest, farthest);
+    return point;
+}
+
+DVec3 unmoved_normal(std::span<const Move> moves, DVec3 change) {
+    for (auto move = moves.rbegin(); move != moves.rend(); ++move)
+        if (const auto* const matrix = std::get_if<glm::dmat4>(&*move))
+            change = glm::transpose(glm::dmat3(*matrix)) * change;
+    return change;
+}
+
+}  // namespace strahl::pov

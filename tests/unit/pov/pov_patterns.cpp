@@ -1,0 +1,122 @@
+// Patterns of POV-Ray's scenes that scene text has no words for. The expected values are what POV-Ray 3.7.0.10 prints
+// by #debug str(F(...), 0, 9) for `#declare F = function { pattern { ... } }`.
+#include "tests/referee/pattern.h"
+#include "tests/unit/pov/opened.h"
+
+using namespace strahl;
+
+namespace {
+
+struct Row {
+    const char* text;
+    double near, far;  // at <.31, .42, .05> and at <-.7, 1.3, .6>
+};
+constexpr Row rows[]{
+    {"checker warp{turbulence .3 octaves 3} scale .3", 1, 0},
+    {"brick turbulence .2 scale .1", 1, 1},
+    {"hexagon scale .2", 2, 2},
+    {"bozo warp{repeat x*.5} scale .3", 0.663146132, 0.597218193},
+    {"bozo warp{repeat x*.5 flip x offset <0,.2,.1>} rotate 20*z scale .4", 0.545446682, 0.680436958},
+    {"wood warp{black_hole <.3,.2,0>,.5 strength 1.5} scale .5", 0.088041302, 0.094110776},
+    {"wood warp{black_hole <.3,.2,0>,.5 strength 1.5 falloff 1 inverse}", 0.769967636, 0.952944612},
+    {"gradient x warp{black_hole <.2,.2,.2>,.15 repeat <.5,.5,.5> turbulence <.1,.1,.1>} scale .5", 0.62, 0.60001},
+    {"checker scale .1 warp{cylindrical}", 1, 1},
+    {"checker scale .1 warp{spherical} rotate 30*x", 1, 0},
+    {"checker scale .1 warp{toroidal orientation y dist_exp 1 major_radius .5}", 0, 0},
+    {"checker scale .1 warp{planar y,.05}", 0, 1},
+    {"checker scale .1 warp{cubic}", 0, 1},
+    {"marble turbulence .5 warp{turbulence .4 lambda 1.5} scale .3", 0.217666767, 0.408476272},
+    {"spiral1 3 scale .3", 0.206194534, 0.685265364},
+    {"spiral2 2 turbulence .2 scale .3", 0.898345244, 0.695946925},
+    {"mandel 50 scale .3 translate <.6,.5,0>", 0.42, 0},
+    {"mandel 30 exponent 3 interior 1,.8 exterior 6,.3 scale .4 translate .5", 0.357940991, 0.511923947},
+    {"julia <.3,.5>,40 scale .4 translate .5 exterior 3,.5", 0.245823817, 0.25005},
+    {"magnet 1 mandel 40 scale .1 translate .5", 0.075, 0.025},
+    {"magnet 1 julia <1.3,.8>,20 scale .2 translate .5 interior 1,1", 0.04400699, 0.1},
+    {"magnet 2 mandel 30 scale .1 translate .5", 0.033333333, 0},
+    {"magnet 2 julia <.6,.8>,20 scale .2 translate .5", 1, 1},
+    {"function { x*x+sin(9*y) }", 0.500182776, 0.728016416},
+    {"function { f_noise3d(4*x,5*y,z)*1.3 } triangle_wave frequency 3", 0.436405706, 0.024232752},
+    {"crackle form <1,0,0> scale .2", 0.586940368, 0.563622153},
+    {"crackle form <-1,.5,.5> metric 1 scale .2", 0.583679141, 0.243668447},
+    {"crackle form <1,-.2,0> metric 3 offset .2 scale .2", 0.442501113, 0.383652539},
+    {"crackle solid scale .2", 0.553402459, 0.596703487},
+    {"radial rotate 90*x translate .5", 0.563426817, 0.406416479},
+};
+
+/// Returns a number that a scene computes.
+double computed(const std::string& declarations, const std::string& number) {
+    const std::string noise = "#declare f_noise3d = function { internal(76) } ";
+    const std::string text = noise + declarations + " sphere { <" + number + ", 0, 0>, 1 }";
+    return shape<Sphere>(whole(text)).centre.x;
+}
+
+}  // namespace
+
+TEST_CASE("POV-Ray: values of warped patterns, fractals, functions and lists") {
+    for (const Row& row : rows) {
+        CAPTURE(row.text);
+        const std::string function = std::string("#declare F = function { pattern { ") + row.text + " } }";
+        CHECK(computed(function, "F(.31, .42, .05)") == doctest::Approx(row.near).epsilon(1e-7));
+        CHECK(computed(function, "F(-.7, 1.3, .6)") == doctest::Approx(row.far).epsilon(1e-7));
+    }
+}
+
+TEST_CASE("POV-Ray: pigments in pigments have the colours of the same pigments as functions") {
+    for (const std::string& pigment : std::vector<std::string>{
+             "hexagon scale .2", "brick rgb x turbulence .3 scale .1", "cubic",
+             "square rgb x, rgb y scale .3 rotate 20*x",
+             "average pigment_map { [1 granite] [2 bozo scale .1 rotate 30*z] [.5 rgb x] }",
+             "average pigment_map { [2 rgb x] } translate y",
+             "average pigment_map { [1 agate] [1 wood scale .3] [2 leopard] [1 rgb y] [3 gradient y] } scale .7",
+             "bozo pigment_map { [.3 wood scale .1] [.7 granite] } turbulence .5 scale .3",
+             "checker pigment { leopard scale .05 } pigment { rgb x } warp { turbulence .5 } scale .3",
+             "gradient x pigment_map { [0 average pigment_map { [1 bozo scale .1] [2 rgb z] }] [1 hexagon scale .1] } "
+             "warp { spherical } rotate 20*y",
+             "wood pigment_map { [0 checker pigment { radial turbulence .2 rotate 30*x } pigment { onion } scale .3] "
+             "[1 marble turbulence .3] } scale .5 warp { repeat y*.7 flip y } translate .1"}) {
+        CAPTURE(pigment);
+        for (const bool mirrored : {false, true}) {
+            const Scene scene = whole("sphere { 0, 1 pigment { " + pigment + " } }", !mirrored);
+            const referee::Paint<double> paint(material(scene).rgb, glm::dmat4(1));
+            for (const DVec3 point : {DVec3(.31, .42, .05), DVec3(-.7, 1.3, .6), DVec3(.11, -.62, -.83)}) {
+                const DVec3 p(point.x, point.y, mirrored ? -point.z : point.z);
+                const auto color = paint.at(referee::Vector<double>(p));
+                const std::string declared = "#declare F = function { pigment { " + pigment + " } } #declare C = F(" +
+                                             std::to_string(point.x) + ", " + std::to_string(point.y) + ", " +
+                                             std::to_string(point.z) + ");";
+                CHECK(color.x == doctest::Approx(computed(declared, "C.red")).epsilon(1e-6));
+                CHECK(color.y == doctest::Approx(computed(declared, "C.green")).epsilon(1e-6));
+                CHECK(color.z == doctest::Approx(computed(declared, "C.blue")).epsilon(1e-6));
+            }
+        }
+    }
+}
+
+TEST_CASE("POV-Ray: patterns of textures are patterns of their pigments") {
+    const Scene scene = whole(
+        "sphere { 0, 1 texture { gradient x texture_map { [.3 pigment { rgb x }] "
+        "[.7 pigment { rgb z }] } } }");
+    const Pattern& pattern = *material(scene).rgb.pattern;
+    CHECK(pattern.colors.at(0).color == Color(1, 0, 0));
+    CHECK(pattern.colors.at(1).color == Color(0, 0, 1));
+    CHECK(says(notes_of("sphere { 0, 1 texture { checker texture { pigment { rgb x } } "
+                        "texture { finish { phong 1 } } } }"),
+               "the finish of a pattern of textures is that of one of them"));
+}
+
+TEST_CASE("POV-Ray: blended normals are those of their parts") {
+    // Bumps that are the same everywhere in a map are these bumps.
+    const auto bends = [](const std::string& text) {
+        const Bump bump = material(opened("sphere { 0, 1 normal { " + text + " } }").scene).bump;
+        return bump.height * bend_at(std::get<SolidPattern>(bump.pattern->kind), {.3, .4, .5});
+    };
+    const DVec3 one = bends("granite .3");
+    for (const char* const map : {"average normal_map { [1 granite .3] [2 granite .3] }",
+                                  "checker normal { granite .3 } "
+                                  "normal { granite .3 }",
+                                  "bozo normal_map { [.2 granite .3] [.6 granite .3] }"})
+        CHECK(length(bends(map) - one) < 1e-7);
+    CHECK(length(bends("average normal_map { [1 granite .3] [1 bumps 0] }") - .5 * one) < 1e-7);
+    CHECK(length(bends("granite .3 slope_map { [0 <0, 1>] [1 <1, 1>] }") - one) < 1e-7);
+}
