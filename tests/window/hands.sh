@@ -131,6 +131,17 @@ xdotool key ctrl+F12
 await 'a film of the flight is being made'
 quit
 (($(grep -cF 'film saved' log) == 2)) || fault "the window did not wait for the film"
+put "$camera" "$world" "${path//60/6000}"
+PATH=$PWD/bin:$PATH
+start scene.rt --size 64x48
+PATH=$path_before
+xdotool key ctrl+F12
+await 'a film of the flight is being made'
+xdotool key Escape
+await 'waiting for the film'
+xdotool key F12
+await 'makes no more stills'
+quit
 
 echo "-- size and place are remembered"
 export XDG_STATE_HOME=$work/state
