@@ -20,7 +20,7 @@
 namespace strahl {
 namespace {
 
-constexpr FrameRate rate{};
+constexpr FrameRate film_rate{};
 
 }  // namespace
 
@@ -79,19 +79,19 @@ void FilmRecorder::toggle(const Session& session, const std::string& scene_path,
 
 void FilmRecorder::make(const FilmOrder& order) {
     View view = order.view;
-    const int count = static_cast<int>(rate.frames_in(flight_of(order.scene)->duration));
+    const int count = static_cast<int>(film_rate.frames_in(flight_of(order.scene)->duration));
     const double all = double(view.width) * view.height;
     const FileFormat format{.bits = 8, .gamma = order.scene.settings.assumed_gamma, .exposure = order.exposure};
     const SampledRegion picture{{.columns = view.width, .rows = view.height},
                                 {.error = Sampling{}.error / gain_of(order.exposure)}};
-    Film film(find_ffmpeg(order.path), order.path, rate, order.sound);
+    Film film(find_ffmpeg(order.path), order.path, film_rate, order.sound);
     const auto append = [&](std::string_view bytes) { film.append(bytes); };
-    append(stream_head(".y4m", {view.width, view.height}, rate));
+    append(stream_head(".y4m", {view.width, view.height}, film_rate));
     ThreadPool pool(options.threads);
     Tracer tracer(order.scene, Precision::float64);
     int frame = 0;
     for (; frame < count; ++frame) {
-        view.time = rate.moment(frame), view.camera = camera_at(order.scene, view.time);
+        view.time = film_rate.moment(frame), view.camera = camera_at(order.scene, view.time);
         if (order.fit) view.camera = filled_view(view.camera, double(view.width) / view.height);
         PictureWriter writer(view.width, view.height, 3, ".y4m", format);
         std::atomic<int> pixels = 0;
@@ -108,7 +108,7 @@ void FilmRecorder::make(const FilmOrder& order) {
     }
     if (frame == count) return film.finish(), void(said = "film saved: " + order.path);
     if (frame == 0) return void(said = "the film was ended before its first frame");
-    said = "film ended after " + text_of(rate.moment(frame)) + " s: " + film.finish_part();
+    said = "film ended after " + text_of(film_rate.moment(frame)) + " s: " + film.finish_part();
 }
 
 void FilmRecorder::finish() {
