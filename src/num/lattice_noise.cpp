@@ -143,18 +143,24 @@ DVec3 vector_noise(const DVec3& point) {
     return sum;
 }
 
-double turbulence(const DVec3& point, int octaves, float omega, float lambda, int generator) {
-    const auto at = [&](const DVec3& p) { return generator > 1 ? 2 * noise(p, generator) - .5 : noise(p, generator); };
-    double sum = at(point), l = lambda, o = omega;
+double turbulence(const DVec3& point, int octaves, float omega, float lambda, int generator, double step) {
+    const auto at = [&](const DVec3& p, double fine) {
+        return faded(fine * step, .5,
+                     [&] { return generator > 1 ? 2 * noise(p, generator) - .5 : noise(p, generator); });
+    };
+    double sum = at(point, 1), l = lambda, o = omega;
     if (generator > 1) sum = std::clamp(sum, 0., 1.);
-    for (int i = 2; i <= octaves; ++i, l *= lambda, o *= omega) sum += o * at(point * l);
+    for (int i = 2; i <= octaves; ++i, l *= lambda, o *= omega) sum += o * at(point * l, l);
     return sum;
 }
 
-DVec3 vector_turbulence(const DVec3& point, int octaves, float omega, float lambda) {
-    DVec3 sum = vector_noise(point);
+DVec3 vector_turbulence(const DVec3& point, int octaves, float omega, float lambda, double step) {
+    DVec3 sum = left_of_noise(step) * vector_noise(point);
     double l = lambda, o = omega;
-    for (int i = 2; i <= octaves; ++i, l *= lambda, o *= omega) sum += vector_noise(point * l) * o;
+    for (int i = 2; i <= octaves; ++i, l *= lambda, o *= omega) {
+        const double left = left_of_noise(l * step);
+        if (left > 0) sum += vector_noise(point * l) * (o * left);
+    }
     return sum;
 }
 

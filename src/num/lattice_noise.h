@@ -1,5 +1,6 @@
 // POV-Ray's noise, bit for bit: the same scene must give the same marble.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -22,8 +23,20 @@ const NoiseTables& noise_tables();
 double noise(const DVec3& point, int generator);
 /// Three independent noises without an offset.
 DVec3 vector_noise(const DVec3& point);
-/// Sums of noise in 1 to 10 octaves, each `lambda` times as fine as the one before and `omega` times as strong.
-double turbulence(const DVec3& point, int octaves, float omega, float lambda, int generator);
-DVec3 vector_turbulence(const DVec3& point, int octaves, float omega, float lambda);
+/// Sums of noise in 1 to 10 octaves, each `lambda` times as fine as the one before and `omega` times as strong. Octaves
+/// too fine for points that are `step` apart fade to their means.
+double turbulence(const DVec3& point, int octaves, float omega, float lambda, int generator, double step = 0);
+DVec3 vector_turbulence(const DVec3& point, int octaves, float omega, float lambda, double step = 0);
+
+/// Returns how much of a noise is left, from 1 to 0, if points are `step` of its cells apart: all of it if its cells
+/// have two points, none if they are smaller than one and a half steps (A. Apodaca and L. Gritz, "Advanced RenderMan",
+/// 1999, chapter 12, on frequency clamping).
+inline double left_of_noise(double step) { return std::clamp(1.5 - step, 0., 1.); }
+/// Fades a value to its mean; `value` is not called if nothing of it is left.
+template <class Value>
+double faded(double step, double mean, const Value& value) {
+    const double left = left_of_noise(step);
+    return left == 1 ? value() : left > 0 ? mean + left * (value() - mean) : mean;
+}
 
 }  // namespace strahl::lattice

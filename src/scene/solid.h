@@ -59,6 +59,23 @@ struct SolidPattern {
 
 /// Returns the value at a point, from 0 to 1.
 double value_at(const SolidPattern& pattern, const DVec3& point);
+/// A size of a pattern's detail: its cells in a length of 1, and the standard deviation that it gives to the values.
+struct SolidDetail {
+    double fineness, deviation;
+};
+/// Says how the values of a pattern become means.
+struct SolidDetails {
+    /// How values beyond 0 and 1 repeat: from 0 to 1 over and over, up and down within 1, or not at all.
+    enum class Repeat { ramp, triangle, never } repeat;
+    bool known;  // else only points have values
+    bool jumps;  // values change by steps
+    int count = 0;
+    std::array<SolidDetail, 20> sizes{};
+};
+SolidDetails details_of(const SolidPattern& pattern);
+/// Returns the value at a point before it repeats, without detail too fine for points that are `step` apart. Where
+/// values never repeat, the wave has been applied.
+double smoothed_value(const SolidPattern& pattern, const DVec3& point, double step);
 /// Returns what is added to the normal at a point, for a height of 1, which is POV-Ray's amount: noise or waves for
 /// `bumps`, `dents`, `wrinkles`, `ripples` and `waves`, for all others the slope of the values.
 DVec3 bend_at(const SolidPattern& pattern, const DVec3& point);

@@ -33,7 +33,7 @@ class Batches {
           limits(own_limits),
           workspace(own_workspace),
           prove(with_bounds),
-          filters(with_footprints && !own_world.finishes.list) {
+          filters(with_footprints) {
         if (prove) workspace.hold_extra(), bounds.resize(scattered_pixels);
         if (filters) workspace.hold_differentials();
         if (world.finishes.list) workspace.hold_finishes();

@@ -1,6 +1,7 @@
 // Shades hits in worlds with POV-Ray's finishes: their light, by layers, and their rays, which carry colours.
 #pragma once
 #include "trace/kernel/fog.h"
+#include "trace/kernel/footprint.h"
 #include "trace/kernel/illuminate.h"
 #include "trace/kernel/scatter.h"
 #include "trace/patterns/finish_calls.h"
@@ -11,6 +12,28 @@ namespace strahl::inline STRAHL_LEVEL {
 template <class S>
 STRAHL_INLINE Vec3<S> tint_of(const RayQueue<Element<S>>& rays, const LaneIndices<S>& pick) {
     return {pick(rays.tint[0]), pick(rays.tint[1]), pick(rays.tint[2])};
+}
+
+/// Returns by what layers multiply the light that they scatter.
+template <class S>
+Vec3<S> color_of(const LayeredHit<S>& layers) {
+    Vec3<S> sum = splat<S>(Vec3<Element<S>>(0));
+    for (int i = 0; i < most_layers; ++i)
+        for (int c = 0; c < 3; ++c) sum[c] = fma(layers.above[i][c] * layers.opacity[i], layers.color[i][c], sum[c]);
+    return sum;
+}
+
+/// Finds the layers of hits; where patterns are filtered, their means over footprints.
+template <class S, class P>
+void look_at_layers(const Shading<S, P>& shading, const Hit<S>& hit, const int* numbers,
+                    const RayQueue<Element<S>>& from, const LaneIndices<S>& pick, const HitNotes<S, P>& notes,
+                    LayeredHit<S>& layers) {
+    const SeenSurface<S> seen{hit.position, hit.direction, hit.normal, hit.surface, hit.outside};
+    if (!filters(shading)) return void(FinishCalls<S>::look(shading.world, numbers, seen, nullptr, layers));
+    const Footprint<S> footprint{hit.direction, notes.flat, notes.beside.place[0], notes.beside.place[1]};
+    Filtering<S> filtering = FinishCalls<S>::look(shading.world, numbers, seen, &footprint, layers);
+    loosen(filtering, notes.beside.loose);
+    note_colors(shading, filtering, color_of(layers), hit.pixel, pick(from.weight), pick.lanes);
 }
 
 /// Adds the light of all lights to `sum`. An area light shines from its middle, and only its shadows are soft.
@@ -85,7 +108,7 @@ template <class S, class P>
     const Vec3<S> before = tint_of(from, pick);
     const Vec3<S> tint = world.fog.any ? before * tint_of_fog(world, S(hit.medium)) : before;
     LayeredHit<S> layers;
-    FinishCalls<S>::look(world, numbers, {hit.position, hit.direction, hit.normal, hit.surface, hit.outside}, layers);
+    look_at_layers(shading, hit, numbers, from, pick, notes, layers);
     Vec3<S> light = layers.ambient;
     add_lights(shading, hit, numbers, layers, notes, light);
     light = scale(hit.weight, light);

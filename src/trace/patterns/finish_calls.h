@@ -2,6 +2,7 @@
 #pragma once
 #include "num/memory.h"
 #include "num/ray.h"
+#include "trace/patterns/pattern_calls.h"
 #include "trace/world/world.h"
 
 namespace strahl::inline STRAHL_LEVEL {
@@ -36,8 +37,10 @@ struct LayeredHit {
 template <class S>
 struct FinishCalls {
     using T = Element<S>;
-    /// Finds the layers of surfaces with these materials, one in each lane.
-    static void look(const World<T>& world, const int* materials, const SeenSurface<S>& seen, LayeredHit<S>& hit);
+    /// Finds the layers of surfaces with these materials, one in each lane; with footprints, unless these are null, the
+    /// means of patterns through whose colours no light comes.
+    static Filtering<S> look(const World<T>& world, const int* materials, const SeenSurface<S>& seen,
+                             const Footprint<S>* footprint, LayeredHit<S>& hit);
     /// Adds the light that these layers send back to `sum`, of light that arrives.
     static void scatter(const World<T>& world, const int* materials, const LayeredHit<S>& hit,
                         const LitSurface<S>& lit, const Vec3<S>& arriving, Vec3<S>& sum);

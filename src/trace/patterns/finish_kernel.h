@@ -67,8 +67,9 @@ STRAHL_INLINE S fresnel(const S& ior, const S& c) {
 }
 
 template <class S>
-void FinishCalls<S>::look(const World<T>& world, const int* materials, const SeenSurface<S>& seen,
-                          LayeredHit<S>& hit) {
+Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, const SeenSurface<S>& seen,
+                                  const Footprint<S>* footprint, LayeredHit<S>& hit) {
+    Filtering<S> all{S(0), S(-1)};
     const Vec3<S> none = splat<S>(Vec3<T>(0));
     hit.ambient = hit.through = hit.mirrored = none, hit.total = hit.clear = S(0);
     for (int i = 0; i < most_layers; ++i) hit.color[i] = hit.above[i] = none, hit.opacity[i] = S(0);
@@ -78,7 +79,16 @@ void FinishCalls<S>::look(const World<T>& world, const int* materials, const See
         const int layers = std::min(finish.layers, most_layers);
         for (int i = layers; i-- > 0;) {
             const LayerKernel<T>& layer = world.finishes.layers[finish.first_layer + i];
-            const ClearColor<S> own = clear_color_at<true>(world, layer.pattern, seen.position, seen.surface);
+            ClearColor<S> own;
+            if (footprint) {
+                const Filtering<S> filtering =
+                    filtered_at(world, layer.pattern, seen.position, seen.surface, *footprint, lanes, own);
+                const Mask<S> known = lanes & (filtering.length > zero);
+                all.length = select(known, max(all.length, filtering.length), all.length);
+                all.loose = select(known, max(all.loose, filtering.loose), all.loose);
+            } else {
+                own = clear_color_at<true>(world, layer.pattern, seen.position, seen.surface);
+            }
             const S opacity = one - own.filter - own.transmit;
             for (int c = 0; c < 3; ++c) {
                 hit.color[i][c] = select(lanes, own.color[c], hit.color[i][c]);
@@ -106,6 +116,7 @@ void FinishCalls<S>::look(const World<T>& world, const int* materials, const See
         hit.total = select(lanes, S(finish.total), hit.total);
         hit.clear = select(lanes, S(finish.clear ? 1 : 0), hit.clear);
     });
+    return all;
 }
 
 template <class S>

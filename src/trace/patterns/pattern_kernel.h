@@ -1,5 +1,6 @@
 // Colours and normals of patterns. scene/pattern.h defines the patterns.
 #pragma once
+#include <algorithm>
 #include <bit>
 
 #include "trace/patterns/finish_calls.h"
@@ -97,14 +98,27 @@ STRAHL_INLINE DVec3 lane_of(const Vec3<S>& v, int k) {
     return {static_cast<double>(lane(v.x, k)), static_cast<double>(lane(v.y, k)), static_cast<double>(lane(v.z, k))};
 }
 
+/// Finds mean colours of a pattern over footprints; lanes not in `lanes` get any colour. Of patterns among colours the
+/// footprints may be divided once.
+template <class S>
+[[gnu::noinline]] Filtering<S> filtered_at(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
+                                           const Vec3<S>& position, const S& surface, const Footprint<S>& footprint,
+                                           Mask<S> lanes, Vec3<S>& color, bool may_divide = true);
+
 /// Means in lanes, one after the other.
 template <class S>
 struct PatternMeans {
     using T = Element<S>;
     alignas(64) T values[4][width<S>] = {};
-    void set(int k, const PatternMean& mean) {
+    alignas(64) T weights[most_weighed][width<S>];  // of the stops, only of patterns among whose colours are patterns
+    /// Sets the mean of a lane; find(weights) returns it.
+    template <class Find>
+    void set(const PatternKernel<T>& pattern, int k, const Find& find) {
+        double own[most_weighed];
+        const PatternMean mean = find(pattern.nests ? own : nullptr);
         for (int c = 0; c < 3; ++c) values[c][k] = static_cast<T>(mean.color[c]);
         values[3][k] = mean.detailed ? static_cast<T>(mean.loose) : T(-1);
+        for (int i = 0; i < pattern.stops && pattern.nests; ++i) weights[i][k] = static_cast<T>(own[i]);
     }
     Filtering<S> get(Vec3<S>& color) const {
         for (int c = 0; c < 3; ++c) color[c] = load_lanes<S>(values[c]);
@@ -115,58 +129,111 @@ struct PatternMeans {
 /// Finds mean colours of noise, layers or rings around p: from their values on a grid over the footprint, between which
 /// these are taken for linear. Octaves that are finer than the grid fade away.
 template <class S>
-[[gnu::noinline]] Filtering<S> mean_of_values(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
-                                              const Vec3<S>& p, const Vec3<S>& across, const Vec3<S>& down,
-                                              Mask<S> lanes, Vec3<S>& color) {
+[[gnu::noinline]] void mean_of_values(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
+                                      const Vec3<S>& p, const Vec3<S>& across, const Vec3<S>& down, Mask<S> lanes,
+                                      PatternMeans<S>& means) {
     using T = Element<S>;
     const bool noisy = pattern.form == PatternForm::noise || pattern.turbulence != 0;
-    const S finest(noisy ? finest_octave(pattern) : T(1)), one(1);
+    const S finest(noisy ? finest_octave(pattern, T(least_strength)) : T(1)), one(1);
     const S lengths[2] = {sqrt(dot(across, across)), sqrt(dot(down, down))};
-    // Three steps of the grid for each cell of the finest noise, if these are not too many.
     const auto steps_along = [&](const S& own, const S& other) {
         const S most = select(own < other, S(T(ValueGrid::most_steps / 2)), S(T(ValueGrid::most_steps)));
-        return min(max(-floor(S(-3) * finest * own), one), most);
+        return min(max(-floor(S(T(-steps_per_cell)) * finest * own), one), most);
     };
     const S columns = steps_along(lengths[0], lengths[1]), rows = steps_along(lengths[1], lengths[0]);
     const S step = max(lengths[0] / columns, lengths[1] / rows);
     const auto most_of = [&](const S& steps) { return static_cast<int>(-least(select(lanes, -steps, S(-1)))); };
     const int most_columns = most_of(columns), most_rows = most_of(rows), stride = most_columns + 1;
-    alignas(64) T values[ValueGrid::most_values][width<S>], spreads[width<S>];
+    alignas(64) T values[ValueGrid::most_values][width<S>], spreads[width<S>], looseness[width<S>];
     for (int j = 0; j <= most_rows; ++j)
         for (int i = 0; i <= most_columns; ++i) {
             const S x = S(static_cast<T>(i)) / columns - S(T(.5)), y = S(static_cast<T>(j)) / rows - S(T(.5));
             store_lanes(values[j * stride + i], smoothed_value(pattern, fma(x, across, fma(y, down, p)), step));
         }
-    store_lanes(spreads, lost_octaves(pattern, step));
-    const S fine = finest * (lengths[0] + lengths[1]), cells = finest * step;
-    PatternMeans<S> means;
+    const LostOctaves<S> lost = lost_octaves(pattern, step, lengths);
+    store_lanes(spreads, lost.spread), store_lanes(looseness, lost.loose);
+    const S fine = finest * (lengths[0] + lengths[1]);
     each_lane<S>(lanes, [&](int k) {
         ValueGrid grid{.columns = static_cast<int>(lane(columns, k)),
                        .rows = static_cast<int>(lane(rows, k)),
                        .spread = static_cast<double>(spreads[k]),
-                       .step = static_cast<double>(lane(cells, k)),
+                       .loose = static_cast<double>(looseness[k]),
                        .cells = static_cast<double>(lane(fine, k))};
         for (int j = 0, n = 0; j <= grid.rows; ++j)
             for (int i = 0; i <= grid.columns; ++i)
                 grid.values[n++] = static_cast<double>(values[j * stride + i][k]);
-        means.set(k, mean_over(pattern, world.patterns.stops + pattern.first_stop, grid));
+        means.set(pattern, k, [&](double* weights) {
+            return mean_over(pattern, world.patterns.stops + pattern.first_stop, grid, weights);
+        });
     });
-    return means.get(color);
 }
 
-/// Finds mean colours of a pattern over footprints; lanes not in `lanes` get any colour.
+/// Returns where a way beside a ray leads on a surface with this normal.
 template <class S>
-[[gnu::noinline]] Filtering<S> filtered_at(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
-                                           const Vec3<S>& position, const S& surface, const Footprint<S>& footprint,
-                                           Mask<S> lanes, Vec3<S>& color) {
-    if (pattern.form == PatternForm::constant || pattern.form == PatternForm::solid || pattern.nests) {
+STRAHL_INLINE Vec3<S> along_surface(const Footprint<S>& footprint, const Vec3<S>& way, const Vec3<S>& normal) {
+    return fma(-dot(way, normal) / dot(footprint.direction, normal), footprint.direction, way);
+}
+
+/// Footprints with edges of a pattern and of one among its colours are divided into so many parts in a row, and their
+/// mean counts as so loose; found by experiment.
+inline constexpr int divided_into = 4;
+inline constexpr double divided_loose = .3;
+
+/// Finds mean colours of a pattern that has patterns among its colours: the means of these by the weights of its stops,
+/// as if they did not depend on where in the footprint each stop is seen. Where both have edges in the footprint, it is
+/// divided.
+template <class S>
+[[gnu::noinline]] Filtering<S> mean_of_nested(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
+                                              const Vec3<S>& position, const S& surface, const Footprint<S>& footprint,
+                                              Mask<S> lanes, const PatternMeans<S>& means, Vec3<S>& color,
+                                              bool may_divide) {
+    using T = Element<S>;
+    const S zero(0), one(1);
+    Filtering<S> all = means.get(color);
+    color = splat<S>(Vec3<T>(0));
+    Mask<S> crossed = first_lanes<S>(0);
+    for (int i = 0; i < pattern.stops; ++i) {
+        const S weight = load_lanes<S>(means.weights[i]);
+        const Mask<S> seen = lanes & (weight > S(T(1e-6)));
+        if (none(seen)) continue;
+        const ColorStopKernel<T>& stop = world.patterns.stops[pattern.first_stop + i];
+        Vec3<S> own = splat<S>(stop.color);
+        if (stop.nested >= 0) {
+            const Filtering<S> inner = filtered_at(world, world.patterns.nested[stop.nested], position, surface,
+                                                   footprint, seen, own, may_divide);
+            const Mask<S> varies = seen & (inner.loose >= zero) & (inner.length > zero);
+            all.loose = select(varies, max(all.loose, inner.loose), all.loose);
+            crossed = crossed | (varies & (weight < S(T(.999))));
+        }
+        for (int c = 0; c < 3; ++c) color[c] = select(seen, fma(weight, own[c], color[c]), color[c]);
+    }
+    if (!may_divide || none(crossed)) return all;
+    const S per(T(1) / T(divided_into));
+    const Vec3<S> across = along_surface(footprint, footprint.across, footprint.normal);
+    const Vec3<S> down = along_surface(footprint, footprint.down, footprint.normal);
+    const Footprint<S> part{footprint.direction, footprint.normal, scale(per, across), scale(per, down)};
+    Vec3<S> sum = splat<S>(Vec3<T>(0));
+    for (int j = 0; j < divided_into; ++j)
+        for (int i = 0; i < divided_into; ++i) {
+            const auto middle = [&](int k) { return (S(static_cast<T>(k)) + S(T(.5))) * per - S(T(.5)); };
+            Vec3<S> own;
+            filtered_at(world, pattern, fma(middle(i), across, fma(middle(j), down, position)), surface, part, crossed,
+                        own, false);
+            sum = fma(per * per, own, sum);
+        }
+    color = select(crossed, sum, color);
+    all.loose = select(crossed, min(max(all.loose, S(T(divided_loose))), one), all.loose);
+    return all;
+}
+template <class S>
+Filtering<S> filtered_at(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
+                         const Vec3<S>& position, const S& surface, const Footprint<S>& footprint, Mask<S> lanes,
+                         Vec3<S>& color, bool may_divide) {
+    if (pattern.form == PatternForm::constant || (pattern.nests && pattern.stops > most_weighed)) {
         color = color_at(world, pattern, position, surface);
         if (pattern.form != PatternForm::constant) return {S(1), S(1)};  // not filtered at all
         return {};
     }
-    const auto along = [&](const Vec3<S>& way, const Vec3<S>& normal) {
-        return fma(-dot(way, normal) / dot(footprint.direction, normal), footprint.direction, way);
-    };
     const auto turned = [&](const Vec3<S>& way) {
         Vec3<S> own;
         for (int c = 0; c < 3; ++c) own[c] = dot(splat<S>(pattern.rows[c]), way);
@@ -177,10 +244,11 @@ template <class S>
         const PlacedTriangles<S> triangles = placed_triangles(world, pattern.places, surface);
         const Vec3<S> normal = cross(triangles.e, triangles.f);
         place = place_in(triangles, position);
-        across = way_in(triangles, along(footprint.across, normal));
-        down = way_in(triangles, along(footprint.down, normal));
+        across = way_in(triangles, along_surface(footprint, footprint.across, normal));
+        down = way_in(triangles, along_surface(footprint, footprint.down, normal));
     } else {
-        across = along(footprint.across, footprint.normal), down = along(footprint.down, footprint.normal);
+        across = along_surface(footprint, footprint.across, footprint.normal);
+        down = along_surface(footprint, footprint.down, footprint.normal);
     }
     const Vec3<S> p = in_space_of(pattern, place);
     across = turned(across), down = turned(down);
@@ -193,13 +261,39 @@ template <class S>
     const Mask<S> known = longest < S(largest_gain);
     across = select(known, across, splat<S>(Vec3<Element<S>>(0)));
     down = select(known, down, splat<S>(Vec3<Element<S>>(0)));
-    if (!has_mean(pattern.form)) return mean_of_values(world, pattern, p, across, down, lanes, color);
     PatternMeans<S> means;
-    each_lane<S>(lanes, [&](int k) {
-        means.set(k, mean_over(pattern, world.patterns.stops + pattern.first_stop,
-                               PatternArea{lane_of(p, k), lane_of(across, k), lane_of(down, k)}));
-    });
+    if (has_mean(pattern.form))
+        each_lane<S>(lanes, [&](int k) {
+            means.set(pattern, k, [&](double* weights) {
+                return mean_over(pattern, world.patterns.stops + pattern.first_stop,
+                                 PatternArea{lane_of(p, k), lane_of(across, k), lane_of(down, k)}, weights);
+            });
+        });
+    else
+        mean_of_values(world, pattern, p, across, down, lanes, means);
+    if (pattern.nests)
+        return mean_of_nested(world, pattern, position, surface, footprint, lanes, means, color, may_divide);
     return means.get(color);
+}
+/// Does light come through somewhere?
+template <class T>
+bool is_clear(const World<T>& world, const PatternKernel<T>& pattern) {
+    const auto* const stops = world.patterns.stops + pattern.first_stop;
+    return std::any_of(stops, stops + pattern.stops, [&](const ColorStopKernel<T>& stop) {
+        return stop.nested < 0 ? stop.filter != 0 || stop.transmit != 0
+                               : is_clear(world, world.patterns.nested[stop.nested]);
+    });
+}
+/// Does the same for patterns that may let light through; those that do are not filtered.
+template <class S>
+Filtering<S> filtered_at(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
+                         const Vec3<S>& position, const S& surface, const Footprint<S>& footprint, Mask<S> lanes,
+                         ClearColor<S>& found) {
+    if (pattern.form != PatternForm::constant && !is_clear(world, pattern))
+        return filtered_at(world, pattern, position, surface, footprint, lanes, found.color);
+    found = clear_color_at<true>(world, pattern, position, surface);
+    if (pattern.form == PatternForm::constant) return {};
+    return {S(1), S(1)};
 }
 
 /// Calls visit(which, lanes) for each different patterned material of a pack.
@@ -243,6 +337,7 @@ Filtering<S> PatternCalls<S>::paint_filtered(const World<T>& world, const int* m
                                              const S& surface, const Footprint<S>& footprint,
                                              MaterialKernel<S>& values) {
     Filtering<S> all;
+    if (world.finishes.list) return all;
     each_pattern<S>(world, materials, [&](int which, Mask<S> lanes) {
         const PatternKernel<T>& pattern = world.patterns.list[which];
         Vec3<S> color;

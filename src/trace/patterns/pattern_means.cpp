@@ -3,7 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <utility>
+
+#include "num/lattice_noise.h"
+#include "num/vec_math.h"
+#include "scene/solid.h"
 
 namespace strahl {
 namespace {
@@ -14,9 +19,11 @@ constexpr double shortest = 1e-6;
 /// independent.
 constexpr double most_pieces = 24;
 
-/// How loose filters count, found by experiment: those in closed form, which take surfaces for flat and their light for
-/// even, and those from grids with a step of one cell of the finest noise (tests/bench/sampling.md).
-constexpr double exact = .03, from_values = 1;
+/// How loose filters count at least, found by experiment: they take surfaces for flat and their light for even
+/// (tests/bench/sampling.md).
+constexpr double exact = .03;
+/// How loose means of points on a grid count.
+constexpr double of_points = .3;
 /// Noise is detailed from so many of its finest cells on.
 constexpr double finely = .25;
 
@@ -316,12 +323,147 @@ class MapFunction {
     Sums half;        // the integrals over the way up of a wave
 };
 
+/// Finds the values of a solid pattern over an area.
+ValueGrid values_over(const SolidPattern& solid, const SolidDetails& details, const PatternArea& area) {
+    double largest = 0, finest = 0;
+    const std::span sizes(details.sizes.data(), static_cast<std::size_t>(details.count));
+    for (const SolidDetail& size : sizes) largest = std::max(largest, size.deviation);
+    for (const SolidDetail& size : sizes)
+        if (size.deviation >= least_strength * largest || size.deviation == 0) finest = std::max(finest, size.fineness);
+    const double lengths[2] = {length(area.across), length(area.down)};
+    const auto steps_along = [&](double own, double other) {
+        const double most = own < other ? ValueGrid::most_steps / 2 : ValueGrid::most_steps;
+        if (details.jumps) return ValueGrid::most_steps;
+        return static_cast<int>(std::clamp(std::ceil(steps_per_cell * finest * own), 1., most));
+    };
+    if (is_far(area)) return {.columns = 1, .rows = 1};
+    if (!details.known) {
+        ValueGrid point{.columns = 1, .rows = 1, .loose = 1, .cells = HUGE_VAL};
+        std::fill_n(point.values, 4, smoothed_value(solid, area.middle, 0));
+        return point;
+    }
+    ValueGrid grid{.columns = steps_along(lengths[0], lengths[1]), .rows = steps_along(lengths[1], lengths[0])};
+    grid.cells = finest * (lengths[0] + lengths[1]);
+    // Values that jump are not linear in between: all points count as they are.
+    const double step = details.jumps ? 0 : std::max(lengths[0] / grid.columns, lengths[1] / grid.rows);
+    double squares = 0, missed = 0, all = 0;
+    for (const auto& [fineness, deviation] : sizes) {
+        const double own = fineness * step, lost = deviation * (1 - lattice::left_of_noise(own));
+        squares += lost * lost;
+        double varies = deviation * deviation;
+        for (const double length : lengths) varies /= std::max(fineness * length, 1.);
+        const double share = std::min(own, 1.);
+        missed += varies * share * share, all += varies;
+    }
+    grid.spread = std::sqrt(squares);
+    grid.loose = details.jumps ? of_points : all > 0 ? std::sqrt(missed / all) : std::min(finest * step, 1.);
+    const auto point_of = [&](int i, int j) {
+        return area.middle + (double(i) / grid.columns - .5) * area.across + (double(j) / grid.rows - .5) * area.down;
+    };
+    for (int j = 0, n = 0; j <= grid.rows; ++j)
+        for (int i = 0; i <= grid.columns; ++i)
+            grid.values[n++] = smoothed_value(solid, point_of(i, j), step);
+    return grid;
+}
+
+template <class T>
+Fold fold_of(const PatternKernel<T>& pattern, const SolidDetails* details) {
+    using Repeat = SolidDetails::Repeat;
+    if (details)
+        return details->repeat == Repeat::ramp    ? Fold::repeat
+               : details->repeat == Repeat::never ? Fold::limit
+                                                  : Fold::wave;
+    return pattern.form == PatternForm::noise ? Fold::limit : Fold::wave;
+}
+
+/// Calls mean(map) for maps in which one stop is 1 and all others are 0, three at a time, for the mean of each.
+template <class T, class Mean>
+void weigh(const ColorStopKernel<T>* stops, int count, Fold fold, double* weights, const Mean& mean) {
+    std::array<ColorStopKernel<T>, most_weighed> own;
+    std::copy_n(stops, count, own.begin());
+    for (int first = 0; first < count; first += 3) {
+        for (int i = 0; i < count; ++i)
+            for (int c = 0; c < 3; ++c) own[i].color[c] = i == first + c ? T(1) : T(0);
+        const DVec3 shares = mean(MapFunction<T>(own.data(), count, fold));
+        for (int c = 0; c < 3 && first + c < count; ++c) weights[first + c] = std::clamp(shares[c], 0., 1.);
+    }
+}
+
+/// Finds each second value of a row from those before and after it, by polynomials of degree 3 and, at the ends, 2.
+void fill_between(double* values, int stride, int last) {
+    const auto at = [&](int k) { return values[k * stride]; };
+    for (int i = 1; i < last; i += 2)
+        values[i * stride] = i == 1          ? (3 * at(0) + 6 * at(2) - at(4)) / 8
+                             : i == last - 1 ? (3 * at(last) + 6 * at(last - 2) - at(last - 4)) / 8
+                                             : (9 * (at(i - 1) + at(i + 1)) - at(i - 3) - at(i + 3)) / 16;
+}
+/// Returns a grid with twice the columns and twice the rows, each if they are few enough for that and at least two.
+ValueGrid refined(const ValueGrid& grid) {
+    const auto finer = [](int steps) { return steps > 1 && steps <= ValueGrid::most_steps / 2 ? 2 : 1; };
+    const int x = finer(grid.columns), y = finer(grid.rows);
+    ValueGrid all = grid;
+    all.columns *= x, all.rows *= y;
+    const int stride = all.columns + 1;
+    for (int j = 0, n = 0; j <= grid.rows; ++j)
+        for (int i = 0; i <= grid.columns; ++i) all.values[y * j * stride + x * i] = grid.values[n++];
+    for (int j = 0; j <= all.rows && x == 2; j += y) fill_between(all.values + j * stride, 1, all.columns);
+    for (int i = 0; i <= all.columns && y == 2; ++i) fill_between(all.values + i, stride, all.rows);
+    return all;
+}
+
+template <class T>
+PatternMean mean_of_grid(const PatternKernel<T>& pattern, const ColorStopKernel<T>* stops, const ValueGrid& given,
+                         const SolidDetails* details, double* weights) {
+    const ValueGrid grid = details && details->jumps ? given : refined(given);
+    const Fold fold = fold_of(pattern, details);
+    const double spread = grid.spread * std::sqrt(12.);  // the width of a box of this deviation
+    struct Piece {
+        double x, a, b;
+        const double *top, *bottom;
+    };
+    const auto each_piece = [&](const auto& visit) {
+        for (int j = 0; j < grid.rows; ++j)
+            for (int i = 0; i < grid.columns; ++i) {
+                const double* const top = &grid.values[j * (grid.columns + 1) + i];
+                const double* const bottom = top + grid.columns + 1;
+                visit(Piece{(top[0] + top[1] + bottom[0] + bottom[1]) / 4,
+                            (top[1] - top[0] + bottom[1] - bottom[0]) / 2,
+                            std::hypot((bottom[0] - top[0] + bottom[1] - top[1]) / 2, spread), top, bottom});
+            }
+    };
+    const auto mean_by = [&](const MapFunction<T>& map) {
+        DVec3 sum(0);
+        each_piece([&](const Piece& own) {
+            const auto& [x, a, b, top, bottom] = own;
+            const double reach = (std::abs(a) + b) / 2;
+            if (details && details->jumps)
+                sum += .25 * (map.value(top[0]) + map.value(top[1]) + map.value(bottom[0]) + map.value(bottom[1]));
+            else
+                sum += map.is_linear(x - reach, x + reach) ? map.value(x) : mean_of(map, x, a, b);
+        });
+        return map.mean + 1. / (grid.rows * grid.columns) * sum;
+    };
+    const MapFunction<T> map(stops, pattern.stops, fold);
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    each_piece([&](const Piece& own) {
+        const double reach = 1.5 * (std::abs(own.a) + own.b);
+        low = std::min(low, own.x - reach), high = std::max(high, own.x + reach);
+    });
+    const bool detailed = grid.cells > finely || high - low > .25 || map.has_jump(low, high);
+    const DVec3 color = mean_by(map);
+    const bool known = std::abs(color.x) + std::abs(color.y) + std::abs(color.z) < furthest;
+    if (weights) weigh(stops, pattern.stops, fold, weights, mean_by);
+    return {known ? max(color, DVec3(0)) : map.mean + map.value(0), detailed, std::clamp(grid.loose, exact, 1.)};
+}
+
 }  // namespace
 
 template <class T>
-PatternMean mean_over(const PatternKernel<T>& pattern, const ColorStopKernel<T>* stops, const PatternArea& area) {
+PatternMean mean_over(const PatternKernel<T>& pattern, const ColorStopKernel<T>* stops, const PatternArea& area,
+                      double* weights) {
     const auto mixed = [&](double share) {
         share = std::clamp(share, 0., 1.);  // rounding may lead out of this
+        if (weights) weights[0] = 1 - share, weights[1] = share;
         DVec3 color;
         for (int c = 0; c < 3; ++c)
             color[c] = double(stops[0].color[c]) + share * (double(stops[1].color[c]) - double(stops[0].color[c]));
@@ -340,46 +482,37 @@ PatternMean mean_over(const PatternKernel<T>& pattern, const ColorStopKernel<T>*
                         detailed = detailed || has_border(area, c, shift - border);
             return {mixed(share_of_bricks(area, mortar)), detailed, exact};
         }
+        case PatternForm::solid: {
+            const SolidDetails details = details_of(*pattern.solid);
+            return mean_of_grid(pattern, stops, values_over(*pattern.solid, details, area), &details, weights);
+        }
         default: {
             const MapFunction<T> map(stops, pattern.stops, Fold::repeat);
             const double x = area.middle.x - double(pattern.border), reach = 1.5 * extent(area, 0);
             const bool detailed = reach > .25 || map.has_jump(x - reach, x + reach);
-            if (is_far(area)) return {map.mean, true, exact};
-            return {max(map.mean + mean_of(map, x, area.across.x, area.down.x), DVec3(0)), detailed, exact};
+            const auto mean_by = [&](const MapFunction<T>& own) {
+                return is_far(area) ? own.mean : own.mean + mean_of(own, x, area.across.x, area.down.x);
+            };
+            if (weights) weigh(stops, pattern.stops, Fold::repeat, weights, mean_by);
+            return {max(mean_by(map), DVec3(0)), detailed || is_far(area), exact};
         }
     }
 }
 
 template <class T>
-PatternMean mean_over(const PatternKernel<T>& pattern, const ColorStopKernel<T>* stops, const ValueGrid& grid) {
-    const MapFunction<T> map(stops, pattern.stops, pattern.form == PatternForm::noise ? Fold::limit : Fold::wave);
-    const double spread = grid.spread * std::sqrt(12.);  // the width of a box of this deviation
-    DVec3 sum(0);
-    double low = HUGE_VAL, high = -HUGE_VAL;
-    for (int j = 0; j < grid.rows; ++j)
-        for (int i = 0; i < grid.columns; ++i) {
-            const double* const top = &grid.values[j * (grid.columns + 1) + i];
-            const double* const bottom = top + grid.columns + 1;
-            const double a = (top[1] - top[0] + bottom[1] - bottom[0]) / 2;
-            const double b = std::hypot((bottom[0] - top[0] + bottom[1] - top[1]) / 2, spread);
-            const double x = (top[0] + top[1] + bottom[0] + bottom[1]) / 4, reach = 1.5 * (std::abs(a) + b);
-            sum += map.is_linear(x - reach / 3, x + reach / 3) ? map.value(x) : mean_of(map, x, a, b);
-            low = std::min(low, x - reach), high = std::max(high, x + reach);
-        }
-    const bool detailed = grid.cells > finely || high - low > .25 || map.has_jump(low, high);
-    const DVec3 color = map.mean + 1. / (grid.rows * grid.columns) * sum;
-    const bool known = std::abs(color.x) + std::abs(color.y) + std::abs(color.z) < furthest;
-    return {known ? max(color, DVec3(0)) : map.mean + map.value(0), detailed,
-            std::clamp(from_values * grid.step, exact, 1.)};
+PatternMean mean_over(const PatternKernel<T>& pattern, const ColorStopKernel<T>* stops, const ValueGrid& grid,
+                      double* weights) {
+    return mean_of_grid(pattern, stops, grid, nullptr, weights);
 }
 
-template PatternMean mean_over(const PatternKernel<float>&, const ColorStopKernel<float>*, const PatternArea&);
-template PatternMean mean_over(const PatternKernel<double>&, const ColorStopKernel<double>*, const PatternArea&);
+template PatternMean mean_over(const PatternKernel<float>&, const ColorStopKernel<float>*, const PatternArea&, double*);
+template PatternMean mean_over(const PatternKernel<double>&, const ColorStopKernel<double>*, const PatternArea&,
+                               double*);
 template PatternMean mean_over(const PatternKernel<long double>&, const ColorStopKernel<long double>*,
-                               const PatternArea&);
-template PatternMean mean_over(const PatternKernel<float>&, const ColorStopKernel<float>*, const ValueGrid&);
-template PatternMean mean_over(const PatternKernel<double>&, const ColorStopKernel<double>*, const ValueGrid&);
+                               const PatternArea&, double*);
+template PatternMean mean_over(const PatternKernel<float>&, const ColorStopKernel<float>*, const ValueGrid&, double*);
+template PatternMean mean_over(const PatternKernel<double>&, const ColorStopKernel<double>*, const ValueGrid&, double*);
 template PatternMean mean_over(const PatternKernel<long double>&, const ColorStopKernel<long double>*,
-                               const ValueGrid&);
+                               const ValueGrid&, double*);
 
 }  // namespace strahl

@@ -16,15 +16,23 @@ struct PatternArea {
     DVec3 middle, across, down;
 };
 
-/// Values of noise, layers or rings, not yet folded or limited, at the corners of a parallelogram's columns and rows.
+/// Values of noise, layers, rings or a solid pattern, not yet folded or limited, at the corners of a parallelogram's
+/// columns and rows.
 struct ValueGrid {
     static constexpr int most_steps = 10, most_values = (most_steps + 1) * (most_steps + 1);
     int columns, rows;
-    double spread;  // the standard deviation of what the values lack of the finest noise
-    double step;    // of columns and rows, in cells of that noise
-    double cells;   // how many of these the sides of the area cross
+    double spread = 0;  // the standard deviation of what the values lack of the finest detail
+    double loose = 0;   // the share of their variation over areas beside each other that they lack, from 0 to 1
+    double cells = 0;   // how many cells of the finest detail that counts the sides of the area cross
     double values[most_values] = {};  // row by row
 };
+
+/// The grid has so many steps for each cell of the finest detail that counts, if these are not too many. Detail counts
+/// from this share of the strongest on (tests/bench/sampling.md).
+inline constexpr int steps_per_cell = 5;
+inline constexpr double least_strength = 1. / 16;
+/// Most stops of patterns whose weights are found.
+inline constexpr int most_weighed = 16;
 
 /// The mean colour of a pattern over an area. It is detailed if colours have edges in an area three times as long and
 /// wide: samples around may see what this one does not.
@@ -33,14 +41,18 @@ struct PatternMean {
     bool detailed;
     double loose;  // see Filtering
 };
+/// `weights`, unless null, get the shares of the pattern's stops: the mean is the sum of their colours times these.
 template <class T>
-PatternMean mean_over(const PatternKernel<T>& pattern, const ColorStopKernel<T>* stops, const PatternArea& area);
+PatternMean mean_over(const PatternKernel<T>& pattern, const ColorStopKernel<T>* stops, const PatternArea& area,
+                      double* weights = nullptr);
 template <class T>
-PatternMean mean_over(const PatternKernel<T>& pattern, const ColorStopKernel<T>* stops, const ValueGrid& grid);
+PatternMean mean_over(const PatternKernel<T>& pattern, const ColorStopKernel<T>* stops, const ValueGrid& grid,
+                      double* weights = nullptr);
 
-/// Returns whether patterns of this form have means in closed form.
+/// Returns whether means of this form need no grid of values from the caller.
 inline bool has_mean(PatternForm form) {
-    return form == PatternForm::checker || form == PatternForm::brick || form == PatternForm::ramp;
+    return form == PatternForm::checker || form == PatternForm::brick || form == PatternForm::ramp ||
+           form == PatternForm::solid;
 }
 
 }  // namespace strahl

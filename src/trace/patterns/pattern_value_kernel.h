@@ -74,11 +74,12 @@ STRAHL_INLINE S octaves_at(const PatternKernel<Element<S>>& pattern, const Vec3<
     return sum;
 }
 
-/// Returns how many times finer the finest octave is than the first one.
+/// Returns how many times finer than the first octave the finest one is that has more than `least` of its strength.
 template <class T>
-T finest_octave(const PatternKernel<T>& pattern) {
-    T finest = 1;
-    for (int i = 1; i < pattern.octaves && pattern.lambda > T(1); ++i) finest *= pattern.lambda;
+T finest_octave(const PatternKernel<T>& pattern, T least) {
+    T finest = 1, strength = 1;
+    for (int i = 1; i < pattern.octaves && pattern.lambda > T(1) && (strength *= pattern.omega) >= least; ++i)
+        finest *= pattern.lambda;
     return finest;
 }
 /// Returns how much of an octave is left, from 1 to 0, if points are `step` of its cells apart. All of it is if its
@@ -105,19 +106,29 @@ template <class S>
     if (noise) return sum + S(T(.5));
     return sum + (pattern.form == PatternForm::layers ? p.x : sqrt(fma(p.x, p.x, p.y * p.y)));
 }
-/// Returns the standard deviation of the octaves that smoothed_value leaves out.
+/// What a grid lacks of octaves.
 template <class S>
-S lost_octaves(const PatternKernel<Element<S>>& pattern, const S& step) {
+struct LostOctaves {
+    S spread;  // the standard deviation of what smoothed_value leaves out
+    S loose;   // the share of their variation over areas beside each other that the grid does not show, from 0 to 1
+};
+/// Finds that for a grid over areas with sides of these lengths. Over an area, octaves with many cells vary little.
+template <class S>
+LostOctaves<S> lost_octaves(const PatternKernel<Element<S>>& pattern, const S& step, const S (&lengths)[2]) {
     using T = Element<S>;
     constexpr T deviation = T(.17);  // of one octave, found by experiment
-    S squares(0);
+    const S one(1);
+    S squares(0), missed(0), all(0);
     T strength = pattern.form == PatternForm::noise ? T(1) : pattern.turbulence, fineness = 1;
     for (int i = 0; i < pattern.octaves && strength != 0; ++i) {
-        const S lost = S(strength * deviation) * (S(1) - left_of_octave(S(fineness) * step));
+        const S own = S(fineness) * step, lost = S(strength * deviation) * (one - left_of_octave(own));
         squares = fma(lost, lost, squares);
+        const S cells = max(S(fineness) * lengths[0], one) * max(S(fineness) * lengths[1], one);
+        const S varies = S(strength * strength) / cells, share = min(own, one);
+        missed = fma(varies * share, share, missed), all = all + varies;
         strength *= pattern.omega, fineness *= pattern.lambda;
     }
-    return sqrt(squares);
+    return {sqrt(squares), select(all > S(0), sqrt(missed / all), min(step, one))};
 }
 
 /// Returns whole numbers modulo 2.

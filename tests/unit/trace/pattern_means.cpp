@@ -8,8 +8,10 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "num/thread_pool.h"
+#include "num/vec_math.h"
 #include "tests/referee/dice.h"
 #include "text/parse.h"
 #include "trace/cells/cell_picture.h"
@@ -82,14 +84,79 @@ TEST_CASE("means of checks, bricks and ramps are those of many points") {
     }
 }
 
+TEST_CASE("means of solid patterns are near those of many points") {
+    Dice dice(11);
+    double squares = 0, of_points = 0;
+    int tries = 0;
+    for (int kind = 0; kind < static_cast<int>(solid_names.size()); ++kind)
+        for (int i = 0; i < 4; ++i) {
+            SolidPattern solid{.solid = static_cast<Solid>(kind)};
+            const auto vector = [&] { return DVec3(dice.in(-1, 1), dice.in(-1, 1), dice.in(-1, 1)); };
+            if (i % 2) solid.turbulence = .3 * vector(), solid.octaves = 1 + i % 4;
+            solid.wave = i % 5, solid.frequency = i % 3 ? 1 : 1 + i;
+            PatternKernel<double> pattern{};
+            pattern.form = PatternForm::solid, pattern.stops = 6, pattern.solid = &solid;
+            if (!details_of(solid).known) continue;
+            const double size = std::pow(10, dice.in(-2, 0));
+            const PatternArea area{3. * vector(), size * vector(), size * vector()};
+            const PatternMean mean = mean_over(pattern, six.data(), area);
+            constexpr int points = 20;
+            DVec3 sum(0);
+            for (int j = 0; j < points; ++j)
+                for (int k = 0; k < points; ++k) {
+                    const double x = (k + dice.in(0, 1)) / points - .5, y = (j + dice.in(0, 1)) / points - .5;
+                    const DVec3 at = area.middle + x * area.across + y * area.down;
+                    sum += mapped(six, value_at(solid, at));
+                }
+            const DVec3 exact = 1. / (points * points) * sum, off = mean.color - exact;
+            const DVec3 point = mapped(six, value_at(solid, area.middle)) - exact;
+            squares += dot_product(off, off) / 3, of_points += dot_product(point, point) / 3, ++tries;
+        }
+    const double rms = std::sqrt(squares / tries), points_rms = std::sqrt(of_points / tries);
+    CAPTURE(rms);
+    CHECK(rms < points_rms / 5);
+}
+
+TEST_CASE("a mean is the sum of the colours of stops by their weights") {
+    Dice dice(5);
+    const SolidPattern bozo{.solid = Solid::bozo}, marble{.solid = Solid::marble, .turbulence = {1, 1, 1}, .wave = 1};
+    for (int i = 0; i < 60; ++i) {
+        PatternKernel<double> pattern{};
+        pattern.form = std::array{PatternForm::checker, PatternForm::brick, PatternForm::ramp, PatternForm::solid,
+                                  PatternForm::noise}[i % 5];
+        pattern.stops = i % 5 < 2 ? 2 : 6, pattern.solid = i % 2 ? &bozo : &marble, pattern.mortar = {.1, .2, .3};
+        const Stops& stops = i % 5 < 2 ? two : six;
+        const auto vector = [&] { return DVec3(dice.in(-1, 1), dice.in(-1, 1), dice.in(-1, 1)); };
+        double weights[most_weighed];
+        ValueGrid grid{.columns = 2, .rows = 2, .spread = dice.in(0, .1)};
+        for (int k = 0; k < 9; ++k) grid.values[k] = dice.in(-.1, 1.1);
+        const PatternMean mean =
+            pattern.form == PatternForm::noise
+                ? mean_over(pattern, stops.data(), grid, weights)
+                : mean_over(pattern, stops.data(), {3. * vector(), vector(), vector()}, weights);
+        double all = 0;
+        DVec3 sum(0);
+        for (int k = 0; k < pattern.stops; ++k) all += weights[k], sum += weights[k] * stops[k].color;
+        CHECK(std::abs(all - 1) < 1e-9);
+        for (int c = 0; c < 3; ++c) CHECK(std::abs(sum[c] - mean.color[c]) < 1e-9);
+    }
+}
+
 TEST_CASE("means of patterns end and are finite, whatever the footprint") {
     const double infinite = std::numeric_limits<double>::infinity();
-    for (const PatternForm form : {PatternForm::checker, PatternForm::brick, PatternForm::ramp, PatternForm::layers})
+    const SolidPattern granite{.solid = Solid::granite};
+    const SolidPattern rings{.solid = Solid::onion, .turbulence = {1, 1, 1}, .wave = 1};
+    for (const auto& [form, solid] : {std::pair<PatternForm, const SolidPattern*>(PatternForm::checker, nullptr),
+                                      {PatternForm::brick, nullptr},
+                                      {PatternForm::ramp, nullptr},
+                                      {PatternForm::layers, nullptr},
+                                      {PatternForm::solid, &granite},
+                                      {PatternForm::solid, &rings}})
         for (const double size : {0., 1e-300, 1e-9, 1e3, 1e12, 1e30, infinite, infinite - infinite})
             for (const double place : {0., -.5, 1e8, 1e17, 1e300, infinite, -infinite, infinite - infinite}) {
                 PatternKernel<double> pattern{};
-                pattern.form = form, pattern.stops = 2, pattern.mortar = {.1, .1, .1};
-                ValueGrid grid{.columns = 1, .rows = 1, .spread = size, .step = size, .cells = size};
+                pattern.form = form, pattern.stops = 2, pattern.mortar = {.1, .1, .1}, pattern.solid = solid;
+                ValueGrid grid{.columns = 1, .rows = 1, .spread = size, .loose = size, .cells = size};
                 grid.values[1] = size, grid.values[3] = place;
                 const PatternMean mean =
                     form == PatternForm::layers
@@ -107,6 +174,9 @@ const char* const floors[]{
     "checker { <1, 1, 1>, <.05, .05, .05>  scale .4  rotate <0, 0, 20> }",
     "brick { <1, 1, 1>, <.5, .05, .05>  brick_size <.4, .2, .3>  mortar .02 }",
     "gradient { axis <0, 1, 0>  colors { 0 <1, 1, 1>  .98 <1, 1, 1>  .98 <0, 0, 0>  1 <0, 0, 0> }  scale .5 }",
+    "checker { brick { <1, 1, 1>, <.5, .05, .05>  brick_size <.4, .2, .3>  mortar .02 },\n"
+    "          checker { <1, 1, 1>, <.1, .2, .6>  scale .25 }  scale 1.5 }",
+    "solid { agate  colors { 0 <.9, .8, .7>  .5 <.6, .3, .1>  .5 <.9, .9, .9>  1 <.3, .1, .05> } }  blinn .3",
 };
 
 TEST_CASE("floors of checks, bricks and lines come out as the mean of many rays") {
@@ -142,7 +212,8 @@ TEST_CASE("floors of checks, bricks and lines come out as the mean of many rays"
         const double rms = 510 * std::sqrt(squares / double(exact.size()));
         const double estimate = 510 * picture.sampled().error(), taken = double(counts.camera) / (80 * 60);
         MESSAGE("RMS ", rms, ", estimate ", estimate, ", samples ", taken);
-        CHECK(rms < 5);  // most of it the reference's; with colours of points 6 to 31, with 3 to 13 samples a pixel
+        // Most of it is the reference's; with colours of points it is 6 to 31, with 3 to 14 samples a pixel.
+        CHECK(rms < (text.find("checker", 1) == std::string::npos ? 5 : 7));  // patterns in a pattern are off more
         CHECK(taken < 3);
     }
 }
