@@ -414,7 +414,7 @@ ValueGrid refined(const ValueGrid& grid) {
 template <class T>
 PatternMean mean_of_grid(const PatternKernel<T>& pattern, const ColorStopKernel<T>* stops, const ValueGrid& given,
                          const SolidDetails* details, double* weights) {
-    const ValueGrid grid = details && details->jumps ? given : refined(given);
+    ValueGrid grid = given;
     const Fold fold = fold_of(pattern, details);
     const double spread = grid.spread * std::sqrt(12.);  // the width of a box of this deviation
     struct Piece {
@@ -449,7 +449,9 @@ PatternMean mean_of_grid(const PatternKernel<T>& pattern, const ColorStopKernel<
         const double reach = 1.5 * (std::abs(own.a) + own.b);
         low = std::min(low, own.x - reach), high = std::max(high, own.x + reach);
     });
-    const bool detailed = grid.cells > finely || high - low > .25 || map.has_jump(low, high);
+    const bool has_jump = map.has_jump(low, high);
+    const bool detailed = grid.cells > finely || high - low > .25 || has_jump;
+    if (has_jump && !(details && details->jumps)) grid = refined(given);
     const DVec3 color = mean_by(map);
     const bool known = std::abs(color.x) + std::abs(color.y) + std::abs(color.z) < furthest;
     if (weights) weigh(stops, pattern.stops, fold, weights, mean_by);
