@@ -80,10 +80,15 @@ int hash_of(int x, int y, int z) {
     return hash[hash[hash[x & 4095] ^ (y & 4095)] ^ (z & 4095)];
 }
 double random_at(int index) { return random_numbers()[static_cast<std::size_t>(index & 32767)]; }
-DVec3 random_of(int x, int y, int z) {
+}  // namespace
+
+DVec3 random_at_cell(int x, int y, int z) {
     const int first = hash_of(x, y, z);
     return {random_at(first), random_at(first + 1), random_at(first + 2)};
 }
+
+namespace {
+
 int whole(double x) { return static_cast<int>(std::floor(std::clamp(x, -1e9, 1e9))); }
 
 /// The difference of the distances to the two nearest of points that are spread one to a cell.
@@ -94,7 +99,7 @@ double crackle_at(const DVec3& p) {
         for (int j = -2; j <= 2; ++j)
             for (int k = -2; k <= 2; ++k) {
                 if ((std::abs(i) == 2) + (std::abs(j) == 2) + (std::abs(k) == 2) > 1) continue;
-                const DVec3 way = p - (DVec3(x + i, y + j, z + k) + random_of(x + i, y + j, z + k));
+                const DVec3 way = p - (DVec3(x + i, y + j, z + k) + random_at_cell(x + i, y + j, z + k));
                 const double squared = dot_product(way, way);
                 if (squared < nearest)
                     second = nearest, nearest = squared;
@@ -298,8 +303,6 @@ DVec3 slope_of(const SolidPattern& own, const DVec3& p) {
 double value_at(const SolidPattern& own, const DVec3& p) {
     return within_reach(p) ? value_of(own, place_of(own, p)) : 0;
 }
-
-DVec3 random_at_cell(const DVec3& cell) { return random_of(whole(cell.x), whole(cell.y), whole(cell.z)); }
 
 SolidDetails details_of(const SolidPattern& own) {
     const EvenDetail even = even_detail(own);

@@ -79,7 +79,7 @@ double smoothed_value(const SolidPattern& pattern, const DVec3& point, double st
 /// Returns what is added to the normal at a point, for a height of 1, which is POV-Ray's amount: noise or waves for
 /// `bumps`, `dents`, `wrinkles`, `ripples` and `waves`, for all others the slope of the values.
 DVec3 bend_at(const SolidPattern& pattern, const DVec3& point);
-/// Returns three numbers from 0 to 1 for a cell, which has whole coordinates, from POV-Ray's table of random numbers.
-DVec3 random_at_cell(const DVec3& cell);
+/// Returns three numbers from 0 to 1 for a cell, from POV-Ray's table of random numbers.
+DVec3 random_at_cell(int x, int y, int z);
 
 }  // namespace strahl

@@ -150,29 +150,40 @@ int brick_at(const DVec3& size, double joint, const DVec3& p) {
            fraction(q.z + (even ? 0 : .5)) > mortar.z;
 }
 
-double crackle_value(const CrackleForm& own, int generator, const DVec3& p) {
-    const DVec3 cell = floor(p - DVec3(nearly));
+/// The sum of the distances to the three nearest of points that are spread one to a cell; `sum_of` has the sum of
+/// powers of a way's coordinates, and `root_of` makes it a distance.
+template <class Sum, class Root>
+double crackle_value(const CrackleForm& own, int generator, const DVec3& p, const Sum& sum_of, const Root& root_of) {
+    const int x = whole(p.x - nearly), y = whole(p.y - nearly), z = whole(p.z - nearly);
     double nearest[3]{1e300, 1e300, 1e300};
     DVec3 closest(0);
     for (int i = -2; i <= 2; ++i)
         for (int j = -2; j <= 2; ++j)
             for (int k = -2; k <= 2; ++k) {
                 if ((std::abs(i) == 2) + (std::abs(j) == 2) + (std::abs(k) == 2) > 1) continue;
-                const DVec3 other = cell + DVec3(i, j, k), point = other + random_at_cell(other);
-                double sum = 0;
-                for (int c = 0; c < 3; ++c) {
-                    const double way = std::fabs(point[c] - p[c]);
-                    sum += own.metric == 2 ? way * way : own.metric == 1 ? way : std::pow(way, own.metric);
-                }
+                const DVec3 point = DVec3(x + i, y + j, z + k) + random_at_cell(x + i, y + j, z + k);
+                double sum = sum_of(point - p);
+                if (sum >= nearest[2]) continue;
                 if (sum < nearest[0]) closest = point;
                 for (double& known : nearest)
                     if (sum < known) std::swap(sum, known);
             }
     if (own.solid) return lattice::noise(closest, generator);
+    const double offset = sum_of({own.offset, 0, 0});
     double value = 0;
-    for (int i = 0; i < 3; ++i)
-        value += own.form[i] * std::pow(nearest[i] + std::pow(own.offset, own.metric), 1 / own.metric);
+    for (int i = 0; i < 3; ++i) value += own.form[i] * root_of(nearest[i] + offset);
     return std::clamp(value, 0., 1.);
+}
+double crackle_value(const CrackleForm& own, int generator, const DVec3& p) {
+    const double metric = own.metric;
+    if (metric == 2)
+        return crackle_value(
+            own, generator, p, [](const DVec3& way) { return dot_product(way, way); },
+            [](double sum) { return std::sqrt(sum); });
+    const auto power = [=](double way) { return metric == 1 ? std::fabs(way) : std::pow(std::fabs(way), metric); };
+    return crackle_value(
+        own, generator, p, [=](const DVec3& way) { return power(way.x) + power(way.y) + power(way.z); },
+        [=](double sum) { return metric == 1 ? sum : std::pow(sum, 1 / metric); });
 }
 
 /// Two entries of a map between which a value lies, and the share of the second one. They are the same at an entry.

@@ -48,11 +48,12 @@ struct WarpPoint {
     DVec3 operator()(const BlackHoleWarp& own) const {
         DVec3 centre = own.centre;
         if (own.repeats) {
-            DVec3 block(0);
+            int block[3]{};
             for (int c = 0; c < 3; ++c)
-                if (own.repeat[c] >= 1e-10) block[c] = std::clamp(std::floor(p[c] / own.repeat[c]), -1e9, 1e9);
-            if (own.uncertain != DVec3(0)) centre += own.uncertain * random_at_cell(block);
-            centre += block * own.repeat;
+                if (own.repeat[c] >= 1e-10)
+                    block[c] = static_cast<int>(std::clamp(std::floor(p[c] / own.repeat[c]), -1e9, 1e9));
+            if (own.uncertain != DVec3(0)) centre += own.uncertain * random_at_cell(block[0], block[1], block[2]);
+            centre += DVec3(block[0], block[1], block[2]) * own.repeat;
         }
         const DVec3 way = p - centre;
         const double away = length(way);
