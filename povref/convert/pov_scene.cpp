@@ -130,13 +130,22 @@ std::string top(const Scene& scene, const PovRequest& request, const Plan& plan)
     return text;
 }
 
-/// The camera's vectors for POV-Ray: the ray through (x, y) in [-1/2, 1/2]^2, y up, is direction + x right + y up.
+/// The camera's vectors for POV-Ray: the ray through (x, y) in [-1/2, 1/2]^2, y up, is direction + x right + y up in
+/// perspective. If the picture's sides are angles, these are in degrees, and only the ratio of `right` and `up` counts.
 struct PovCamera {
-    DVec3 location, right, up, direction;
+    DVec3 location, right, up, direction, angles;
 };
-PovCamera axes_of(const Camera& camera, double aspect) {
+PovCamera axes_of(const Camera& camera, double aspect, bool left_handed = false) {
     const CameraFrame frame = frame_of(camera, aspect);
-    return {camera.position, 2 * frame.tan_x * frame.right, -2 * frame.tan_y * frame.down, frame.forward};
+    const double ratio = frame.tan_x / frame.tan_y;
+    const DVec3 angles(2 * camera.fov, 2 * camera.fov / ratio, 0), up = -2 * frame.tan_y * frame.down;
+    if (!angular(camera.projection)) return {camera.position, 2 * frame.tan_x * frame.right, up, frame.forward, angles};
+    PovCamera axes{camera.position, ratio * frame.right, DVec3(0) - frame.down, frame.forward, angles};
+    if (camera.projection == Projection::fisheye) axes.angles.x /= ratio;
+    if (camera.projection == Projection::cylinder) axes.up = up;
+    // Spherical rays are turned about the axes, which is upside down by right-handed ones.
+    if (camera.projection == Projection::spherical && !left_handed) axes.right = -axes.right, axes.up = -axes.up;
+    return axes;
 }
 
 std::string array(const std::string& name, const std::vector<PovCamera>& cameras, DVec3 PovCamera::*member) {
@@ -148,16 +157,21 @@ std::string array(const std::string& name, const std::vector<PovCamera>& cameras
 
 /// Writes a camera from the text of each of its vectors.
 template <class Text>
-std::string camera_block(const Text& text) {
-    return "camera {\n  perspective\n  location  " + text("Eye", &PovCamera::location) + "\n  right     " +
-           text("Right", &PovCamera::right) + "\n  up        " + text("Up", &PovCamera::up) + "\n  direction " +
-           text("Direction", &PovCamera::direction) + "\n}\n";
+std::string camera_block(Projection projection, const Text& text) {
+    std::string angle;
+    if (angular(projection)) angle = "\n  angle     " + text("Angles", &PovCamera::angles) + ".x";
+    if (projection == Projection::spherical) angle += ", " + text("Angles", &PovCamera::angles) + ".y";
+    return "camera {\n  " + std::string(projection_words[static_cast<std::size_t>(projection)]) +
+           (projection == Projection::cylinder ? " 1" : "") + "\n  location  " + text("Eye", &PovCamera::location) +
+           "\n  right     " + text("Right", &PovCamera::right) + "\n  up        " + text("Up", &PovCamera::up) +
+           "\n  direction " + text("Direction", &PovCamera::direction) + angle + "\n}\n";
 }
 
 std::string camera_section(const PovRequest& request, const Plan& plan) {
     std::vector<PovCamera> cameras;
     for (const Camera& camera : request.cameras)
         cameras.push_back(axes_of(camera, double(request.width) / request.height));
+    const Projection projection = request.cameras[0].projection;
     const bool animated = request.fps > 0;
     std::string text =
         heading("Camera") + comment(
@@ -167,10 +181,13 @@ std::string camera_section(const PovRequest& request, const Plan& plan) {
     if (animated)
         text += comment("One entry per frame, " + text_of(request.fps) + " frames a second; frame_number chooses.") +
                 array("Eye", cameras, &PovCamera::location) + array("Right", cameras, &PovCamera::right) +
-                array("Up", cameras, &PovCamera::up) + array("Direction", cameras, &PovCamera::direction);
-    return text + camera_block([&](const char* name, DVec3 PovCamera::*member) {
+                array("Up", cameras, &PovCamera::up) + array("Direction", cameras, &PovCamera::direction) +
+                (angular(projection) ? array("Angles", cameras, &PovCamera::angles) : "");
+    return text + camera_block(projection, [&](const char* name, DVec3 PovCamera::*member) {
                const std::string value = animated ? name + std::string("[frame_number]") : text_of(cameras[0].*member);
-               return member == &PovCamera::location ? scaled(value, plan) : value;
+               const bool across = member == &PovCamera::right || member == &PovCamera::up;
+               const bool length = member == &PovCamera::location || (across && projection == Projection::orthographic);
+               return length ? scaled(value, plan) : value;
            });
 }
 
@@ -283,10 +300,10 @@ PovFiles write_pov(const Scene& whole, const PovRequest& request) {
 }
 
 std::string pov_camera(const Camera& camera, double aspect, bool mirrored) {
-    const PovCamera axes = axes_of(camera, aspect);
-    return camera_block([&](const char*, DVec3 PovCamera::*member) {
+    const PovCamera axes = axes_of(camera, aspect, mirrored);
+    return camera_block(camera.projection, [&](const char*, DVec3 PovCamera::*member) {
         const DVec3& v = axes.*member;
-        return text_of(mirrored ? DVec3(v.x, v.y, -v.z) : v);
+        return text_of(mirrored ? DVec3(v.x, v.y, 0 - v.z) : v);
     });
 }
 

@@ -24,7 +24,6 @@ class TachyonReader {
         scene.size = {static_cast<int>(width), static_cast<int>(height)};
         while (!words.peek().empty() && !words.accept("END_SCENE")) read_declaration();
         if (!camera) words.fail_ahead("this scene has no camera: a block 'CAMERA' expected");
-        if (orthographic) move_eye_back();
         for (Light& light : scene.scene.lights)
             for (int i = 0; i < 3; ++i)
                 light.color[i] = std::min(tidy(light.color[i] * light_scale), not_negative.high);
@@ -90,8 +89,13 @@ class TachyonReader {
             const double most = std::sqrt(3.) / tan_x;
             if (most < 1) tan_x *= most, tan_y *= most;
         }
-        orthographic = projection == "ORTHOGRAPHIC";
-        if (orthographic) scene.warn("PROJECTION ORTHOGRAPHIC: a perspective view from very far away instead");
+        if (projection == "ORTHOGRAPHIC") {  // the picture is as wide at any distance; a wide one looks far away
+            eye.projection = Projection::orthographic;
+            const DVec3 ahead = eye.look_at - eye.position;
+            const double distance = std::max(length(ahead), tan_x);
+            eye.look_at = eye.position + distance / length(ahead) * ahead;
+            tan_x /= distance, tan_y /= distance;
+        }
         set_view(tan_x, tan_y);
         words.expect("END_CAMERA");
     }
@@ -108,15 +112,6 @@ class TachyonReader {
         eye.fov = std::clamp(std::round(fov * 1e6) / 1e6, 1e-6, 90 - 1e-6);
         if (std::fabs(ratio * static_cast<double>(height) / static_cast<double>(width) - 1) > 1e-6)
             eye.aspectratio = tidy(ratio);
-        half_width = tan_x;
-        scene.set_camera(eye);
-    }
-    /// Moves the eye back until rays through a picture plane of this width are almost parallel.
-    void move_eye_back() {
-        const DVec3 forward = eye.look_at - eye.position;
-        const double distance = 1000 * std::max(half_width, scene.reach());
-        eye.position = eye.position - distance / length(forward) * forward;
-        eye.fov = std::max(std::atan(half_width / distance) * 180 / std::numbers::pi, smallest_positive);
         scene.set_camera(eye);
     }
 
@@ -226,8 +221,8 @@ class TachyonReader {
     TachyonBodies bodies;
     Camera eye;
     long width = 1, height = 1;
-    double half_width = 0, light_scale = 1, sky = 0;
-    bool camera = false, orthographic = false, fading = false;
+    double light_scale = 1, sky = 0;
+    bool camera = false, fading = false;
 };
 
 }  // namespace

@@ -1,7 +1,5 @@
 #include "scene/camera.h"
 
-#include <cmath>
-
 #include "num/vec_math.h"
 #include "scene/motion/curve.h"
 #include "scene/tangent.h"
@@ -38,7 +36,7 @@ Camera raw_camera_at(const Flythrough& path, const Camera& scene_camera, double 
 
 Camera camera_of(const Keyframe& key, const Camera& scene_camera) {
     return {key.position, key.look_at, key.up.value_or(scene_camera.up), key.fov.value_or(scene_camera.fov),
-            scene_camera.aspectratio};
+            scene_camera.aspectratio, scene_camera.projection};
 }
 
 const char* degenerate(const Camera& camera) {
@@ -58,8 +56,9 @@ CameraFrame frame_of(const Camera& camera, double aspect) {
     const DVec3 across = normalize(cross_product(normalize(camera.up), forward));
     const DVec3 right = normalize(across - dot_product(across, forward) * forward);
     const DVec3 down = cross_product(forward, right);
-    const double tan_x = tangent(camera.fov);
-    return {right, down, forward, tan_x, tan_x / camera.aspectratio.value_or(aspect)};
+    double half = angular(camera.projection) ? camera.fov * std::numbers::pi / 180 : tangent(camera.fov);
+    if (camera.projection == Projection::orthographic) half *= length(camera.look_at - camera.position);
+    return {right, down, forward, half, half / camera.aspectratio.value_or(aspect)};
 }
 
 Camera camera_at(const Flythrough& path, const Camera& scene_camera, double time) {

@@ -1,25 +1,36 @@
 // The camera: position, direction, angle of view, and its path.
 #pragma once
+#include <array>
+#include <cmath>
+#include <numbers>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "num/vec.h"
 
 namespace strahl {
 
+/// How a camera maps space to its picture, in POV-Ray's words. From `fisheye` on the picture's sides are angles.
+enum class Projection { perspective, orthographic, panoramic, fisheye, ultra_wide_angle, spherical, cylinder };
+inline constexpr std::array<std::string_view, 7> projection_words{
+    "perspective", "orthographic", "panoramic", "fisheye", "ultra_wide_angle", "spherical", "cylinder"};
+/// Returns whether the picture's sides are angles, which may exceed 180 degrees.
+constexpr bool angular(Projection projection) { return projection >= Projection::fisheye; }
+
 /// The world is right-handed; +x of camera space is to the right of the picture, +y down it (row 0 is the top row).
 struct Camera {
     DVec3 position{0};
     DVec3 look_at{0};
     DVec3 up{0, 0, -1};                 // the direction that points *down* the picture; `sky` in scenes is its negative
-    double fov = 25;                    // degrees between the viewing axis and the left or right edge, 0 < fov < 90
+    double fov = 25;  // degrees between the viewing axis and the left or right edge: below 90 or, if angular, to 360
     std::optional<double> aspectratio;  // picture width / height; without it the picture's own
+    Projection projection = Projection::perspective;
     bool operator==(const Camera&) const = default;
 };
 
-/// The orthonormal axes of a camera: `right` and `down` the picture, `forward` into it; and the picture plane's
-/// half sizes at distance 1. The ray through the picture point (sx, sy) in [-1,1]^2 (left to right, top to bottom) has
-/// the direction forward + sx * tan_x * right + sy * tan_y * down.
+/// The orthonormal axes of a camera: `right` and `down` the picture, `forward` into it; and half the picture's width
+/// and height: at distance 1; of an orthographic camera as at the distance of look_at; or in radians.
 struct CameraFrame {
     DVec3 right, down, forward;
     double tan_x, tan_y;
@@ -27,6 +38,40 @@ struct CameraFrame {
 /// `aspect` is used where the camera has no aspectratio of its own. Requires position != look_at and up not parallel
 /// to the viewing direction (see `degenerate`).
 CameraFrame frame_of(const Camera& camera, double aspect);
+
+/// A camera ray: its start, relative to the camera's position, and its direction, of any length.
+template <class R>
+struct CameraRay {
+    Vec3<R> start, way;
+    bool seen = true;  // false beyond the circle of a fisheye, where the picture is black
+};
+/// Returns the ray through the picture point (x, y) in [-1, 1]^2, left to right, top to bottom, as POV-Ray's cameras
+/// have it (render/tracepixel.cpp of 3.7): with picture axes of length 1, a fisheye's circle touches top and bottom.
+template <class R>
+CameraRay<R> camera_ray(Projection projection, const CameraFrame& frame, R x, R y) {
+    const Vec3<R> none(0), right(frame.right), down(frame.down), forward(frame.forward);
+    const R u = x * R(frame.tan_x), v = y * R(frame.tan_y), quarter = std::numbers::pi_v<R> / 2;
+    const auto way = [&](R across, R below, R ahead) { return across * right + below * down + ahead * forward; };
+    switch (projection) {
+        case Projection::orthographic:
+            return {u * right + v * down, forward};
+        case Projection::panoramic:
+            return {none, way(2 * R(frame.tan_x) * std::sin(quarter * x), 2 * R(frame.tan_y) * std::tan(quarter * y),
+                              std::cos(quarter * x))};
+        case Projection::fisheye: {
+            const R angle = std::hypot(u, v), share = angle > 0 ? std::sin(angle) / angle : 1;
+            return {none, way(share * u, share * v, std::cos(angle)), angle <= R(frame.tan_y)};
+        }
+        case Projection::ultra_wide_angle:
+            return {none, way(std::sin(u), std::sin(v), std::cos(u) * std::cos(v))};
+        case Projection::spherical:
+            return {none, way(std::sin(u) * std::cos(v), std::sin(v), std::cos(u) * std::cos(v))};
+        case Projection::cylinder:
+            return {none, way(std::sin(u), v, std::cos(u))};
+        default:
+            return {none, way(u, v, 1)};
+    }
+}
 
 /// Why the camera is degenerate ("position equals look_at", "up is parallel to ..."), or nullptr if it is not.
 const char* degenerate(const Camera& camera);

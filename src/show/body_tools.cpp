@@ -53,6 +53,8 @@ void BodyTools::click(const View& view, const glm::dvec2& point, double reach) {
     else
         bodies.click(scene_seen(view), *session.scene, view, point.x, point.y, not_shown);
     log_choice();
+    if (bodies.any() && view.camera.projection > Projection::orthographic)
+        notes.note("handles are there in perspective and orthographic views only");
 }
 
 void BodyTools::log_choice() {

@@ -13,24 +13,30 @@ namespace {
 
 /// Returns whether some ray of the picture, of 4:3 if the camera does not say otherwise, may meet the body: one with a
 /// box is out of sight if the box is behind the camera or beyond a plane through an edge of the picture, and a plane if
-/// it recedes from all four corners.
+/// it recedes from all four corners. Cameras that see more than that may see all.
 bool may_see(const Camera& camera, const Primitive& body) {
-    const auto [right, down, forward, tan_x, tan_y] = frame_of(camera, 4. / 3);
+    if (camera.projection > Projection::orthographic) return true;
+    const CameraFrame frame = frame_of(camera, 4. / 3);
+    const auto& [right, down, forward, tan_x, tan_y] = frame;
     if (const auto half = half_space(body)) {
-        const double height = dot_product(half->normal, camera.position - half->point);
-        for (const double x : {-tan_x, tan_x})
-            for (const double y : {-tan_y, tan_y})
-                if (height * dot_product(half->normal, forward + x * right + y * down) <= 0) return true;
+        for (const double x : {-1., 1.})
+            for (const double y : {-1., 1.}) {
+                const auto [start, way, seen] = camera_ray(camera.projection, frame, x, y);
+                const double height = dot_product(half->normal, camera.position + start - half->point);
+                if (height * dot_product(half->normal, way) <= 0) return true;
+            }
         return false;
     }
     const Box box = world_bounds(body);
     if (!box.finite()) return true;
-    const std::array sides{forward, tan_x * forward - right, tan_x * forward + right, tan_y * forward - down,
-                           tan_y * forward + down};
+    const bool parallel = camera.projection == Projection::orthographic;
+    const double x = parallel ? 0 : tan_x, y = parallel ? 0 : tan_y;
+    const DVec3 edges = parallel ? tan_x * right + tan_y * down : DVec3(0);  // sums of half the sides
+    const std::array sides{forward, x * forward - right, x * forward + right, y * forward - down, y * forward + down};
     return std::ranges::none_of(sides, [&](const DVec3& inwards) {
         DVec3 farthest;  // the corner of the box that is farthest inwards
         for (int i = 0; i < 3; ++i) farthest[i] = inwards[i] > 0 ? box.high[i] : box.low[i];
-        return dot_product(inwards, farthest - camera.position) < 0;
+        return dot_product(inwards, farthest - camera.position) < -std::abs(dot_product(inwards, edges));
     });
 }
 

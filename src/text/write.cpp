@@ -203,9 +203,13 @@ std::string write_camera(const Camera& camera, const std::vector<Follow>& follow
     const bool sky = words.sky || is_times("up", -1), angle = words.angle || is_times("fov", .5);
     std::string text = "camera {\n  position " + text_of(camera.position, follows, "position") + "\n  look_at " +
                        text_of(camera.look_at, follows, "look_at") + (sky ? "\n  sky " : "\n  up ") +
-                       text_of(sky ? DVec3(0) - camera.up : camera.up, follows, "up") +
-                       (angle ? "\n  angle " : "\n  fov ") +
-                       text_of(angle ? 2 * camera.fov : camera.fov, follows, "fov") + "\n";
+                       text_of(sky ? DVec3(0) - camera.up : camera.up, follows, "up") + "\n  ";
+    const std::string projection(projection_words[static_cast<std::size_t>(camera.projection)]);
+    if (camera.projection != Projection::perspective) text += projection + (angular(camera.projection) ? " " : "\n  ");
+    if (angular(camera.projection))
+        text += text_of(2 * camera.fov, follows, "fov") + "\n";
+    else
+        text += (angle ? "angle " : "fov ") + text_of(angle ? 2 * camera.fov : camera.fov, follows, "fov") + "\n";
     if (camera.aspectratio) text += "  aspectratio " + text_of(*camera.aspectratio, follows, "aspectratio") + "\n";
     return text + "}\n";
 }

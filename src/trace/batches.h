@@ -185,7 +185,8 @@ class Batches {
         for (int done = 0; done < pixels;) {
             const int count = std::min(workspace.batch, pixels - done);
             const Footprints<T> footprints{eye.forward, eye.scale_x * eye.right, eye.scale_y * eye.down,
-                                           workspace.sides.data() + done, workspace.colors.data() + 4 * done};
+                                           workspace.sides.data() + done, workspace.colors.data() + 4 * done,
+                                           eye.rays != nullptr};
             const ProvingBatch<T> batch{
                 {workspace.pixels_x.data() + done, workspace.pixels_y.data() + done, workspace.sums.data() + done,
                  workspace.past.data() + done, count, sights ? sights + done : nullptr,

@@ -10,6 +10,7 @@
 #include "trace/built_kernels.h"
 #include "trace/cells/cell_picture.h"
 #include "trace/hierarchy/moving_hierarchy.h"
+#include "trace/kernel/camera_rays.h"
 #include "trace/lights/light_buffer.h"
 #include "trace/proof/slack.h"
 #include "trace/world/light_bound.h"
@@ -183,7 +184,10 @@ class TracerOf : public AnyTracer {
         const Bound bound = bound_for(scene(), view.depth);
         std::vector<T> brightest;
         for (const double most : bound.brightest) brightest.push_back(upper<T>(most));
-        const Eye<T> eye = eye_of<T>(view, placed);
+        Eye<T> eye = eye_of<T>(view, placed);
+        std::optional<CameraRays<T>> rays;
+        if (view.camera.projection != Projection::perspective) rays.emplace(scene(), view, *built, placed);
+        if (rays) eye.rays = &*rays;
         World<T> world = built->world();
         world.eye = eye.position;
         traced_pixels += std::int64_t(tiles) * lattice_tile * lattice_tile;

@@ -78,6 +78,9 @@ refuse "standard output" -o - --format bmp --stats -
 refuse "in double" -o x.bmp --prove map.png --precision float
 refuse "one ray in each pixel" -o x.bmp --prove map.png --samples 2x2
 refuse "one picture" -o x.bmp --prove map.png --frames 0-1
+sed 's/camera {/camera { orthographic/' scene.rt >parallel.rt
+expect 2 "perspective cameras only" render parallel.rt -o x.bmp --prove map.png
+rm parallel.rt
 refuse ".png or .bmp" -o x.bmp --prove map.exr
 refuse "overwrite the picture" -o x.png --prove x.png
 sed '/^flythrough/,$d' scene.rt >still.rt

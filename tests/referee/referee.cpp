@@ -29,6 +29,28 @@ struct Referee<R>::World {
     Paint<R> sky;
     std::vector<Body<R>> bodies;
 
+    /// The camera ray through a point of the picture, (-1, -1) to (1, 1). Angles turn `forward` about the axes.
+    Line<R> sight(const R& x, const R& y) const {
+        const auto turned = [](const Vector<R>& from, const Vector<R>& to, const R& angle) {
+            const R half = sine_of(R(angle / 2));
+            return (1 - 2 * half * half) * from + sine_of(angle) * to;
+        };
+        const Vector<R> across = unit(right), below = unit(down), off = x * right + y * down;
+        const R u = x * dot(across, right), v = y * dot(below, down), round = root(dot(off, off));
+        switch (scene.camera.projection) {
+            case Projection::orthographic:
+                return {eye + off, forward};
+            case Projection::fisheye:
+                return {eye, round > 0 ? turned(forward, (1 / round) * off, round) : forward};
+            case Projection::spherical:
+                return {eye, turned(turned(forward, across, u), below, v)};
+            case Projection::cylinder:
+                return {eye, unit(turned(forward, across, u) + v * below)};
+            default:
+                return {eye, unit(forward + off)};
+        }
+    }
+
     Vector<R> see(const Line<R>& line, int generation, const std::vector<int>& inside, Signature& signature) const {
         constexpr std::uint64_t missed = 1;
         int body = -1;
@@ -190,6 +212,7 @@ Referee<R>::Referee(const Scene& given, const Camera& camera, int width, int hei
         for (Material& material : scene.materials) decode(material.rgb, gamma);
     }
     const CameraFrame frame = frame_of(camera, double(width) / height);
+    scene.camera = camera;
     World w{scene,
             camera.position,
             R(frame.tan_x) * Vector<R>(frame.right),
@@ -212,11 +235,15 @@ template <class R>
 Sample Referee<R>::at(double x, double y) const {
     const World& w = *world;
     const R sx = 2 * R(x) / w.width - 1, sy = 2 * R(y) / w.height - 1;
+    const Line<R> line = w.sight(sx, sy);
+    const Vector<R> off = sx * w.right + sy * w.down;
+    const bool fisheye = w.scene.camera.projection == Projection::fisheye;
+    if (fisheye && dot(off, off) > dot(w.down, w.down)) return {};
     std::vector<int> inside;
     for (int i = 0; i < static_cast<int>(w.bodies.size()); ++i)
-        if (w.bodies[i].transparent() && w.bodies[i].surrounds(w.eye)) inside.push_back(i);
+        if (w.bodies[i].transparent() && w.bodies[i].surrounds(line.origin)) inside.push_back(i);
     Signature signature;
-    const Vector<R> seen = w.see({w.eye, unit(w.forward + sx * w.right + sy * w.down)}, 1, inside, signature);
+    const Vector<R> seen = w.see(line, 1, inside, signature);
     return {{static_cast<long double>(seen.x), static_cast<long double>(seen.y), static_cast<long double>(seen.z)},
             signature.value};
 }

@@ -98,7 +98,11 @@ std::string summary(const Scene& scene) {
          << "  lights       " << scene.lights.size() << '\n'
          << "  bounds       " << bounds_in_words(scene) << '\n'
          << "  camera       at " << camera.position << ", looking at " << camera.look_at << ", " << 2 * camera.fov
-         << " degrees wide\n"
+         << " degrees wide"
+         << (camera.projection == Projection::perspective
+                 ? ""
+                 : ", " + std::string(projection_words[static_cast<std::size_t>(camera.projection)]))
+         << '\n'
          << "  depth        " << scene.settings.max_trace_level << '\n'
          << "  background   " << scene.background.color << (scene.background.pattern ? " at most, by a pattern" : "")
          << '\n'

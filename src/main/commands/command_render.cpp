@@ -185,6 +185,8 @@ int render_command(const RenderOptions& asked) {
     auto [opened, hash] = read_and_hash(options.scene, options.opening);
     Scene scene = std::move(opened.scene);
     stats.parse_seconds = watch.lap();
+    if (!options.prove.empty() && scene.camera.projection != Projection::perspective)
+        throw UsageError("--prove knows the rays of perspective cameras only, and this scene has another one");
     check_aspect(options, scene);
     if (options.time || options.frames || !ffmpeg.empty()) {
         const char* const option = options.time ? "--time" : options.frames ? "--frames" : "a film";

@@ -23,6 +23,14 @@ double angle_of(double tan) {
     return angle;
 }
 
+/// Returns a camera's projection; perspective in place of those that scenes do not have.
+Projection projection_of(const CameraThing& camera) {
+    const auto known = std::ranges::find(projection_words, camera.projection, find_word);
+    const bool same = camera.projection != word("cylinder") || camera.cylinder == 1;
+    return same && known != projection_words.end() ? static_cast<Projection>(known - projection_words.begin())
+                                                   : Projection::perspective;
+}
+
 }  // namespace
 
 bool CameraAxes::left_handed() const { return dot_product(cross_product(up, direction), right) > 0; }
@@ -63,7 +71,9 @@ void SceneMaker::set_camera() {
         if (applies) notes.approximated(own.place, text);
     };
     Camera& camera = scene.camera;
-    const DVec3 right = mirror(axes.right, mirrored), up = mirror(axes.up, mirrored);
+    // POV-Ray turns spherical rays about the axes, so that a right-handed camera shows them upside down.
+    const bool upside_down = own.projection == word("spherical") && !axes.left_handed();
+    const DVec3 right = mirror(axes.right, mirrored), up = (upside_down ? -1. : 1.) * mirror(axes.up, mirrored);
     const DVec3 ahead = mirror(axes.direction, mirrored);
     camera.position = mirror(axes.location, mirrored);
     const double distance = own.has_look_at && own.steps.empty() ? length(own.look_at - own.location) : length(ahead);
@@ -75,17 +85,22 @@ void SceneMaker::set_camera() {
     const double width = length(right), height = length(up), depth = length(ahead);
     if (!(width > 0 && height > 0 && depth > 0 && std::isfinite(width + height + depth)))
         in.fail(own.place, "the camera sees nothing: its right, up or direction is 0");
-    double tan_x = width / 2 / depth;
-    if (own.projection == word("orthographic")) {
-        approximated(true, "an orthographic camera is one that is far away");
-        const double far = 2000 * width;
-        const DVec3 middle = camera.position;
-        camera.position = middle - far / depth * ahead, camera.look_at = middle;
-        tan_x = width / 2 / far;
-    } else if (own.projection != word("perspective")) {
-        const double angle = std::clamp(own.angle.value_or(90), 1., 120.);
+    camera.projection = projection_of(own);
+    const bool curved = angular(camera.projection);
+    double tan_x = width / 2 / depth, ratio = width / height;
+    if (camera.projection == Projection::orthographic)
+        tan_x = width / 2 / length(camera.look_at - camera.position);
+    else if (own.projection != word("perspective") && camera.projection == Projection::perspective) {
         notes.approximated(own.place, "a camera of another projection is a perspective one");
-        tan_x = tangent(angle / 2);
+        tan_x = tangent(std::clamp(own.angle.value_or(90), 1., 120.) / 2);
+    }
+    const bool spherical = camera.projection == Projection::spherical;
+    double half_angle = std::max(own.angle.value_or(spherical ? 360 : 90) / 2, 1e-6);
+    if (spherical) ratio = own.vertical_angle ? 2 * half_angle / std::max(*own.vertical_angle, 1e-6) : 2;
+    if (camera.projection == Projection::cylinder) ratio = 2 * half_angle * std::numbers::pi / 180 / height;
+    if (camera.projection == Projection::fisheye) {
+        half_angle *= width;
+        approximated(std::fabs(height - 1) > 1e-6, "the circle of a fisheye touches the picture's top and bottom");
     }
     const auto slant = [&](const DVec3& a, const DVec3& b) {
         return std::fabs(dot_product(normalize(a), normalize(b))) > 1e-6;
@@ -93,9 +108,11 @@ void SceneMaker::set_camera() {
     approximated(slant(right, up) || slant(right, ahead) || slant(up, ahead), "the camera's axes are at right angles");
     approximated(own.blurred, "everything is in focus");
     approximated(own.bent, "the camera's normal bends nothing");
-    camera.fov = axes.angle > 0 && own.projection == word("perspective") ? axes.angle / 2 : angle_of(tan_x);
-    camera.fov = std::clamp(camera.fov, 1e-6, 90 - 1e-14);
-    camera.aspectratio = std::clamp(tidy(width / height), 1e-9, 1e9);
+    const bool as_given = own.projection == word("perspective") ||
+                          (own.projection == word("orthographic") && own.has_look_at && own.steps.empty());
+    const double flat = axes.angle > 0 && as_given ? axes.angle / 2 : angle_of(tan_x);
+    camera.fov = std::clamp(curved ? half_angle : flat, 1e-6, curved ? 360 : 90 - 1e-14);
+    camera.aspectratio = std::clamp(tidy(ratio), 1e-9, 1e9);
     if (const char* const fault = degenerate(camera)) in.fail(own.place, std::string("invalid camera: ") + fault);
 }
 

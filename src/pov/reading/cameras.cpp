@@ -35,7 +35,7 @@ CameraThing PovReader::read_camera(Interpreter& in) {
                 break;
             case word("angle"):
                 camera.angle = in.read_number();
-                if (in.accept(',') || in.at_expression()) in.read_number();
+                if (in.accept(',') || in.at_expression()) camera.vertical_angle = in.read_number();
                 break;
             case word("perspective"):
             case word("orthographic"):
@@ -48,7 +48,7 @@ CameraThing PovReader::read_camera(Interpreter& in) {
                 break;
             case word("cylinder"):
                 camera.projection = code;
-                in.read_number();
+                camera.cylinder = in.read_integer();
                 break;
             case word("mesh_camera"):
                 camera.projection = code;

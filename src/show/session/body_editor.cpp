@@ -12,16 +12,20 @@ namespace strahl {
 
 Ray<double> ray_at(const View& view, double x, double y) {
     const CameraFrame frame = frame_of(view.camera, double(view.width) / view.height);
-    const double right = (2 * x / view.width - 1) * frame.tan_x, down = (2 * y / view.height - 1) * frame.tan_y;
-    return {view.camera.position, normalize(frame.forward + right * frame.right + down * frame.down), -1};
+    const auto ray = camera_ray(view.camera.projection, frame, 2 * x / view.width - 1, 2 * y / view.height - 1);
+    return {view.camera.position + ray.start, normalize(ray.way), -1};
 }
 
 Camera approached(const Camera& camera, const Box& box, double aspect) {
     const CameraFrame frame = frame_of(camera, aspect);
-    const double radius = length(box.high - box.low) / 2, angle = std::atan(std::min(frame.tan_x, frame.tan_y));
+    const double radius = 1.2 * length(box.high - box.low) / 2, half = std::min(frame.tan_x, frame.tan_y);
+    double distance = radius / std::sin(angular(camera.projection) ? std::min(half, 1.) : std::atan(half));
+    // The picture of an orthographic camera grows with the distance of look_at.
+    if (camera.projection == Projection::orthographic)
+        distance = std::max(radius, radius * length(camera.look_at - camera.position) / half);
     Camera moved = camera;
     moved.look_at = box.centre();
-    moved.position = moved.look_at - 1.2 * radius / std::sin(angle) * frame.forward;
+    moved.position = moved.look_at - distance * frame.forward;
     return moved;
 }
 
@@ -48,17 +52,20 @@ StandingPlace standing_place(const Scene& scene, const View& view, double x, dou
         distance = met[0].hit.t;
     }
     place.point = ray.origin + distance * ray.direction;
-    const double pixel = 2 * distance * dot_product(ray.direction, frame.forward) * frame.tan_y / view.height;
+    double pixel = 2 * frame.tan_y / view.height;
+    if (view.camera.projection != Projection::orthographic)
+        pixel *= distance * std::abs(dot_product(ray.direction, frame.forward));
     place.size = round_length(pixel * view.height / 12), place.decimals = decimals_of(pixel);
     return place;
 }
 
 void BodyEditor::click(const Scene& now, const Scene& scene, const View& view, double x, double y,
                        const std::set<int>& hidden) {
-    const Ray<double> ray = ray_at(view, x, y);
-    const double same_point = 3 * length(ray_at(view, x + 1, y).direction - ray.direction);
-    const bool again = chosen && clicked && clicked->origin == ray.origin &&
-                       length(clicked->direction - ray.direction) < same_point;
+    const Ray<double> ray = ray_at(view, x, y), beside = ray_at(view, x + 1, y);
+    const auto same_point = [&](DVec3 Ray<double>::*part) {
+        return length(*clicked.*part - ray.*part) <= 3 * length(beside.*part - ray.*part);
+    };
+    const bool again = chosen && clicked && same_point(&Ray<double>::origin) && same_point(&Ray<double>::direction);
     const Ray<double> along = again ? *clicked : ray;
     const std::vector<BodyHit> met = seen_along(now, along, hidden);
     const int number = again ? chosen->behind + 1 : 0;

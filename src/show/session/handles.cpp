@@ -49,8 +49,10 @@ int decimals_of(double pixel) { return std::clamp(static_cast<int>(std::ceil(-st
 std::optional<glm::dvec2> place_in(const View& view, const DVec3& point) {
     const CameraFrame frame = frame_of(view.camera, double(view.width) / view.height);
     const DVec3 way = point - view.camera.position;
-    const double depth = dot_product(way, frame.forward);
-    if (!(depth > 1e-9 * length(way))) return std::nullopt;
+    const bool parallel = view.camera.projection == Projection::orthographic;
+    if (!parallel && view.camera.projection != Projection::perspective) return std::nullopt;
+    const double along = dot_product(way, frame.forward), depth = parallel ? 1 : along;
+    if (!(along > 1e-9 * length(way))) return std::nullopt;
     return glm::dvec2((dot_product(way, frame.right) / (depth * frame.tan_x) + 1) * view.width / 2,
                       (dot_product(way, frame.down) / (depth * frame.tan_y) + 1) * view.height / 2);
 }
@@ -61,16 +63,18 @@ Handles::Handles(HandleMode mode, const DVec3& centre, const std::array<DVec3, 3
     const CameraFrame frame = frame_of(view.camera, double(view.width) / view.height);
     right = frame.right, down = frame.down, forward = frame.forward;
     if (!place_in(view, centre)) return;
-    pixel = 2 * frame.tan_x * dot_product(centre - view.camera.position, forward) / view.width;
+    pixel = 2 * frame.tan_x / view.width;
+    if (view.camera.projection == Projection::perspective) pixel *= dot_product(centre - view.camera.position, forward);
     reach = pixels * pixel;
     constexpr int pieces = 48;
+    const DVec3 sight = sight_of_centre();
     const auto circle = [&](Handle handle, const DVec3& u, const DVec3& v, double radius, bool front) {
         std::vector<DVec3> points;
         for (int i = 0; i <= pieces; ++i) {
             const double angle = 2 * std::numbers::pi * i / pieces;
             const DVec3 out = std::cos(angle) * u + std::sin(angle) * v;
             // The half behind the centre is left out.
-            if (!front || dot_product(out, normalize(centre - view.camera.position)) <= .05) {
+            if (!front || dot_product(out, sight) <= .05) {
                 points.push_back(centre + radius * out);
             } else if (!points.empty()) {
                 add_line(handle, points), points.clear();
@@ -122,20 +126,23 @@ std::optional<Handle> Handles::at(const glm::dvec2& point, double within) const 
     return nearest;
 }
 
-DVec3 Handles::direction_at(const glm::dvec2& point) const { return ray_at(view, point.x, point.y).direction; }
+/// Returns the direction in which the centre is seen.
+DVec3 Handles::sight_of_centre() const {
+    return view.camera.projection == Projection::orthographic ? forward : normalize(centre - view.camera.position);
+}
 
 /// Returns the place along an axis, from the centre, that is nearest to what is seen at a point.
 double Handles::along_axis(Handle handle, const glm::dvec2& point) const {
-    const DVec3 along = axis(handle), sight = direction_at(point), from = centre - view.camera.position;
+    const Ray<double> ray = ray_at(view, point.x, point.y);
+    const DVec3 along = axis(handle), sight = ray.direction, from = centre - ray.origin;
     const double same = dot_product(along, sight), square = std::max(1 - same * same, 1e-4);
     return (same * dot_product(from, sight) - dot_product(from, along)) / square;
 }
 
 /// Returns the point of the plane through the centre, across the view, that is seen there.
 DVec3 Handles::in_plane(const glm::dvec2& point) const {
-    const DVec3 sight = direction_at(point);
-    return view.camera.position +
-           dot_product(centre - view.camera.position, forward) / dot_product(sight, forward) * sight;
+    const Ray<double> ray = ray_at(view, point.x, point.y);
+    return ray.origin + dot_product(centre - ray.origin, forward) / dot_product(ray.direction, forward) * ray.direction;
 }
 
 /// Returns the angle by which a drag along a circle turns it.
@@ -151,10 +158,11 @@ double Handles::turn_degrees(Handle handle, const glm::dvec2& from, const glm::d
     double nearest = std::numeric_limits<double>::infinity();
     glm::dvec2 tangent(1, 0);
     const auto i = static_cast<std::size_t>(handle);
+    const DVec3 sight = sight_of_centre();
     for (int step = 0; step < 180 && !all.empty(); ++step) {
         const double angle = step * 2 / degree;
         const DVec3 out = std::cos(angle) * axes[(i + 1) % 3] + std::sin(angle) * axes[(i + 2) % 3];
-        if (dot_product(out, normalize(centre - view.camera.position)) > .05) continue;
+        if (dot_product(out, sight) > .05) continue;
         const auto here = place_in(view, centre + reach * out);
         const auto there = place_in(view, centre + reach * (out + .01 * cross_product(along, out)));
         if (!here || !there) continue;

@@ -51,7 +51,7 @@ class Handles {
 
   private:
     DVec3 axis(Handle handle) const { return axes[static_cast<std::size_t>(handle)]; }
-    DVec3 direction_at(const glm::dvec2& point) const;
+    DVec3 sight_of_centre() const;
     double along_axis(Handle handle, const glm::dvec2& point) const;
     DVec3 in_plane(const glm::dvec2& point) const;
     double turn_degrees(Handle handle, const glm::dvec2& from, const glm::dvec2& to) const;

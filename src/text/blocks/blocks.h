@@ -61,10 +61,27 @@ inline std::array<Parameter, 6> eye_parameters(EyeText& eye, std::string_view ot
               otherwise, "angle"},
              {"angle", &eye.angle, angles, "the angle between its left and right edges: twice `fov`"}}};
 }
-inline std::array<Parameter, 7> camera_parameters(EyeText& eye, std::optional<double>& aspectratio) {
-    return joined(eye_parameters(eye, required),
-                  std::array{Parameter{"aspectratio", &aspectratio, positive, "width / height of what the camera sees",
-                                       "the picture's"}});
+/// The parameters of a camera besides those.
+struct CameraText {
+    EyeText eye;
+    std::optional<double> aspectratio, fisheye, ultra_wide_angle, spherical, cylinder;
+    bool orthographic = false, panoramic = false;
+};
+inline std::array<Parameter, 13> camera_parameters(CameraText& camera) {
+    const std::array<Parameter, 7> more{
+        {{"aspectratio", &camera.aspectratio, positive, "width / height of what the camera sees", "the picture's"},
+         {projection_words[1], &camera.orthographic, {},
+          "parallel rays: bodies are as large as in perspective at the distance of `look_at`", "perspective"},
+         {projection_words[2], &camera.panoramic, {}, "180 degrees wide, and as high, without end", "perspective"},
+         {projection_words[3], &camera.fisheye, wide_angles,
+          "in place of `angle`: its angle, the same along all lines through the middle, in a circle", "perspective"},
+         {projection_words[4], &camera.ultra_wide_angle, wide_angles,
+          "in place of `angle`: its angle, of a picture without a circle", "perspective"},
+         {projection_words[5], &camera.spherical, wide_angles,
+          "in place of `angle`: its angle; columns are longitudes, rows latitudes", "perspective"},
+         {projection_words[6], &camera.cylinder, wide_angles,
+          "in place of `angle`: its angle; columns are longitudes, rows heights on a cylinder", "perspective"}}};
+    return joined(eye_parameters(camera.eye, required), more);
 }
 /// The time of a key: in seconds or, in place of that, in beats of the music.
 struct TimeText {
@@ -165,8 +182,8 @@ inline std::array<Parameter, 4> settings_parameters(SettingsText& settings) {
 /// Calls visit(word, parameters) for all blocks but those of bodies.
 template <class Visit>
 void each_block(const Visit& visit) {
+    CameraText camera;
     EyeText eye;
-    std::optional<double> aspectratio;
     TimeText when;
     Flythrough path;
     MotionKeyText moment;
@@ -180,7 +197,7 @@ void each_block(const Visit& visit) {
     visit("material", field_parameters(material));
     visit("light", light_parameters(light));
     visit("spot", spot_parameters(spot));
-    visit("camera", camera_parameters(eye, aspectratio));
+    visit("camera", camera_parameters(camera));
     visit("background", background_parameters(background));
     visit("fog", fog_parameters(fog));
     visit("global_settings", settings_parameters(settings));

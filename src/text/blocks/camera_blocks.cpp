@@ -1,5 +1,6 @@
 #include "text/blocks/camera_blocks.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -20,20 +21,40 @@ std::string fault_of(const Camera& camera, bool by_sky) {
 void CameraBlocks::camera(std::string_view word) {
     reader.once(camera_at, word);
     Block block{word, false, false, &follows};
-    EyeText eye;
-    std::optional<double> aspectratio;
-    auto parameters = camera_parameters(eye, aspectratio);
+    CameraText text;
+    EyeText& eye = text.eye;
+    auto parameters = camera_parameters(text);
     reader.block(block, parameters);
+    Projection projection = Projection::perspective;
+    const Parameter* chosen = nullptr;
+    for (Parameter& parameter : parameters) {
+        const auto at = std::ranges::find(projection_words, parameter.name);
+        if (at == projection_words.end() || !parameter.given()) continue;
+        if (chosen) {
+            reader.repeats(block, parameter, *chosen);
+            continue;
+        }
+        chosen = &parameter, projection = static_cast<Projection>(at - projection_words.begin());
+        if (!angular(projection)) continue;
+        // Its number takes the place of `fov` and `angle`.
+        Parameter &fov = *std::ranges::find(parameters, "fov", &Parameter::name),
+                  &angle = *std::ranges::find(parameters, "angle", &Parameter::name);
+        if (fov.given() || angle.given())
+            reader.repeats(block, parameter, fov.given() ? fov : angle);
+        else
+            angle.at = parameter.at, eye.angle = *std::get<std::optional<double>*>(parameter.value);
+    }
     reader.require(block, parameters);
     if (!block.good()) return;
-    the_camera = {eye.position, eye.look_at, *eye.down(), *eye.half_angle(), aspectratio};
+    the_camera = {eye.position, eye.look_at, *eye.down(), *eye.half_angle(), text.aspectratio, projection};
     by_sky = eye.sky.has_value();
     const std::string fault = fault_of(the_camera, by_sky);
     if (!fault.empty()) reader.diagnostics.add(word, "invalid camera: " + fault);
     camera_good = fault.empty();
     for (Follow& follow : follows) {
         if (follow.parameter == "sky") follow.parameter = "up", follow.factor = -1;
-        if (follow.parameter == "angle")
+        if (follow.parameter == "angle" ||
+            std::ranges::find(projection_words, follow.parameter) != projection_words.end())
             follow.parameter = "fov", follow.factor = .5, follow.low /= 2, follow.high /= 2;
     }
     sort(follows);

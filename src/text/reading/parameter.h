@@ -34,6 +34,7 @@ inline constexpr NumberRange positive{1e-9, 1e9, "from 1e-9 to 1e9"};
 // Up to the largest doubles below 90 and 180.
 inline constexpr NumberRange half_angles{smallest_positive, 90 - 1e-14, "greater than 0 and less than 90 degrees"};
 inline constexpr NumberRange angles{2 * smallest_positive, 180 - 2e-14, "greater than 0 and less than 180 degrees"};
+inline constexpr NumberRange wide_angles{2 * smallest_positive, 720, "greater than 0 and at most 720 degrees"};
 inline constexpr NumberRange depths{1, 256, "a whole number from 1 to 256", true};
 inline constexpr NumberRange quarter_turns{0, 90, "from 0 to 90 degrees"};
 inline constexpr NumberRange octave_counts{1, 10, "a whole number from 1 to 10", true};

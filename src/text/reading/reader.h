@@ -145,6 +145,8 @@ class BlockReader {
     SceneFiles& files;
     bool any_track = false;      // some number follows a track
     std::optional<Music> music;  // once it is read
+    /// Reports that of two parameters that exclude each other the later one is too much.
+    void repeats(Block& block, const Parameter& a, const Parameter& b);
 
   private:
     void read_three(DVec3& value, const NumberRange& range, std::string_view name, Block& block);
@@ -153,7 +155,6 @@ class BlockReader {
     bool closed(Block& block, std::span<const std::string_view> words, std::string_view& word);
     void unknown(Block& block, std::span<const std::string_view> words, std::string_view word);
     void read(Parameter& parameter, std::string_view word, Block& block);
-    void repeats(Block& block, const Parameter& a, const Parameter& b);
 
     template <class Action>
     void guard(Block& block, std::span<const std::string_view> words, Action action) {

@@ -27,6 +27,9 @@ constexpr double nearest_depth = 1e-9;
 /// Facets nearer to a surface than so many times the distance between corners count as parts of it.
 constexpr double own_depth = 1e-3;
 
+/// In pictures that are not flat, directions part at most so many times as fast as in the middle.
+constexpr double most_bent = std::numbers::pi / 2;
+
 double square(const DVec3& v) { return dot_product(v, v); }
 DVec3 middle_of(const FourPoints& corners) { return .25 * (corners[0] + corners[1] + corners[2] + corners[3]); }
 /// Returns the area of the square between the corners as seen along a direction.
@@ -57,12 +60,33 @@ ThinBodies::ThinBodies(const Scene& scene, const View& view, std::shared_ptr<con
     : own(known ? std::move(known) : std::make_shared<const CapsuleTree>(scene)),
       bodies(*own),
       lights(points_of(scene.lights)),
+      projection(view.camera.projection),
+      frame(frame_of(view.camera, static_cast<double>(view.width) / view.height)),
+      width(view.width),
+      height(view.height),
+      shift_x(view.shift_x),
+      shift_y(view.shift_y),
       eye(view.camera.position) {
-    const CameraFrame frame = frame_of(view.camera, static_cast<double>(view.width) / view.height);
     right = (2 * frame.tan_x / view.width) * frame.right, down = (2 * frame.tan_y / view.height) * frame.down;
     diagonal = quick_length(right + down);
     if (!bodies.empty()) end = length(bodies.around().from - eye) + bodies.around().radius;
+    if (projection == Projection::orthographic) end += std::hypot(frame.tan_x, frame.tan_y);
     first = frame.forward + (view.shift_x - view.width / 2.) * right + (view.shift_y - view.height / 2.) * down;
+}
+
+ThinBodies::Sights ThinBodies::sights_at(const std::array<CellCorner, 4>& corners) const {
+    Sights sights;
+    for (int k = 0; k < 4; ++k) {
+        const auto& [x, y, sample] = corners[k];
+        sights.starts[k] = eye, sights.ways[k] = first + x * right + y * down;
+        if (projection != Projection::perspective) {
+            const auto ray =
+                camera_ray(projection, frame, 2 * (x + shift_x) / width - 1, 2 * (y + shift_y) / height - 1);
+            sights.starts[k] = eye + ray.start, sights.ways[k] = ray.way;
+        }
+        sights.units[k] = quick_unit(sights.ways[k]);
+    }
+    return sights;
 }
 
 bool ThinBodies::hides_in(const std::array<CellCorner, 4>& corners, double least) const {
@@ -87,8 +111,11 @@ bool ThinBodies::hides_in(const std::array<CellCorner, 4>& corners, double least
     }
     one_surface = one_surface && corners[0].sample->surface >= 0 && most_distance < most_receding * least_distance;
     // How far apart the corners are, at most. Where all bodies are larger, neither they nor their shadows are thin.
-    const double own_growth = std::max(corners[2].x - corners[0].x, corners[2].y - corners[0].y) * diagonal / 2;
-    const double across = 2 * own_growth * (furthest + 2 * bodies.least());
+    const double half = std::max(corners[2].x - corners[0].x, corners[2].y - corners[0].y) * diagonal / 2;
+    const bool parallel = projection == Projection::orthographic;
+    const double own_radius = parallel ? half : 0;
+    const double own_growth = parallel ? 0 : projection == Projection::perspective ? half : most_bent * half;
+    const double across = 2 * (own_radius + own_growth * (furthest + 2 * bodies.least()));
     const bool wide = !(across + furthest - nearest < .99 * bodies.least());
     FourPoints places, reflected;
     bool mirrors = one_surface && reflection > least && further > 0;
@@ -97,48 +124,45 @@ bool ThinBodies::hides_in(const std::array<CellCorner, 4>& corners, double least
             const float* const direction = corners[k].sample->reflected;
             reflected[k] = DVec3(direction[0], direction[1], direction[2]);
         }
-        mirrors = growth_of(reflected, quick_unit(middle_of(reflected))) < most_widening * own_growth;
+        const double widening = parallel ? own_radius / furthest : own_growth;
+        mirrors = growth_of(reflected, quick_unit(middle_of(reflected))) < most_widening * widening;
     }
     if (!wide && !mirrors) return false;
-    for (int k = 0; k < 4; ++k) places[k] = quick_unit(first + corners[k].x * right + corners[k].y * down);
+    const Sights sights = sights_at(corners);
     const bool small = corners[2].x - corners[0].x < finest_doubt;
     const FacetsSeen seen = small ? FacetsSeen::any : same ? FacetsSeen::same : FacetsSeen::split;
-    if (wide && hides_camera(corners, places, furthest, seen, least)) return true;
+    if (wide && hides_camera(corners, sights, furthest, seen, least)) return true;
     if (!one_surface || (lit == 0 && !mirrors)) return false;
-    for (int k = 0; k < 4; ++k) places[k] = eye + double(corners[k].sample->distance) * places[k];
+    for (int k = 0; k < 4; ++k) places[k] = sights.starts[k] + double(corners[k].sample->distance) * sights.units[k];
     const double radius = radius_of(places);
     return (wide && hides_shadow(places, radius, lit, seen, least / brightest)) ||  // all that a shadow can take
            (mirrors && hides_reflection(places, radius, reflected, further, reach, seen, least / reflection));
 }
 
-Tube ThinBodies::from_eye(const FourPoints& directions, double furthest) const {
-    const DVec3 axis = quick_unit(middle_of(directions));
-    const double growth = growth_of(directions, axis);
-    return {.from = eye,
-            .direction = axis,
-            .length = furthest,
-            .radius = 0,
-            .growth = growth,
-            .area = area(directions, axis) / (growth * growth)};
-}
-
-bool ThinBodies::hides_camera(const std::array<CellCorner, 4>& corners, const FourPoints& directions,
-                              double furthest, FacetsSeen seen, double least) const {
-    const CellCorner &low = corners[0], &high = corners[2];
-    const DVec3 corner = first + low.x * right + low.y * down;
-    double depth = 0;  // along `forward`
-    for (const CellCorner& own : corners) {
-        const DVec3 way = first + own.x * right + own.y * down;
-        depth = std::max(depth, std::min(double(own.sample->distance), end) / quick_length(way));
-    }
-    const RayBundle bundle{.from = eye,
-                           .corner = corner,
-                           .across = (high.x - low.x) * right,
-                           .down = (high.y - low.y) * down,
-                           .parallel = false,
+bool ThinBodies::hides_camera(const std::array<CellCorner, 4>& corners, const Sights& sights, double furthest,
+                              FacetsSeen seen, double least) const {
+    const auto& [starts, ways, units] = sights;
+    const bool parallel = projection == Projection::orthographic;
+    double depth = 0;  // in units of the ways: along `forward` in perspective
+    for (int k = 0; k < 4; ++k)
+        depth = std::max(depth, std::min(double(corners[k].sample->distance), end) / quick_length(ways[k]));
+    const DVec3 axis = quick_unit(middle_of(units));
+    const double radius = radius_of(starts), growth = parallel ? 0 : growth_of(units, axis);
+    const Tube tube{.from = middle_of(starts),
+                    .direction = axis,
+                    .length = furthest,
+                    .radius = radius,
+                    .growth = growth,
+                    .area = parallel ? area(starts, axis) / (radius * radius) : area(units, axis) / (growth * growth)};
+    const FourPoints& sides = parallel ? starts : ways;
+    const RayBundle bundle{.from = starts[0],
+                           .corner = ways[0],
+                           .across = sides[1] - sides[0],
+                           .down = sides[3] - sides[0],
+                           .parallel = parallel,
                            .nearest = nearest_depth,
                            .furthest = depth * (1 + own_depth)};
-    return bodies.meets(from_eye(directions, furthest), bundle, least, seen);
+    return bodies.meets(tube, bundle, least, seen);
 }
 
 bool ThinBodies::hides_shadow(const FourPoints& points, double radius, std::uint32_t lit, FacetsSeen seen,
@@ -183,6 +207,16 @@ bool ThinBodies::hides_reflection(const FourPoints& points, double radius, const
                     .radius = start,
                     .growth = growth,
                     .area = std::min(near_area, far_area)};
+    if (projection == Projection::orthographic)
+        return bodies.meets(tube,
+                            {.from = points[0],
+                             .corner = quick_unit(directions[0]),
+                             .across = points[1] - points[0],
+                             .down = points[3] - points[0],
+                             .parallel = true,
+                             .nearest = own_depth * radius,
+                             .furthest = furthest * (1 + own_depth)},
+                            least, seen, points);
     // Rays from a flat mirror come from the eye's image behind it.
     FourPoints ways;
     for (int k = 0; k < 4; ++k) ways[k] = quick_length(points[k] - eye) * quick_unit(directions[k]);

@@ -33,9 +33,13 @@ class ThinBodies {
     bool hides_in(const std::array<CellCorner, 4>& corners, double least) const;
 
   private:
-    Tube from_eye(const FourPoints& directions, double furthest) const;
-    bool hides_camera(const std::array<CellCorner, 4>& corners, const FourPoints& directions, double furthest,
-                      FacetsSeen seen, double least) const;
+    /// Camera rays at the corners of a cell: their starts, directions, and these with length 1.
+    struct Sights {
+        FourPoints starts, ways, units;
+    };
+    Sights sights_at(const std::array<CellCorner, 4>& corners) const;
+    bool hides_camera(const std::array<CellCorner, 4>& corners, const Sights& sights, double furthest, FacetsSeen seen,
+                      double least) const;
     bool hides_shadow(const FourPoints& points, double radius, std::uint32_t lit, FacetsSeen seen,
                       double least) const;
     bool hides_reflection(const FourPoints& points, double radius, const FourPoints& directions, double furthest,
@@ -44,7 +48,10 @@ class ThinBodies {
     const std::shared_ptr<const CapsuleTree> own;
     const CapsuleTree& bodies;
     const std::vector<Light> lights;
-    DVec3 eye, first, right, down;  // the direction through (x, y) is that of first + x right + y down
+    const Projection projection;
+    const CameraFrame frame;
+    const double width, height, shift_x, shift_y;  // of the view
+    DVec3 eye, first, right, down;  // the direction through (x, y) is that of first + x right + y down, in perspective
     double diagonal;                // of a pixel, at distance 1
     double end = 0;                 // distance beyond which there are no bodies
 };

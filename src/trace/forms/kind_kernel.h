@@ -58,7 +58,8 @@ STRAHL_INLINE void FormFunctions<Form, S>::settle_start(const World<T>& world, i
 
 template <class Form, class S>
 [[gnu::noinline]] Mask<S> FormFunctions<Form, S>::holds_eye(const World<T>& world, int item, const Ray<S>& ray) {
-    const Ray<S> from_eye{splat<S>(world.eye), ray.direction, S(-1)};
+    // Camera rays may start elsewhere: those of an orthographic camera do.
+    const Ray<S> from_eye{select(ray.source < S(0), ray.origin, splat<S>(world.eye)), ray.direction, S(-1)};
     const Span<S> span = cross<Form>(world.groups.template get<Form>().items[item], from_eye, cross_one);
     return span.hit & (span.near <= S(0)) & (span.far > S(0));
 }

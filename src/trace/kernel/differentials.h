@@ -32,7 +32,7 @@ template <class S, class P>
 Differentials<S> differentials_at(const Shading<S, P>& shading, const RayQueue<Element<S>>& from,
                                   const LaneIndices<S>& pick, const Vec3<S>& direction, const S& t) {
     Differentials<S> all;
-    if (shading.depth > 1) {
+    if (shading.depth > 1 || shading.batch.footprints->made) {
         each_number([&](S& value, const Element<S>* array) { value = pick(array); }, all, from.differentials);
     } else {
         // The direction is that of a vector whose part along `forward` has length 1.

@@ -10,7 +10,8 @@ namespace {  // a copy for each kernel, so that functions which are called once 
 /// Generates the camera rays of a batch, one through each of its places (x, y). `finished`: the world has POV-Ray's
 /// finishes.
 template <class S, class T>
-void generate_camera_rays(const Eye<T>& eye, const PixelBatch<T>& batch, bool finished, RayQueue<T>& rays) {
+void generate_camera_rays(const Eye<T>& eye, const PixelBatch<T>& batch, bool finished, Workspace<T>& workspace,
+                          RayQueue<T>& rays) {
     for (int i = 0; i < batch.count; i += width<S>) {
         const S u = fma(load_lanes<S>(batch.x + i), S(eye.scale_x), S(eye.bias_x));
         const S v = fma(load_lanes<S>(batch.y + i), S(eye.scale_y), S(eye.bias_y));
@@ -29,6 +30,8 @@ void generate_camera_rays(const Eye<T>& eye, const PixelBatch<T>& batch, bool fi
     if (finished)
         for (T* const array : {rays.tint[0], rays.tint[1], rays.tint[2], rays.level})
             std::fill_n(array, batch.count, T(1));
+    if (eye.rays) [[unlikely]]
+        make_camera_rays(*eye.rays, batch, workspace, rays);
 }
 
 /// Returns the bodies that rays of a pack can meet, and perhaps more: the rays start in a ball around the first one's
@@ -218,7 +221,7 @@ bool trace(const World<T>& world, const Eye<T>& eye, const Limits<T>& limits, co
     const Counts before = counts;
     const auto start = [&](int slot) {
         Generation<T>& first = generation(workspace, slot);
-        generate_camera_rays<S>(eye, batch, world.finishes.list, first.open);
+        generate_camera_rays<S>(eye, batch, world.finishes.list, workspace, first.open);
         P::start(world, eye, limits, batch, first.open);
         first.inside.count = 0;
         std::fill_n(first.inside_begin, world.bins, 0);

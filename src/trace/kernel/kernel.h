@@ -148,6 +148,7 @@ struct Footprints {
     /// Four values for each sample: the colours of the patterns that it sees and how loosely they are filtered, see
     /// note_colors; unchanged if it sees none, or only much enlarged ones.
     T* colors;
+    bool made = false;  // the queue of camera rays has their differentials
 };
 
 /// The pixels that are traced at once.
@@ -166,6 +167,11 @@ struct PixelBatch {
 template <class T>
 using TraceBatch = bool (*)(const World<T>&, const Eye<T>&, const Limits<T>&, const PixelBatch<T>&, Workspace<T>&,
                             Counts&);
+
+/// Makes the camera rays of a batch (kernel/camera_rays.h).
+template <class T>
+void make_camera_rays(const CameraRays<T>& cameras, const PixelBatch<T>& batch, Workspace<T>& workspace,
+                      RayQueue<T>& rays);
 
 template <class T>
 struct Kernel {

@@ -171,7 +171,9 @@ TEST_CASE("Tachyon: what comes out stays in the range of the language") {
     CHECK(imported(camera + "PERSPECTIVE ZOOM 1e10" + rest + "END_CAMERA").scene.camera.fov > 0);
     CHECK(imported(camera + "ORTHOGRAPHIC ZOOM 1" + rest + "FRUSTUM -1e-305 1e-305 -1e-305 1e-305 END_CAMERA")
               .scene.camera.fov > 0);
-    CHECK(imported(camera + "ORTHOGRAPHIC ZOOM 1" + rest + "END_CAMERA").scene.camera.position.z > 100);
+    const Camera parallel = imported(camera + "ORTHOGRAPHIC ZOOM .25" + rest + "END_CAMERA").scene.camera;
+    CHECK(parallel.projection == Projection::orthographic);
+    CHECK(frame_of(parallel, 1).tan_x == doctest::Approx(2));
     CHECK(imported(camera + "FISHEYE ZOOM 1" + rest + "FRUSTUM -3 3 -1 1 END_CAMERA").scene.camera.fov ==
           doctest::Approx(60));
     CHECK(imported(eye +

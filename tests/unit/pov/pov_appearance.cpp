@@ -37,6 +37,35 @@ TEST_CASE("POV-Ray: cameras have POV-Ray's axes") {
     CHECK(whole("camera { location -3*z angle 40 look_at 0 }", false).camera.fov == 20);
 }
 
+TEST_CASE("POV-Ray: cameras of other projections") {
+    struct Row {
+        const char* text;
+        Projection projection;
+        double x, y;  // half the picture
+    };
+    const double t = std::tan(20 * 3.14159265358979323846 / 180), degree = 3.14159265358979323846 / 180;
+    for (const Row& row :
+         {Row{"orthographic", Projection::orthographic, .665, .5},
+          Row{"orthographic location -9*z look_at 0", Projection::orthographic, 9 * .665, 4.5},
+          Row{"orthographic location -9*z right 3*x look_at 0", Projection::orthographic, 1.5, .5},
+          Row{"orthographic location -9*z right 3*x look_at 0 angle 40", Projection::orthographic, 9 * t, 3 * t},
+          Row{"orthographic location -9*z up 2*y rotate 20*y", Projection::orthographic, .665, 1},
+          Row{"fisheye angle 160", Projection::fisheye, 1.33 * 80 * degree, 80 * degree},
+          Row{"ultra_wide_angle angle 160", Projection::ultra_wide_angle, 80 * degree, 80 / 1.33 * degree},
+          Row{"spherical", Projection::spherical, 180 * degree, 90 * degree},
+          Row{"spherical angle 90 30", Projection::spherical, 45 * degree, 15 * degree},
+          Row{"panoramic angle 60", Projection::panoramic, .665, .5},
+          Row{"cylinder 1 angle 60 up 2*y", Projection::cylinder, 30 * degree, 1}}) {
+        CAPTURE(row.text);
+        const Camera camera = whole("camera { " + std::string(row.text) + " }", false).camera;
+        const CameraFrame frame = frame_of(camera, 4. / 3);
+        CHECK(camera.projection == row.projection);
+        CHECK(frame.tan_x == doctest::Approx(row.x).epsilon(1e-12));
+        CHECK(frame.tan_y == doctest::Approx(row.y).epsilon(1e-11));
+    }
+    CHECK(whole("camera { orthographic location -3*z angle 40 look_at 0 }", false).camera.fov == 20);
+}
+
 TEST_CASE("POV-Ray: finishes and pigments") {
     const auto of = [](const std::string& text) { return material(whole("sphere { 0, 1 " + text + " }")); };
     CHECK(of("") ==
@@ -202,7 +231,9 @@ TEST_CASE("POV-Ray: what scenes cannot hold is told with its line, once") {
     told("fog { fog_type 2 distance 1 }", "left out: fog without a direction");
     told("fog { distance 1 } fog { distance 2 }", "left out: a second fog");
     told("global_settings { radiosity { count 9 } }", "approximated: radiosity");
-    told("camera { orthographic }", "approximated: an orthographic camera");
+    told("camera { omnimax }", "approximated: a camera of another projection");
+    told("camera { cylinder 3 angle 90 }", "approximated: a camera of another projection");
+    told("camera { fisheye up 2*y }", "approximated: the circle of a fisheye");
     const std::string loop =
         "#declare B = sphere { 0, 1 pigment { pavement } } #for (I, 1, 50) object { B translate I*x } #end";
     CHECK(opened(loop).notes.size() == 1);

@@ -244,6 +244,40 @@ TEST_CASE("a scene file of POV-Ray's is seen by another camera than its own") {
     }
 }
 
+TEST_CASE("cameras of all projections show what POV-Ray's show, there and back") {
+    const Scratch folder;
+    const Scene room = parse_scene(
+        "camera { position <1, -6, 2>  look_at <0, 0, 1>  sky <.2, 0, 1>  fov 30  aspectratio 1.5 }\n"
+        "light { position <-9, -20, 30>  color <1, 1, 1> }  background { color <.1, .2, .4> }\n"
+        "plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0>  material { rgb <.3, .6, .2> } }\n"
+        "sphere { <-1, 0, 1>, 1  material { rgb <.9, .2, .1>  reflection .3 } }\n"
+        "box { <1, -9, 0>, <3, -7, 2>  material { rgb <.2, .2, .9> } }\n",
+        "room.rt");
+    for (std::size_t i = 0; i < projection_words.size(); ++i) {
+        CAPTURE(projection_words[i]);
+        Scene scene = room;
+        scene.camera.projection = static_cast<Projection>(i);
+        if (angular(scene.camera.projection)) scene.camera.fov = 100;
+        const View view{.camera = scene.camera, .width = 60, .height = 40, .depth = 4};
+        const PovRequest request{.title = "room", .cameras = {scene.camera}, .width = 60, .height = 40, .depth = 4};
+        Tracer tracer(scene, Precision::float64);
+        const Frame ours = render(scene, view);
+        const Verdict verdict = judge(tracer, view, ours, run_povray(scene, request, 1).picture);
+        CHECK_MESSAGE(fault(verdict, {}).empty(), fault(verdict, {}));
+        const PovFiles files = write_pov(scene, request);
+        const OpenedScene again = open_scene(files.pov, folder / "x.pov", {}, read_pixels);
+        CHECK(again.summary == "opens whole");
+        CHECK(again.scene.camera.projection == scene.camera.projection);
+        const CameraFrame a = frame_of(scene.camera, 1), b = frame_of(again.scene.camera, 1);
+        // The text has other units of length.
+        const bool parallel = scene.camera.projection == Projection::orthographic;
+        const double unit = parallel ? again.scene.camera.position.x / scene.camera.position.x : 1;
+        CHECK(b.tan_x == doctest::Approx(unit * a.tan_x).epsilon(1e-12));
+        CHECK(b.tan_y == doctest::Approx(unit * a.tan_y).epsilon(1e-11));
+        CHECK(length(a.down - b.down) < 1e-9);
+    }
+}
+
 TEST_CASE("without povray the message says what to install") {
     const Scene scene = read_scene("crosscheck/ambient");
     const std::string path = std::getenv("PATH");

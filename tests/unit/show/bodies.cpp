@@ -66,16 +66,20 @@ TEST_CASE("a click chooses the body that is seen there; again, the one behind it
 
 TEST_CASE("the camera moves to where a body fills the picture, and looks into the same direction") {
     const auto scene = shown_scene();
-    const Camera near = approached(scene->camera, {{1, 2, 3}, {2, 4, 3.5}}, 4. / 3);
-    CHECK(near.look_at == DVec3(1.5, 3, 3.25));
     const DVec3 before = normalize(scene->camera.look_at - scene->camera.position);
-    CHECK(length(normalize(near.look_at - near.position) - before) < 1e-12);
-    View view = shown_view(*scene);
-    view.camera = near;
-    // A ball around it is in the picture, and not far from its edges.
-    const auto around = shown_scene("sphere { <1.5,3,3.25>, 1.1456 }");
-    CHECK(bodies_along(*around, ray_at(view, 80, 12))[0].body == 3);
-    for (const BodyHit& met : bodies_along(*around, ray_at(view, 80, 4))) CHECK(met.body != 3);
+    for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
+        Camera camera = scene->camera;
+        camera.projection = projection;
+        const Camera near = approached(camera, {{1, 2, 3}, {2, 4, 3.5}}, 4. / 3);
+        CHECK(near.look_at == DVec3(1.5, 3, 3.25));
+        CHECK(length(normalize(near.look_at - near.position) - before) < 1e-12);
+        View view = shown_view(*scene);
+        view.camera = near;
+        // A ball around it is in the picture, and not far from its edges.
+        const auto around = shown_scene("sphere { <1.5,3,3.25>, 1.1456 }");
+        CHECK(bodies_along(*around, ray_at(view, 80, 12))[0].body == 3);
+        for (const BodyHit& met : bodies_along(*around, ray_at(view, 80, 4))) CHECK(met.body != 3);
+    }
 }
 
 TEST_CASE("a new body stands where a surface is seen, or as far away as the camera looks") {

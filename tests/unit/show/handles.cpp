@@ -40,15 +40,32 @@ glm::dvec2 point_of(const Handles& handles, Handle handle, double share = 1) {
 
 TEST_CASE("a point is seen where the ray through that pixel meets it") {
     const auto scene = shown_scene();
-    const View view = wide_view(*scene);
-    const auto ray = ray_at(view, 123, 321);
-    for (const double t : {.5, 3., 20.}) {
-        const auto place = place_in(view, ray.origin + t * ray.direction);
-        REQUIRE(place);
-        CHECK(pixels_between(*place, {123, 321}) < 1e-6);
+    View view = wide_view(*scene);
+    for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
+        view.camera.projection = projection;
+        const auto ray = ray_at(view, 123, 321);
+        for (const double t : {.5, 3., 20.}) {
+            const auto place = place_in(view, ray.origin + t * ray.direction);
+            REQUIRE(place);
+            CHECK(pixels_between(*place, {123, 321}) < 1e-6);
+        }
+        CHECK(!place_in(view, ray.origin - ray.direction));
+        CHECK(!place_in(view, ray.origin));
     }
-    CHECK(!place_in(view, ray.origin - ray.direction));
-    CHECK(!place_in(view, ray.origin));
+    view.camera.projection = Projection::spherical;
+    CHECK(!place_in(view, view.camera.look_at));
+}
+
+TEST_CASE("handles of an orthographic view move what is dragged to the pointer") {
+    const auto scene = shown_scene();
+    View view = wide_view(*scene);
+    view.camera.projection = Projection::orthographic;
+    const DVec3 centre(1, -2, 1.5);
+    const Handles handles(HandleMode::move, centre, world, 80, view);
+    const glm::dvec2 middle = *place_in(view, centre), to = middle + glm::dvec2(60, -35);
+    const auto moved = std::get<MoveBy>(handles.drag(Handle::all, middle, to, false));
+    CHECK(pixels_between(*place_in(view, centre + moved.by), to) < 1e-6);
+    CHECK(handles.at(middle, 8) == Handle::all);
 }
 
 TEST_CASE("handles move what is dragged to the pointer: across the view, and along an axis") {

@@ -102,6 +102,20 @@ TEST_CASE("invalid bodies and cameras") {
           Faults{"x.rt:1:1: invalid camera: sky is parallel to the direction from position to look_at"});
 }
 
+TEST_CASE("cameras of other projections than perspective") {
+    const std::string place = "camera { position <0,-9,0> look_at <0,0,0> sky <0,0,1> ";
+    const Camera fisheye = parse(place + "fisheye 200 }").camera;
+    CHECK((fisheye.projection == Projection::fisheye && fisheye.fov == 100));
+    const Camera parallel = parse(place + "orthographic fov 20 }").camera;
+    CHECK((parallel.projection == Projection::orthographic && parallel.fov == 20));
+    CHECK(frame_of(parallel, 2).tan_y == doctest::Approx(9 * std::tan(20 * 3.14159265358979323846 / 180) / 2));
+    CHECK(faults(place + "orthographic }") == Faults{"x.rt:1:1: 'camera' lacks 'fov' (or 'angle')"});
+    CHECK(faults(place + "fov 20 spherical 360 }") ==
+          Faults{"x.rt:1:63: 'spherical' repeats 'fov' of line 1; give only one of them"});
+    CHECK(faults(place + "spherical 360\nfisheye 90 }") ==
+          Faults{"x.rt:2:1: 'fisheye' repeats 'spherical' of line 1; give only one of them"});
+}
+
 TEST_CASE("invalid flythroughs") {
     const auto path = [](const std::string& head, const std::string& first, const std::string& second) {
         return "flythrough { " + head + "\nkey { position <0,0,0> look_at <1,0,0> time " + first +

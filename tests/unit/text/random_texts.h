@@ -219,6 +219,10 @@ class RandomScenes {
     Camera camera() {
         Camera result{position(), position(), position(), uniform(1e-9, 90), {}};
         if (chance(2)) result.aspectratio = positive();
+        // Every third one, by a digit of its angle.
+        const int digits = static_cast<int>(1000 * result.fov) % (3 * static_cast<int>(projection_words.size()));
+        if (digits % 3 == 0) result.projection = static_cast<Projection>(digits / 3);
+        if (angular(result.projection)) result.fov *= 4;
         return degenerate(result) ? camera() : result;
     }
     Flythrough flythrough(const Camera& scene_camera) {

@@ -139,6 +139,21 @@ TEST_CASE("images become linear light before they are averaged, and reliefs of t
     CHECK(maps[linear].levels[maps[linear].count - 1].pixels[0] == doctest::Approx(mean));
 }
 
+TEST_CASE("cameras of all projections find the means of images") {
+    double in_perspective = 0;
+    for (const Projection projection :
+         {Projection::perspective, Projection::orthographic, Projection::fisheye, Projection::spherical}) {
+        CAPTURE(static_cast<int>(projection));
+        Scene scene = scene_of(many_images);
+        scene.camera.projection = projection;
+        if (angular(projection)) scene.camera.fov = 30;
+        const Compared found = compared(scene, 60, 45, 12);
+        if (projection == Projection::perspective) in_perspective = found.error;
+        CHECK(found.error <= in_perspective);
+        CHECK(found.own.samples < 40);
+    }
+}
+
 TEST_CASE("a floor of checks to the horizon comes out as the mean of 4096 rays a pixel") {
     const Scene scene = scene_of(floor_to_horizon);
     const View view = view_of(scene, 80, 60);

@@ -150,6 +150,20 @@ TEST_CASE("random scenes") {
     conclude(tally);
 }
 
+TEST_CASE("random scenes by cameras of other projections, of which orthographic ones may start in bodies") {
+    std::array<Tally, 3> tally;
+    int seed = 0;
+    for (const Projection projection : {Projection::orthographic, Projection::fisheye, Projection::spherical,
+                                        Projection::cylinder, Projection::orthographic, Projection::orthographic}) {
+        CAPTURE(seed);
+        Scene scene = random_scene(8000 + seed, {.lights = seed % 2 == 0, .any_kind = .4});
+        scene.camera.projection = projection;
+        if (seed >= 4) scene.camera.position = .4 * scene.camera.position;
+        hold(scene, 2 + seed++ % 4, tally);
+    }
+    conclude(tally);
+}
+
 TEST_CASE("random scenes with patterns, or with fog, spots and parallel light") {
     for (const bool patterns : {true, false}) {
         CAPTURE(patterns);

@@ -86,6 +86,15 @@ defaultmaterial { rgb <1, 1, 1>  diffuse 0  ambient 1  specular 0  reflection 0 
 cylinder { <-2.5, .7, 12>, <2.7, 1.7, 12>, .0048 }
 )";
 
+/// A wire .2 pixels wide, as large as at look_at.
+const char* const wire_in_sight = R"(
+camera { position <0, -1, 10>  look_at <0, 0, 0>  sky <0, 1, 0>  angle 20 }
+light { position <30, 5, 40>  color <1, 1, 1> }
+background { color <0, 0, 0> }
+defaultmaterial { rgb <1, 1, 1>  diffuse 0  ambient 1  specular 0  reflection 0 }
+cylinder { <-1.1, -.9, 5>, <1.2, -.3, 5>, .0022 }
+)";
+
 /// Checks how much light of a scene's thin last body our samples find, against a fine grid: all but a share of `lost`.
 /// Pixels that keep less than a quarter of it may be up to this share of those that show the body.
 void check_last_body(Scene scene, int width = 160, double lost = .01, double missing = 0) {
@@ -196,6 +205,13 @@ TEST_CASE("wires and dust keep their light") {
 }
 
 TEST_CASE("shadows of wires keep their darkness") { check_last_body(parse_scene(shadow_of_wire, "shadow_of_wire")); }
+
+TEST_CASE("wires, their shadows and reflections keep their light in parallel views") {
+    for (std::string text : {std::string(shadow_of_wire), std::string(wire_in_mirror), std::string(wire_in_sight)}) {
+        text.replace(text.find("angle 20"), 8, "orthographic angle 15");
+        check_last_body(parse_scene(text, "parallel"), 120, .05, .02);
+    }
+}
 
 TEST_CASE("wires in a mirror keep their light") { check_last_body(parse_scene(wire_in_mirror, "wire_in_mirror")); }
 

@@ -1,0 +1,89 @@
+#include "trace/kernel/camera_rays.h"
+
+#include <algorithm>
+
+#include "num/vec_math.h"
+#include "scene/leaves.h"
+#include "scene/overlap.h"
+#include "trace/kernel/workspace.h"
+
+namespace strahl {
+
+template <class T>
+CameraRays<T>::CameraRays(const Scene& scene, const View& view, const BuiltWorld<T>& built, const Placement& placement)
+    : view(view),
+      built(built),
+      placement(placement),
+      frame(frame_of(view.camera, static_cast<double>(view.width) / view.height)) {
+    if (view.camera.projection != Projection::orthographic) return;
+    const DVec3 middle = view.camera.position;
+    DVec3 reach;
+    for (int i = 0; i < 3; ++i)
+        reach[i] = std::abs(frame.tan_x * frame.right[i]) + std::abs(frame.tan_y * frame.down[i]);
+    starts_in_bodies = std::ranges::any_of(scene.primitives, [&](const Primitive& body) {
+        if (!transparent(scene, body)) return false;
+        const Box box = world_bounds(body);
+        bool apart = false;
+        for (int i = 0; i < 3; ++i) apart |= box.low[i] > middle[i] + reach[i] || box.high[i] < middle[i] - reach[i];
+        return !box.finite() || !apart;
+    });
+}
+
+/// Returns the ray through a point in pixels, of which (0, 0) is the middle of the first.
+template <class T>
+auto CameraRays<T>::ray(Real x, Real y) const -> CameraRay<Real> {
+    CameraRay<Real> own = camera_ray(view.camera.projection, frame, (2 * (x + Real(view.shift_x)) + 1) / view.width - 1,
+                                     (2 * (y + Real(view.shift_y)) + 1) / view.height - 1);
+    own.start = Real(placement.scale) * (Vec3<Real>(view.camera.position - placement.origin) + own.start);
+    own.way = Real(1) / std::sqrt(dot(own.way, own.way)) * own.way;
+    return own;
+}
+
+template <class T>
+void CameraRays<T>::make(const PixelBatch<T>& batch, Workspace<T>& workspace, RayQueue<T>& rays) const {
+    for (int i = 0; i < batch.count; ++i) {
+        const Real x = batch.x[i], y = batch.y[i];
+        const CameraRay<Real> own = ray(x, y);
+        for (int c = 0; c < 3; ++c) {
+            rays.origin[c][i] = static_cast<T>(own.start[c]);
+            rays.direction[c][i] = static_cast<T>(own.way[c]);
+        }
+        if (!own.seen) {
+            rays.weight[i] = 0;
+            if (rays.level)
+                for (int c = 0; c < 3; ++c) rays.tint[c][i] = 0;
+        }
+        if (starts_in_bodies) {
+            const DVec3 start = DVec3(own.start) / placement.scale + placement.origin;
+            int list = 0;
+            for (const int body : built.bodies_around(start)) list = push(workspace.mediums, list, body);
+            rays.medium[i] = static_cast<T>(list);
+        }
+        if (!batch.footprints) continue;
+        const Real side = batch.footprints->sides[i];
+        const CameraRay<Real> beside[2] = {ray(x + side, y), ray(x, y + side)};
+        for (int k = 0; k < 2; ++k)
+            for (int c = 0; c < 3; ++c) {
+                rays.differentials.place[k][c][i] = static_cast<T>(beside[k].start[c] - own.start[c]);
+                rays.differentials.direction[k][c][i] = static_cast<T>(beside[k].way[c] - own.way[c]);
+            }
+        rays.differentials.loose[i] = 0;
+    }
+}
+
+template <class T>
+void make_camera_rays(const CameraRays<T>& cameras, const PixelBatch<T>& batch, Workspace<T>& workspace,
+                      RayQueue<T>& rays) {
+    cameras.make(batch, workspace, rays);
+}
+
+template class CameraRays<float>;
+template class CameraRays<double>;
+template class CameraRays<long double>;
+template void make_camera_rays(const CameraRays<float>&, const PixelBatch<float>&, Workspace<float>&, RayQueue<float>&);
+template void make_camera_rays(const CameraRays<double>&, const PixelBatch<double>&, Workspace<double>&,
+                               RayQueue<double>&);
+template void make_camera_rays(const CameraRays<long double>&, const PixelBatch<long double>&, Workspace<long double>&,
+                               RayQueue<long double>&);
+
+}  // namespace strahl
