@@ -150,40 +150,48 @@ int brick_at(const DVec3& size, double joint, const DVec3& p) {
            fraction(q.z + (even ? 0 : .5)) > mortar.z;
 }
 
-/// The sum of the distances to the three nearest of points that are spread one to a cell; `sum_of` has the sum of
-/// powers of a way's coordinates, and `root_of` makes it a distance.
-template <class Sum, class Root>
-double crackle_value(const CrackleForm& own, int generator, const DVec3& p, const Sum& sum_of, const Root& root_of) {
-    const int x = whole(p.x - nearly), y = whole(p.y - nearly), z = whole(p.z - nearly);
+/// Returns the sum of the distances to the three nearest of points that are spread one to a cell; `power` has the power
+/// of a way along an axis, and `root` makes a sum of these a distance.
+template <class Power, class Root>
+double crackle_value(const CrackleForm& own, int generator, const DVec3& p, const Power& power, const Root& root) {
+    constexpr int near_first[]{0, -1, 1, -2, 2};
+    const int cell[3]{whole(p.x - nearly), whole(p.y - nearly), whole(p.z - nearly)};
+    double least[3][5];  // powers of the least way into the cells along each axis
+    for (int c = 0; c < 3; ++c)
+        for (const int i : near_first) {
+            const double from = p[c] - (cell[c] + i);
+            least[c][i + 2] = power(std::max({0., -from, from - 1}));
+        }
     double nearest[3]{1e300, 1e300, 1e300};
     DVec3 closest(0);
-    for (int i = -2; i <= 2; ++i)
-        for (int j = -2; j <= 2; ++j)
-            for (int k = -2; k <= 2; ++k) {
+    for (const int i : near_first)
+        for (const int j : near_first)
+            for (const int k : near_first) {
                 if ((std::abs(i) == 2) + (std::abs(j) == 2) + (std::abs(k) == 2) > 1) continue;
-                const DVec3 point = DVec3(x + i, y + j, z + k) + random_at_cell(x + i, y + j, z + k);
-                double sum = sum_of(point - p);
-                if (sum >= nearest[2]) continue;
+                const double bound = least[0][i + 2] + least[1][j + 2] + least[2][k + 2];
+                if (bound * (1 - 1e-9) > nearest[2]) continue;
+                const int x = cell[0] + i, y = cell[1] + j, z = cell[2] + k;
+                const DVec3 point = DVec3(x, y, z) + random_at_cell(x, y, z), way = point - p;
+                double sum = power(way.x) + power(way.y) + power(way.z);
                 if (sum < nearest[0]) closest = point;
                 for (double& known : nearest)
                     if (sum < known) std::swap(sum, known);
             }
     if (own.solid) return lattice::noise(closest, generator);
-    const double offset = sum_of({own.offset, 0, 0});
+    const double offset = power(own.offset);
     double value = 0;
-    for (int i = 0; i < 3; ++i) value += own.form[i] * root_of(nearest[i] + offset);
+    for (int i = 0; i < 3; ++i) value += own.form[i] * root(nearest[i] + offset);
     return std::clamp(value, 0., 1.);
 }
 double crackle_value(const CrackleForm& own, int generator, const DVec3& p) {
+    const auto value = [&](const auto& power, const auto& root) {
+        return crackle_value(own, generator, p, power, root);
+    };
     const double metric = own.metric;
-    if (metric == 2)
-        return crackle_value(
-            own, generator, p, [](const DVec3& way) { return dot_product(way, way); },
-            [](double sum) { return std::sqrt(sum); });
-    const auto power = [=](double way) { return metric == 1 ? std::fabs(way) : std::pow(std::fabs(way), metric); };
-    return crackle_value(
-        own, generator, p, [=](const DVec3& way) { return power(way.x) + power(way.y) + power(way.z); },
-        [=](double sum) { return metric == 1 ? sum : std::pow(sum, 1 / metric); });
+    if (metric == 2) return value([](double way) { return way * way; }, [](double sum) { return std::sqrt(sum); });
+    if (metric == 1) return value([](double way) { return std::fabs(way); }, [](double sum) { return sum; });
+    return value([=](double way) { return std::pow(std::fabs(way), metric); },
+                 [=](double sum) { return std::pow(sum, 1 / metric); });
 }
 
 /// Two entries of a map between which a value lies, and the share of the second one. They are the same at an entry.
