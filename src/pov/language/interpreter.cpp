@@ -22,9 +22,10 @@ Interpreter::Interpreter(std::string text, InterpreterOptions options, SceneLaye
         (known ? known : &state->symbols.add(number, true))->value = {ValueKind::number, {value}, nullptr};
     };
     const InterpreterOptions& o = state->options;
-    for (const char* name : {"clock_delta", "final_clock", "final_frame", "frame_number", "initial_frame"})
-        declare(name, 1);
-    declare("initial_clock", 0);
+    // Outside of an animation all of these are 0 in POV-Ray.
+    for (const char* name :
+         {"clock_delta", "final_clock", "final_frame", "frame_number", "initial_clock", "initial_frame"})
+        declare(name, 0);
     declare("image_width", o.width);
     declare("image_height", o.height);
     for (const auto& [name, value] : o.declared) declare(name.c_str(), value);

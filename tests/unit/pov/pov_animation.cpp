@@ -145,3 +145,8 @@ TEST_CASE("a scene that uses its clock is read for a moment of its flight") {
     put(folder / "a.ini", "Input_File_Name=b.pov\nFinal_Frame=11");
     CHECK(!at({}, text).frames);
 }
+
+TEST_CASE("POV-Ray: a still has the frame 0 and no steps of the clock") {
+    const Scene scene = whole("sphere { <frame_number + initial_frame, final_frame + final_clock, clock_delta>, 1 }");
+    CHECK(shape<Sphere>(scene).centre == DVec3(0));
+}
