@@ -100,9 +100,10 @@ std::string normal_text(const Bump& bump) {
     constexpr double size_of_height = 3 / (4 * .1);
     const ImagePattern* const image = std::get_if<ImagePattern>(&bump.pattern->kind);
     const SolidPattern* const solid = std::get_if<SolidPattern>(&bump.pattern->kind);
+    // Behind the words of a solid pattern its amount needs a word as well.
     std::string text = std::string(bump.pattern->by_uv ? "normal { uv_mapping " : "normal { ") +
                        (image ? "pigment_pattern { " + image_text(*image, "", true) + " } "
-                       : solid ? solid_text(*solid) + " "
+                       : solid ? solid_text(*solid) + " bump_size "
                                : "function { " + std::visit(ValueText{}, bump.pattern->kind) + " } ") +
                        text_of(solid ? bump.height : size_of_height * bump.height) +
                        " accuracy " + text_of(bump.step());

@@ -57,7 +57,8 @@ void add_lights(const Shading<S, P>& shading, const Hit<S>& hit, const int* numb
             way.distance = select(lost, near.distance, way.distance);
         }
         Mask<S> faces = hit.active & (way.cosine > zero);
-        if (world.patterns.bends) faces = faces & (dot(notes.flat, way.l) > zero);
+        // As in POV-Ray a light without shadows also lights bent normals on the side away from it.
+        if (world.patterns.bends && !light.shadowless) faces = faces & (dot(notes.flat, way.l) > zero);
         S strength(1);
         if (light.spot) strength = spot_share(light, way.l);
         if (light.fade_per > 0) strength = strength * FinishCalls<S>::faded(light, way.distance);

@@ -135,7 +135,10 @@ TEST_CASE("scenes that once disagreed") {
          "material { rgb <1, 1, 1> reflection 0 diffuse 1 } }"},
         {"a smooth triangle scaled unevenly",
          "smooth_triangle { <-2, 0, -1>, <2, 0, -1>, <0, 0, 1>, <-1, -1, .2>, <1, -1, .3>, <0, -1, -1> "
-         "scale <.6, 3, 1> rotate <0, 0, 30> material { rgb <1, 1, 1> reflection 0 diffuse 1 } }"}};
+         "scale <.6, 3, 1> rotate <0, 0, 30> material { rgb <1, 1, 1> reflection 0 diffuse 1 } }"},
+        {"bumps that turn to a light without shadows behind the body",
+         "light { position <6, 9, 2> color <.5, .5, .5> shadowless } sphere { <0, 0, 0>, 1.5 material { "
+         "rgb <1, .8, .6> diffuse .7 specular 0 reflection 0 bump solid { leopard height 10 scale .1 } } }"}};
     for (const auto& [name, body] : scenes) {
         CAPTURE(name);
         const std::string found = check(name, parse_scene(view + body, name), {}, 64, 48);
