@@ -109,7 +109,7 @@ void BodyTools::apply(const OutlinerInput& input) {
 }
 
 std::shared_ptr<const Scene> BodyTools::scene_shown() {
-    // Where bodies were added or removed, these numbers are of other ones.
+    // Shows all once bodies were added or removed: the numbers of hidden ones are those of other bodies then.
     if (whole && whole->primitives.size() != session.scene->primitives.size()) show_all();
     if (not_shown.empty()) return session.scene;
     if (shown && whole == session.scene) return shown;

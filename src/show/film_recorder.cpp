@@ -30,7 +30,7 @@ std::optional<FilmOrder> film_of(const Session& session, const std::string& scen
     if (session.tracks) scene.tracks = *session.tracks;
     scene.flythrough = session.path_to_fly();
     if (!scene.flythrough) return std::nullopt;
-    // Where nothing moves the camera it stays where the user has put it.
+    // Leaves the camera where the user has put it if nothing moves it.
     if (scene.flythrough->keys.empty() && scene.camera_follows.empty()) scene.camera = session.camera;
     order.fit = session.fill;
     order.view.tracks = nullptr;

@@ -104,15 +104,17 @@ void add_render(CLI::App& app, ChosenCommand& chosen) {
         "Ctrl-C saves the finished part as NAME.part.ENDING; a second Ctrl-C stops at once.");
 }
 
-int sheet_until_interrupted(const SheetOptions& options) {
+/// Runs a command that Ctrl-C stops.
+template <class Options, int (*command)(const Options&, const std::atomic<bool>*)>
+int until_interrupted(const Options& options) {
     const Interrupt interrupt;
-    return sheet_command(options, interrupt.flag());
+    return command(options, interrupt.flag());
 }
 
 void add_sheet(CLI::App& app, ChosenCommand& chosen) {
     auto [command, o] =
         add_command(app, chosen, "sheet", "Show moments of a scene's flight side by side in one picture",
-                    sheet_until_interrupted);
+                    until_interrupted<SheetOptions, sheet_command>);
     add_scene(command, o->scene, o->opening);
     add_file(command, "-o,--output", o->output, "The picture: .bmp, .png or .exr");
     command
@@ -275,15 +277,10 @@ void add_pov(CLI::App& app, ChosenCommand& chosen) {
     add_fps(command, o->rate, parse_rate, "Frames per second of the animation, 25 by default");
 }
 
-int crosscheck_until_interrupted(const CrosscheckOptions& options) {
-    const Interrupt interrupt;
-    return crosscheck_command(options, interrupt.flag());
-}
-
 void add_crosscheck(CLI::App& app, ChosenCommand& chosen) {
     auto [command, o] =
         add_command(app, chosen, "crosscheck", "Render scenes with Strahl and POV-Ray and compare; exit status 0 or 1",
-                    crosscheck_until_interrupted);
+                    until_interrupted<CrosscheckOptions, crosscheck_command>);
     add_argument(command, "SCENE", o->scenes, "The scenes: .rt files, or .pov files, which POV-Ray gets as they are")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     add_opening(command, o->opening);

@@ -199,7 +199,7 @@ void MaterialMaker::approximate_opacity(Material& layer, const LayerValues& valu
     if (version >= 3.7 || layer.rgb.filter == 0) return;
     if (layer.rgb.pattern || layer.metallic > 0 || layer.gilding > 0)
         return notes.approximated(values.place, "a surface that filters light scatters as in version 3.7");
-    // The same light comes through a brighter colour of which less comes through.
+    // Makes the colour brighter and lets less of it through: the light that comes through stays the same.
     const double most = max_of(layer.rgb.color);
     layer.rgb.color = layer.rgb.color / most, layer.rgb.filter *= most;
     layer.diffuse = coefficient(layer.diffuse * most), layer.ambient = coefficient(layer.ambient * most);

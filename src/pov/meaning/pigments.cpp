@@ -179,7 +179,7 @@ std::optional<SolidPattern> PigmentMaker::solid_of(const Blend& blend, bool bend
     if (!around.empty()) {
         Moves moves = around;
         if (!blend.steps.empty()) moves.push_back(glm::inverse(matrix_of(blend.steps)));
-        solid = SolidPattern{.frequency = 0, .function = moved_values(std::move(moves), *solid)};
+        solid = of_function(moved_values(std::move(moves), *solid));
     }
     if (solid->function && notes.in.options().as_text) return std::nullopt;
     return solid;
@@ -349,7 +349,7 @@ Bump PigmentMaker::bump_of(const NormalThing& normal, const Steps& way, bool map
         std::optional<SolidPattern> solid;
         if (blend.map && !notes.in.options().as_text) {
             if (auto bends = bends_of(normal, notes.in.noise_generator))
-                solid = SolidPattern{.frequency = 0, .function = std::move(bends)};
+                solid = of_function(std::move(bends));
             notes.approximated(blend.place, "the normals of a map are added before their lengths become 1");
         } else if (!blend.map) {
             solid = solid_of(blend, true);

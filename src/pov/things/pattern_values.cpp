@@ -8,6 +8,7 @@
 #include "num/lattice_noise.h"
 #include "num/vec_math.h"
 #include "pov/things/solids.h"
+#include "scene/image_pattern.h"
 
 namespace strahl::pov {
 namespace {
@@ -223,7 +224,7 @@ struct SlopeValues : SolidFunction {
     const std::vector<MapEntry> entries;
 };
 
-/// What a normal { ... } adds to normals: its own, or those of a map blended by a pattern.
+/// Adds to normals what a normal { ... } says: by its own pattern, or by those of a map blended by a pattern.
 struct Bends : SolidFunction {
     double value_at(const DVec3&) const override { return 0; }
     std::optional<DVec3> bend_at(const DVec3& given) const override {
@@ -299,12 +300,11 @@ std::shared_ptr<Bends> bends_of(const NormalThing& normal, bool last, int genera
 struct PigmentFunction : FunctionThing {
     PigmentFunction() { results = 5; }
     void evaluate(const double* given, double* result) const override {
-        const auto put = [&](const FilterColor& color) {
-            int i = 0;
+        const auto put = [](const FilterColor& color, double* numbers) {
             for (const float part : {color.red, color.green, color.blue, color.filter, color.transmit})
-                result[i++] = double(part);
+                *numbers++ = double(part);
         };
-        if (!pattern) return put(color);
+        if (!pattern) return put(color, result);
         const DVec3 point = moved(moves, {given[0], given[1], given[2]});
         const auto add = [&](const MapEntry& entry, double weight) {
             double own[5];
@@ -312,8 +312,7 @@ struct PigmentFunction : FunctionThing {
                 const double at[3]{point.x, point.y, point.z};
                 nested->evaluate(at, own);
             } else {
-                const FilterColor& c = entry.color;
-                std::copy_n(std::array<double, 5>{c.red, c.green, c.blue, c.filter, c.transmit}.data(), 5, own);
+                put(entry.color, own);
             }
             for (int i = 0; i < 5; ++i) result[i] += weight * own[i];
         };
@@ -387,7 +386,7 @@ std::shared_ptr<const SolidFunction> own_values_of(const Blend& blend, int gener
             const double given[3]{p.x, p.y, p.z};
             double c[5];
             colors->evaluate(given, c);
-            return .297 * c[0] + .589 * c[1] + .114 * c[2];
+            return brightness[0] * c[0] + brightness[1] * c[1] + brightness[2] * c[2];
         });
     }
     const auto listed = [count = listed_colors(blend.word)](auto number_at) {

@@ -12,7 +12,7 @@ namespace strahl::pov {
 int listed_colors(std::uint16_t pattern);
 
 /// Returns the values of a pattern that has some of its own: functions, fractals, lists, pigments; null for others.
-/// Those of lists are 0 for their first entry, 1 for their last one, and evenly spaced in between.
+/// A list has the value 0 for its first entry, 1 for its last one, and evenly spaced values in between.
 std::shared_ptr<const SolidFunction> own_values_of(const Blend& blend, int generator);
 /// Returns the values of another pattern at points that are moved before.
 std::shared_ptr<const SolidFunction> moved_values(Moves moves, const SolidPattern& values);

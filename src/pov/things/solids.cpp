@@ -16,12 +16,11 @@ TurbulenceWarp turbulence_of(const Blend& blend) {
             .lambda = blend.lambda};
 }
 
-namespace {
-
-/// Returns a pattern whose values come from a function and stay as they are.
 SolidPattern of_function(std::shared_ptr<const SolidFunction> function) {
     return {.frequency = 0, .function = std::move(function)};
 }
+
+namespace {
 
 /// Returns the values without warps and slopes.
 std::optional<SolidPattern> plain_solid_of(const Blend& blend, bool bends, int generator) {

@@ -11,6 +11,9 @@ namespace strahl::pov {
 /// is a ramp. `bends`: it bends normals. `generator` is the scene's noise_generator.
 std::optional<SolidPattern> solid_of(const Blend& blend, bool bends, int generator);
 
+/// Returns a pattern whose values come from a function and stay as they are.
+SolidPattern of_function(std::shared_ptr<const SolidFunction> function);
+
 /// Makes the values that scene text has no words for, and keeps them in the pattern, so that its copies share them.
 void keep_values(Blend& blend, bool bends, int generator);
 

@@ -26,7 +26,7 @@ class WatchedScene {
     bool waiting() const { return awaited; }
     /// Is the first file still being read?
     bool reading() const { return awaited && error.empty(); }
-    /// What was said when the scene was read, see OpenedScene::notes.
+    /// Returns the messages about the scene that reading it gave, see OpenedScene::notes.
     const std::vector<std::string>& messages() const { return said; }
     /// Does the scene use POV-Ray's clock?
     bool uses_clock() const { return changes; }

@@ -106,7 +106,7 @@ template <class S>
     if (noise) return sum + S(T(.5));
     return sum + (pattern.form == PatternForm::layers ? p.x : sqrt(fma(p.x, p.x, p.y * p.y)));
 }
-/// What a grid lacks of octaves.
+/// Says what a grid lacks of octaves.
 template <class S>
 struct LostOctaves {
     S spread;  // the standard deviation of what smoothed_value leaves out
