@@ -25,7 +25,7 @@ std::vector<std::pair<std::string, std::string>> info_lines(const Session& sessi
     const auto add = [&](const char* name, std::string value) { lines.emplace_back(name, std::move(value)); };
     add("rate", pace.moving() ? formatted("%.0f pictures/s of %.0f", pace.motion.rate(now), 1 / pace.frame_seconds())
                               : "at rest");
-    add("picture", formatted("%dx%d, ", state.width, state.height) + resolution_text(state.level));
+    add("picture", formatted("%dx%d, ", state.view.width, state.view.height) + resolution_text(state.level));
     add("traced in", formatted("%.1f ms, %.0f %% refined", 1000 * state.seconds,
                                state.finished() ? 100 : std::floor(99.9 * state.share)));
     const auto rays = [&](std::uint64_t n) {

@@ -218,7 +218,10 @@ void Viewer::draw() {
     if (began < next_draw()) return;
     notes.expire(), file.expire();
     const std::uint64_t before = picture.state().number;
-    const bool update = picture.take([this](const Fresh& fresh) { screen.upload(fresh); });
+    const bool update = picture.take([this](const Fresh& fresh) {
+        screen.upload(fresh);
+        if (options.benchmark) keep_flown(fresh);
+    });
     screen.show_second(side.image(), side.divider().column(screen.area()));
     const Overlay over = overlay();
     TimelineInput done;
@@ -236,8 +239,8 @@ void Viewer::draw() {
     pace.drawn(began);
     const Refinement& state = picture.state();
     if (pace.moving() && state.number != before) {
-        sound.picture_shown(session, picture.moment());
-        pace.motion.picture(shown_picture(pace.now(), state.level, state.width, state.height));
+        sound.picture_shown(session, state.view.time);
+        pace.motion.picture(shown_picture(pace.now(), state.level, state.view.width, state.view.height));
     }
     if (options.play && !tracks.wanted() && state.number > 0 && !sound.loading() && !std::exchange(started, true))
         session.perform({Action::pause}, pace.now());
@@ -338,7 +341,7 @@ Overlay Viewer::overlay() const {
     const Refinement& state = picture.state();
     const StabilityCheck& check = picture.marks();
     Overlay overlay;
-    overlay.marks = check.found(), overlay.width = state.width, overlay.height = state.height;
+    overlay.marks = check.found(), overlay.width = state.view.width, overlay.height = state.view.height;
     overlay.area = screen.area();
     const std::string work = work_under_way();
     if (side.divider().shown()) overlay.sides = side.sides(overlay.area);
@@ -363,13 +366,25 @@ Overlay Viewer::overlay() const {
     return overlay;
 }
 
-void Viewer::report_benchmark() const {
-    const Benchmark benchmark = benchmark_of(pace.motion.pictures());
+/// Keeps some pictures of the flight, but none that was refined before it began.
+void Viewer::keep_flown(const Fresh& fresh) {
+    if (!session.flight.under_way() || pace.motion.pictures().empty()) return;
+    const View& view = fresh.picture.view;
+    flown.shown(view.time / session.flight.path()->duration, fresh.image, fresh.steps, fresh.picture.scene, view);
+}
+
+/// Reports the figures of the flight. They include its quality, unless the program is interrupted.
+void Viewer::report_benchmark(const std::atomic<bool>& interrupted) const {
+    Benchmark benchmark = benchmark_of(pace.motion.pictures());
+    if (!interrupted) {
+        log_line("comparing " + std::to_string(flown.count()) + " pictures with the finished ones");
+        benchmark.quality = flown.compare(options.threads, session.exposure, interrupted);
+    }
     const BenchmarkSetting setting{.scene = file.path(),
                                    .precision = name(Precision::float32),
                                    .simd = name(best_simd()),
-                                   .width = picture.state().width,
-                                   .height = picture.state().height,
+                                   .width = picture.state().view.width,
+                                   .height = picture.state().view.height,
                                    .window = {screen.width(), screen.height()},
                                    .wanted = options.size,
                                    .depth = session.depth(),
@@ -413,7 +428,7 @@ int Viewer::run(const std::atomic<bool>& interrupted) {
         closed |= stills.finished() && !film.under_way();
         stills.tell_done();
     }
-    end();
+    end(interrupted);
     return stills.failed() || film.failed() ? 1 : 0;
 }
 
@@ -438,11 +453,11 @@ void Viewer::print_paths() {
     bodies.print_unwritten();
 }
 
-void Viewer::end() {
+void Viewer::end(const std::atomic<bool>& interrupted) {
     print_paths();
-    if (options.benchmark) report_benchmark();
     if (options.size.width == 0 && !options.play) screen.remember();
     screen.hide();
+    if (options.benchmark) report_benchmark(interrupted);
     notes.log("quit");
 }
 

@@ -8,6 +8,7 @@
 #include "show/body_tools.h"
 #include "show/file_dialog.h"
 #include "show/film_recorder.h"
+#include "show/motion/flown_pictures.h"
 #include "show/session/session.h"
 #include "show/session/view_options.h"
 #include "show/side_by_side.h"
@@ -66,10 +67,11 @@ class Viewer {
 
     std::string work_under_way() const;
     Overlay overlay() const;
-    void report_benchmark() const;
+    void keep_flown(const Fresh& fresh);
+    void report_benchmark(const std::atomic<bool>& interrupted) const;
     void quit();
     void print_paths();
-    void end();
+    void end(const std::atomic<bool>& interrupted);
 
     const ViewOptions options;
     Pace pace;
@@ -79,6 +81,7 @@ class Viewer {
     Panels panels;
     Input input;
     WindowPicture picture;
+    FlownPictures flown;  // with --benchmark
     StillRequests stills;
     FilmRecorder film;
     WatchedScene file;

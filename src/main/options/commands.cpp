@@ -216,7 +216,8 @@ void add_play(CLI::App& app, ChosenCommand& chosen) {
         ->type_name("WxH");
     command->add_flag("--loop", o->loop, "Start again at the end");
     CLI::Option* const benchmark = command->add_flag(
-        "--benchmark", o->benchmark, "Report the times between pictures, their resolutions and pixels per second");
+        "--benchmark", o->benchmark,
+        "Report the times between pictures, their resolutions and quality, and pixels per second");
     add_file(command, "--stats", o->stats, "Write what --benchmark reports to this JSON file")->needs(benchmark);
     add_window_options(command, *o);
     benchmark->excludes("--rocket");

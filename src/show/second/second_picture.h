@@ -8,7 +8,7 @@
 
 #include "num/thread_pool.h"
 #include "show/session/divider.h"
-#include "show/work/screen_image.h"
+#include "show/motion/screen_image.h"
 #include "trace/world/view.h"
 
 namespace strahl {

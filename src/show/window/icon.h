@@ -1,6 +1,6 @@
 // The program's icon: a ball.
 #pragma once
-#include "show/work/screen_image.h"
+#include "show/motion/screen_image.h"
 
 namespace strahl {
 

@@ -187,7 +187,8 @@ void Screen::upload(const Fresh& fresh) {
         gl->TexSubImage2D(GL_TEXTURE_2D, 0, 0, fresh.first_row, image.width, fresh.rows, GL_RGBA, GL_UNSIGNED_BYTE,
                           data);
     texture_width = image.width, texture_height = image.height;
-    picture_width = fresh.width, picture_height = fresh.height;
+    const View& view = fresh.picture.view;
+    picture_width = view.width, picture_height = view.height;
     const int filter = fresh.steps == Steps{} ? GL_NEAREST : GL_LINEAR;
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
@@ -197,8 +198,8 @@ void Screen::upload(const Fresh& fresh) {
     const auto along = [](double at, int step, int texels) {
         return static_cast<float>(((at - 0.5) / step + 0.5) / texels);
     };
-    left = along(0, fresh.steps.x, image.width), right = along(fresh.width, fresh.steps.x, image.width);
-    top = along(0, fresh.steps.y, image.height), bottom = along(fresh.height, fresh.steps.y, image.height);
+    left = along(0, fresh.steps.x, image.width), right = along(view.width, fresh.steps.x, image.width);
+    top = along(0, fresh.steps.y, image.height), bottom = along(view.height, fresh.steps.y, image.height);
 }
 
 void Screen::show_second(std::shared_ptr<const ScreenImage> image, int from) {

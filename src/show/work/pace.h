@@ -4,7 +4,7 @@
 #include <limits>
 #include <optional>
 
-#include "show/work/benchmark.h"
+#include "show/motion/benchmark.h"
 
 namespace strahl {
 

@@ -36,8 +36,8 @@ void PictureOnScreen::store(const Lattice& part, const std::uint32_t* rgba) {
     new_to = std::max(new_to, part.y + part.rows);
 }
 
-void PictureOnScreen::take(const std::function<void(const Fresh&)>& upload, int width, int height) {
-    if (new_from < new_to) upload({pixels, steps_shown, width, height, new_from, new_to - new_from});
+void PictureOnScreen::take(const std::function<void(const Fresh&)>& upload, const Refinement& picture) {
+    if (new_from < new_to) upload({pixels, steps_shown, picture, new_from, new_to - new_from});
     new_from = pixels.height, new_to = 0;
 }
 
@@ -77,7 +77,7 @@ void TraceThread::want(Order newer) {
 std::optional<Refinement> TraceThread::take(const Upload& upload) {
     std::lock_guard lock(mutex);
     if (!fresh.exchange(false)) return std::nullopt;
-    shown.take(upload, state.width, state.height);
+    shown.take(upload, state);
     return state;
 }
 
@@ -159,7 +159,7 @@ void TraceThread::first_picture() {
     done = even || level < sharp_level ? level : std::max(level, passes[0].level);
     std::unique_lock lock(mutex);
     shown.replace(spare, {pixels.step_x, pixels.step_y});
-    state = {order.number, view.width, view.height, level, 0, seconds, rays};
+    state = {order.number, order.scene, view, level, 0, seconds, rays};
     complete = state.finished() && !next;
     announce(lock);
 }

@@ -10,8 +10,8 @@
 #include <thread>
 
 #include "num/thread_pool.h"
-#include "show/work/resolution.h"
-#include "show/work/screen_image.h"
+#include "show/motion/resolution.h"
+#include "show/motion/screen_image.h"
 #include "trace/cells/cell_picture.h"
 #include "trace/tracer.h"
 
@@ -30,8 +30,9 @@ struct Order {
 
 /// The progress of the picture on the screen.
 struct Refinement {
-    std::uint64_t number = 0;  // of the order; 0 before the first
-    int width = 0, height = 0;
+    std::uint64_t number = 0;            // of the order; 0 before the first
+    std::shared_ptr<const Scene> scene;  // of the order, like `view`
+    View view;
     int level = 0;       // the finest that is complete, or that took about as many rays
     double share = 0;    // of its passes that is done
     double seconds = 0;  // spent tracing them
@@ -39,11 +40,11 @@ struct Refinement {
     bool finished() const { return number > 0 && level == averaged_level; }
 };
 
-/// New rows of the picture on the screen. `image` is that of a level; it represents `width` x `height` pixels.
+/// New rows of the picture on the screen. `image` is that of a level; it represents all pixels of the view.
 struct Fresh {
     const ScreenImage& image;
     Steps steps;  // of that level; 1 for the whole picture
-    int width, height;
+    const Refinement& picture;
     int first_row, rows;
 };
 
@@ -58,7 +59,7 @@ class PictureOnScreen {
     /// Replaces the pixels of a part; there must be all pixels.
     void store(const Lattice& part, const std::uint32_t* rgba);
     /// Passes the new rows to `upload`, if there are any.
-    void take(const std::function<void(const Fresh&)>& upload, int width, int height);
+    void take(const std::function<void(const Fresh&)>& upload, const Refinement& picture);
 
   private:
     ScreenImage pixels;

@@ -17,7 +17,6 @@ void WindowPicture::order(const Session& session, std::shared_ptr<const Scene> s
     if (!same && check.active()) toggle_marks();
     wanted = {wanted.number + (same ? 0 : 1), std::move(scene), view, pace.moving(), pace.budget(), session.finest,
               session.exposure};
-    moments[wanted.number % moments.size()] = session.time;
     tracing.want(wanted);
 }
 
@@ -31,8 +30,8 @@ void WindowPicture::log_finished() {
     if (pace.moving() || !progress.finished() || !newest() || progress.number == logged) return;
     logged = progress.number;
     char text[120];
-    std::snprintf(text, sizeof text, "finished %dx%d: traced in %.4f s, %.3f million rays", progress.width,
-                  progress.height, progress.seconds, static_cast<double>(progress.rays.total()) / 1e6);
+    std::snprintf(text, sizeof text, "finished %dx%d: traced in %.4f s, %.3f million rays", progress.view.width,
+                  progress.view.height, progress.seconds, static_cast<double>(progress.rays.total()) / 1e6);
     notes.log(text);
 }
 

@@ -1,6 +1,5 @@
 // The picture in the window: which view is traced for it, how far that is, and the marks on it.
 #pragma once
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -31,8 +30,6 @@ class WindowPicture {
     const Refinement& state() const { return progress; }
     /// Is the picture on the screen the one ordered last?
     bool newest() const { return progress.number == wanted.number; }
-    /// The moment of the flight that it shows, in seconds.
-    double moment() const { return moments[progress.number % moments.size()]; }
     int threads() const { return tracing.threads(); }
     /// Returns for how many seconds a scene is being made ready for it; 0 if none is.
     double seconds_built() const { return tracing.seconds_built(); }
@@ -55,8 +52,7 @@ class WindowPicture {
     StabilityCheck check;
     Order wanted;
     Refinement progress;
-    std::uint64_t logged = 0;          // number of the last picture logged as finished
-    std::array<double, 16> moments{};  // of the flight, of the last pictures ordered, by number
+    std::uint64_t logged = 0;  // number of the last picture logged as finished
 };
 
 }  // namespace strahl

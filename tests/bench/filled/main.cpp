@@ -16,7 +16,7 @@
 #include "num/thread_pool.h"
 #include "show/session/flight.h"
 #include "show/session/progressive.h"
-#include "show/work/screen_image.h"
+#include "show/motion/screen_image.h"
 #include "tests/bench/measure.h"
 #include "text/parse.h"
 #include "trace/tracer.h"

@@ -16,10 +16,10 @@
 #include "image/pixels.h"
 #include "image/transfer.h"
 #include "num/thread_pool.h"
+#include "show/motion/quality.h"
+#include "show/motion/resolution.h"
+#include "show/motion/screen_image.h"
 #include "show/session/session.h"
-#include "show/work/resolution.h"
-#include "show/work/screen_image.h"
-#include "tests/bench/motion_quality/quality.h"
 #include "text/parse.h"
 #include "trace/tracer.h"
 
@@ -42,16 +42,6 @@ double processor_seconds() {
     return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
 }
 
-/// The picture when it is finished: averages over all pixels, or one ray in the middle of each.
-ScreenImage traced(Tracer& tracer, const View& view, ThreadPool& pool, const TransferTable& table, bool averages) {
-    ScreenImage image;
-    image.resize(view.width, view.height);
-    const Lattice whole{.columns = view.width, .rows = view.height};
-    const auto keep = [&](const Tile& tile) { store(tile.lattice, encoded(tile, table).data(), {}, image); };
-    tracer.trace({view, pool, keep}, SampledRegion{whole, {.grid = averages ? 0 : 1}});
-    return image;
-}
-
 /// Keeps finished pictures in files: they take far longer than all that is measured.
 ScreenImage finished(const Flown& options, int frame, Tracer& tracer, const View& view, ThreadPool& pool,
                      const TransferTable& table) {
@@ -64,7 +54,7 @@ ScreenImage finished(const Flown& options, int frame, Tracer& tracer, const View
     const auto bytes = static_cast<std::streamsize>(4 * image.rgba.size());
     if (std::ifstream file(name, std::ios::binary); file.read(reinterpret_cast<char*>(image.rgba.data()), bytes))
         return image;
-    image = traced(tracer, view, pool, table, true);
+    image = traced_picture(tracer, view, pool, table, {});
     std::ofstream(name, std::ios::binary).write(reinterpret_cast<const char*>(image.rgba.data()), bytes);
     return image;
 }
@@ -99,7 +89,7 @@ int run(const Flown& options) {
         ScreenImage image;
         const double start = processor_seconds();
         if (options.one) {
-            if (frame >= 0) image = traced(tracer, view, pool, table, false);
+            if (frame >= 0) image = traced_picture(tracer, view, pool, table, {.grid = 1});
         } else if (!options.even) {
             image.resize(view.width, view.height);
             const FilledLattice filled{.lattice = pixels_of(finest_level, view.width, view.height),

@@ -1,9 +1,14 @@
 // Flights without a window, and their figures.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <cstdint>
 
-#include "show/work/benchmark.h"
+#include "num/thread_pool.h"
+#include "show/motion/benchmark.h"
+#include "show/motion/flown_pictures.h"
 #include "tests/unit/show/flight_scene.h"
 
 using namespace strahl;
@@ -173,6 +178,78 @@ TEST_CASE("figures of a flight are those of its times and levels") {
     CHECK(!says_size(other));
     CHECK(json.find("\"scene\": \"a \\\"b\\\".rt\"") != std::string::npos);
     CHECK(json.find("\"1/4\": 0.495") != std::string::npos);
+    CHECK(text.find("SSIM") == text.npos);
+    CHECK(json.find("quality") == json.npos);
+    Benchmark compared = b;
+    compared.quality = {.pictures = 2, .rms = 1.5, .p99 = 9, .ssim = .9, .visible = .02, .flicker = 2.5};
+    CHECK(report_of(compared, setting).find("2 pictures beside the finished ones, in steps of 1/255: RMS 1.50, 99 % off "
+                                            "by at most 9, SSIM 0.9000, 2.00 % off by more than 8, flicker 2.50\n") !=
+          text.npos);
+    CHECK(json_of(compared, setting).find("\"visible\": 0.02, \"flicker\": 2.5 }\n}\n") != json.npos);
     CHECK(benchmark_of({}).pictures == 0);
     CHECK(report_of(benchmark_of({}), setting) != "");
+}
+
+namespace {
+
+ScreenImage grey(int width, int height, std::uint32_t brightness) {
+    ScreenImage image;
+    image.resize(width, height);
+    std::ranges::fill(image.rgba, brightness * 0x010101u | 0xff000000u);
+    return image;
+}
+
+}  // namespace
+
+TEST_CASE("the quality of pictures is that of their differences and of what changes between them") {
+    QualityLog log;
+    CHECK(log.quality().pictures == 0);
+    log.add(grey(16, 8, 100), grey(16, 8, 103), false);
+    Quality quality = log.quality();
+    CHECK(quality.rms == doctest::Approx(3));
+    CHECK(quality.p99 == 3);
+    CHECK(quality.visible == 0);
+    CHECK(quality.flicker == 0);
+    log.add(grey(16, 8, 120), grey(16, 8, 107), true);  // off by 13 the other way
+    quality = log.quality();
+    CHECK(quality.pictures == 2);
+    CHECK(quality.rms == doctest::Approx(std::sqrt((9 + 169) / 2.)));
+    CHECK(quality.visible == doctest::Approx(.5));
+    CHECK(quality.flicker == doctest::Approx(16));
+    log.add(grey(32, 8, 90), grey(32, 8, 90), true);  // another size: no change to be seen
+    quality = log.quality();
+    CHECK(quality.rms == doctest::Approx(std::sqrt((9 + 169) / 4.)));
+    CHECK(quality.flicker == doctest::Approx(16));
+    CHECK(structural_similarity(grey(16, 8, 50), grey(16, 8, 50)) == doctest::Approx(1));
+}
+
+TEST_CASE("two pictures of each eighth of a flight are compared with the finished ones") {
+    const auto scene = scene_of(path_text + "sphere { <0,0,0>, 1 } light { position <5,-20,18> color <1,1,1> }");
+    Session session(scene);
+    ThreadPool pool(1);
+    Tracer tracer(*scene, Precision::float32);
+    const TransferTable table(scene->settings.assumed_gamma);
+    FlownPictures flown;
+    const std::atomic<bool> stopped = true, going = false;
+    CHECK(flown.compare(1, {}, going)->pictures == 0);
+    for (int round = 0; round < 2; ++round)
+        for (int i = 0; i < 40; ++i) {
+            session.go_to(.1 * i, 0);
+            const View view = session.view(16, 12);
+            ScreenImage image = traced_picture(tracer, view, pool, table, {});
+            const bool kept = i % 5 < 2;
+            if (!kept || round == 0) std::ranges::fill(image.rgba, 0xffffffffu);
+            flown.shown(i / 40., image, {}, scene, view);
+        }
+    CHECK(flown.count() == 16);
+    CHECK(!flown.compare(1, {}, stopped));
+    const auto quality = flown.compare(1, {}, going);
+    REQUIRE(quality);
+    CHECK(quality->pictures == 16);
+    CHECK(quality->rms == 0);
+    CHECK(quality->flicker == 0);
+    // A picture of a level is compared as it is shown, with all pixels.
+    FlownPictures coarse;
+    coarse.shown(0, grey(4, 3, 0), {4, 4}, scene, session.view(16, 12));
+    CHECK(coarse.compare(1, {}, going)->rms > 0);
 }

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <vector>
 
-#include "show/work/resolution.h"
-#include "show/work/screen_image.h"
+#include "show/motion/resolution.h"
+#include "show/motion/screen_image.h"
 
 using namespace strahl;
 

@@ -1,5 +1,5 @@
 // Chooses the tolerance or the resolution by the times of the last pictures.
-#include "show/work/resolution.h"
+#include "show/motion/resolution.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // Converts traced values to pixels of the screen.
-#include "show/work/screen_image.h"
+#include "show/motion/screen_image.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,4 +1,5 @@
-#include "tests/bench/motion_quality/quality.h"
+// Compares pictures by the measures of quality.h.
+#include "show/motion/quality.h"
 
 #include <algorithm>
 #include <cassert>
@@ -58,17 +59,17 @@ void QualityLog::add(ScreenImage shown, ScreenImage finished, bool next) {
         ++worst[static_cast<std::size_t>(most)];
     }
     similarity += structural_similarity(shown, finished);
-    values = 3 * static_cast<double>(shown.rgba.size());
-    ++count, pairs += pair;
+    const double added = 3 * static_cast<double>(shown.rgba.size());
+    ++count, values += added, values_of_pairs += pair ? added : 0;
     last_shown = std::move(shown), last_finished = std::move(finished);
 }
 
 Quality QualityLog::quality() const {
     Quality quality;
     if (count == 0) return quality;
-    quality.rms = std::sqrt(squares / (values * count)), quality.ssim = similarity / count;
-    if (pairs > 0) quality.flicker = std::sqrt(changes / (values * pairs));
-    const double pixels = values / 3 * count;
+    quality.pictures = count, quality.rms = std::sqrt(squares / values), quality.ssim = similarity / count;
+    if (values_of_pairs > 0) quality.flicker = std::sqrt(changes / values_of_pairs);
+    const double pixels = values / 3;
     double seen = 0;
     for (std::size_t off = 0; off < worst.size(); ++off) {
         seen += static_cast<double>(worst[off]);
@@ -84,6 +85,15 @@ ScreenImage all_pixels(const ScreenImage& level, Steps steps, int width, int hei
     whole.resize(width, height);
     expand(level, steps, whole);
     return whole;
+}
+
+ScreenImage traced_picture(Tracer& tracer, const View& view, ThreadPool& pool, const TransferTable& table,
+                           const Sampling& sampling, const std::atomic<bool>* stop) {
+    ScreenImage image;
+    image.resize(view.width, view.height);
+    const auto keep = [&](const Tile& tile) { store(tile.lattice, encoded(tile, table).data(), {}, image); };
+    tracer.trace({view, pool, keep, stop}, SampledRegion{{.columns = view.width, .rows = view.height}, sampling});
+    return image;
 }
 
 }  // namespace strahl

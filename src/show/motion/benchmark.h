@@ -1,9 +1,11 @@
 // Figures of a motion, for the log, and of a whole flight, by which `strahl play --benchmark` compares machines.
 #pragma once
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "show/motion/quality.h"
 #include "show/session/view_options.h"
 
 namespace strahl {
@@ -43,6 +45,7 @@ struct Benchmark {
     double median = 0, p99 = 0, worst = 0;  // times from one picture to the next, in seconds
     std::map<int, double> levels;           // share of the pictures by level
     double pixels_per_second = 0;           // traced or filled
+    std::optional<Quality> quality{};       // of some of them (see flown_pictures.h)
 };
 Benchmark benchmark_of(const std::vector<ShownPicture>& shown);
 

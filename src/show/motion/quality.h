@@ -1,15 +1,17 @@
 // Compares pictures as the window shows them in motion with the finished ones of the same moments.
 #pragma once
 #include <array>
+#include <atomic>
 #include <cstdint>
-#include <vector>
 
-#include "show/work/screen_image.h"
+#include "show/motion/screen_image.h"
+#include "trace/tracer.h"
 
 namespace strahl {
 
 /// Differences in steps of 1/255, over all pixels.
 struct Quality {
+    int pictures = 0;    // compared
     double rms = 0;      // over all channels
     double p99 = 0;      // 99 % of the pixels are off by no more, in their worst channel
     double ssim = 0;     // structural similarity of the brightness, 1 if equal
@@ -23,12 +25,12 @@ class QualityLog {
     /// Adds a picture and the finished one of the same moment, both with all pixels. `next`: the last one was shown
     /// just before it.
     void add(ScreenImage shown, ScreenImage finished, bool next);
-    int pictures() const { return count; }
     Quality quality() const;
 
   private:
-    int count = 0, pairs = 0;
-    double squares = 0, similarity = 0, changes = 0, values = 0;
+    int count = 0;
+    double squares = 0, similarity = 0, changes = 0;
+    double values = 0, values_of_pairs = 0;  // three for each pixel
     std::array<std::uint64_t, 256> worst{};  // pixels by the error of their worst channel
     ScreenImage last_shown, last_finished;
 };
@@ -39,5 +41,9 @@ double structural_similarity(const ScreenImage& a, const ScreenImage& b);
 
 /// Returns the picture with all its pixels, as the window shows the image of a level.
 ScreenImage all_pixels(const ScreenImage& level, Steps steps, int width, int height);
+
+/// Traces all pixels of a view. Those that were not reached when `stop` became true are 0.
+ScreenImage traced_picture(Tracer& tracer, const View& view, ThreadPool& pool, const TransferTable& table,
+                           const Sampling& sampling, const std::atomic<bool>* stop = nullptr);
 
 }  // namespace strahl

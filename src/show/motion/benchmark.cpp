@@ -1,5 +1,5 @@
 // Computes figures of a flight, and reports them as text and as JSON.
-#include "show/work/benchmark.h"
+#include "show/motion/benchmark.h"
 
 #include <algorithm>
 #include <cmath>
@@ -102,8 +102,13 @@ std::string report_of(const Benchmark& b, const BenchmarkSetting& s) {
     for (auto at = b.levels.rbegin(); at != b.levels.rend(); ++at)
         text += (at == b.levels.rbegin() ? " " : ", ") + resolution_text(at->first) +
                 format(" in %.1f %%", 100 * at->second);
-    return text + format("\n%.2f million pixels/s; %.2f ms to draw a picture\n", b.pixels_per_second / 1e6,
-                         1000 * s.draw_seconds);
+    text += format("\n%.2f million pixels/s; %.2f ms to draw a picture\n", b.pixels_per_second / 1e6,
+                   1000 * s.draw_seconds);
+    if (const auto& q = b.quality)
+        text += format("%d pictures beside the finished ones, in steps of 1/255: RMS %.2f, 99 %% off by at most %g, SSIM "
+                       "%.4f, %.2f %% off by more than 8, flicker %.2f\n",
+                       q->pictures, q->rms, q->p99, q->ssim, 100 * q->visible, q->flicker);
+    return text;
 }
 
 std::string json_of(const Benchmark& b, const BenchmarkSetting& s) {
@@ -120,8 +125,13 @@ std::string json_of(const Benchmark& b, const BenchmarkSetting& s) {
     for (auto at = b.levels.rbegin(); at != b.levels.rend(); ++at)
         json += format("%s \"1/%d\": %.9g", at == b.levels.rbegin() ? "" : ",", steps_of(at->first).area(),
                        at->second);
-    return json + format(" },\n  \"pixels_per_second\": %.9g,\n  \"draw_seconds\": %.9g\n}\n", b.pixels_per_second,
-                         s.draw_seconds);
+    json += format(" },\n  \"pixels_per_second\": %.9g,\n  \"draw_seconds\": %.9g", b.pixels_per_second,
+                   s.draw_seconds);
+    if (const auto& q = b.quality)
+        json += format(",\n  \"quality\": { \"pictures\": %d, \"rms\": %.9g, \"p99\": %.9g, \"ssim\": %.9g, "
+                       "\"visible\": %.9g, \"flicker\": %.9g }",
+                       q->pictures, q->rms, q->p99, q->ssim, q->visible, q->flicker);
+    return json + "\n}\n";
 }
 
 }  // namespace strahl
