@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "num/thread_pool.h"
+#include "scene/kinds/kinds.h"
 #include "trace/hierarchy/hierarchy_grid.h"
 
 namespace strahl {
@@ -20,6 +21,8 @@ constexpr int deepest_cut = 30;      // from this depth on, in the middle: 2^30 
 constexpr int shared_items = 16384;  // more than these are cut by a grid, by all threads together,
 constexpr int few_cells = 128;       // until a part has no more cells than these
 constexpr int chunk_items = 8192;    // a thread's piece of other work on all items
+// A ray that meets a composite asks all of its parts: each has a leaf, and so a box, of its own.
+constexpr int alone = place_of<Form<Union, 0>>(Forms{});
 
 /// A node of the binary hierarchy: items [begin, end).
 struct BinaryNode {
@@ -121,7 +124,8 @@ class HierarchyBuilder {
         if (part.leaf) {
             const auto [least, most] = std::minmax_element(
                 first_of(part), last_of(part), [](const ItemBox& a, const ItemBox& b) { return a.form < b.form; });
-            if (least->form < most->form) part.leaf = false, part.cut = {0, by_form, least->form};
+            if (least->form < most->form) part.cut = {0, by_form, least->form};
+            part.leaf = least->form == most->form && (least->form != alone || part.count() == 1);
         }
         return part;
     }

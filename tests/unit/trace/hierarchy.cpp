@@ -95,6 +95,21 @@ TEST_CASE("every item is in one leaf of items of its form, and all boxes around 
     }
 }
 
+TEST_CASE("each composite is in a leaf of its own") {
+    constexpr int composites = place_of<CompositeForm>(Forms{});
+    for (const int count : {2, 17, 300}) {
+        std::vector<ItemBox> boxes = clustered_boxes(count);
+        for (int i = 0; i < count; ++i)
+            if (i % 2 == 0) boxes[i].form = composites;
+        const Hierarchy hierarchy = built(boxes, 0, 2);
+        check_hierarchy(hierarchy, boxes, 0);
+        int alone = 0;
+        for (const Node* node = hierarchy.nodes.get(); node < hierarchy.nodes.get() + hierarchy.size; ++node)
+            for (const int code : node->leaves) alone += code == LeafCode::make(composites, 1);
+        CHECK(alone == (count + 1) / 2);
+    }
+}
+
 TEST_CASE("many boxes with centres in a plane, on a line, in one place and in two are in a hierarchy") {
     for (const int different : {2, 1, 0}) {
         std::vector<ItemBox> boxes = clustered_boxes(40000);
