@@ -21,10 +21,11 @@ class TransferTable {
         while (v >= least[code + 1]) ++code;
         return code;
     }
-    /// Returns the pixel of a red, green and blue value.
+    /// Returns the pixel of a red, green and blue value: 8 bits each of blue, green, red and full opacity, from the low
+    /// bits up, which is the order of most screens.
     template <class T>
     std::uint32_t pixel(const T* rgb) const {
-        return (*this)(rgb[0]) | (*this)(rgb[1]) << 8 | (*this)(rgb[2]) << 16 | 0xff000000u;
+        return (*this)(rgb[2]) | (*this)(rgb[1]) << 8 | (*this)(rgb[0]) << 16 | 0xff000000u;
     }
 
   private:

@@ -370,7 +370,7 @@ Overlay Viewer::overlay() const {
 void Viewer::keep_flown(const Fresh& fresh) {
     if (!session.flight.under_way() || pace.motion.pictures().empty()) return;
     const View& view = fresh.picture.view;
-    flown.shown(view.time / session.flight.path()->duration, fresh.image, fresh.steps, fresh.picture.scene, view);
+    flown.shown(view.time / session.flight.path()->duration, fresh.image, fresh.picture.scene, view);
 }
 
 /// Reports the figures of the flight. They include its quality, unless the program is interrupted.

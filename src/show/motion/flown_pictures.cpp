@@ -8,12 +8,12 @@
 
 namespace strahl {
 
-void FlownPictures::shown(double share, const ScreenImage& image, const Steps& steps,
-                          const std::shared_ptr<const Scene>& scene, const View& view) {
+void FlownPictures::shown(double share, const ScreenImage& image, const std::shared_ptr<const Scene>& scene,
+                          const View& view) {
     const auto last = static_cast<double>(parts.size() - 1);
     const auto part = static_cast<std::size_t>(std::clamp(share * static_cast<double>(parts.size()), 0., last));
     if (std::exchange(current, part) != part) parts[part].clear();
-    if (parts[part].size() < 2) parts[part].push_back({image, steps, scene, view});
+    if (parts[part].size() < 2) parts[part].push_back({image, scene, view});
 }
 
 int FlownPictures::count() const {
@@ -32,11 +32,9 @@ std::optional<Quality> FlownPictures::compare(int threads, const Exposure& expos
         for (const Kept& kept : part) {
             if (std::exchange(prepared, kept.scene) != kept.scene) tracer.emplace(*kept.scene, Precision::float32);
             const TransferTable table(kept.scene->settings.assumed_gamma, exposure);
-            ScreenImage finished = traced_picture(*tracer, kept.view, pool, table,
-                                                  {.error = Sampling{}.error / gain_of(exposure)}, &stop);
+            ScreenImage finished = traced_picture(*tracer, kept.view, pool, table, {.grid = grid}, &stop);
             if (stop) return std::nullopt;
-            log.add(all_pixels(kept.image, kept.steps, kept.view.width, kept.view.height), std::move(finished),
-                    &kept != &part.front());
+            log.add(kept.image, std::move(finished), &kept != &part.front());
         }
     return log.quality();
 }

@@ -10,11 +10,12 @@
 namespace strahl {
 namespace {
 
-int channel(std::uint32_t rgba, int c) { return static_cast<int>(rgba >> 8 * c & 255); }
+/// 0 is blue.
+int channel(std::uint32_t pixel, int c) { return static_cast<int>(pixel >> 8 * c & 255); }
 
 /// Returns the brightness as in Rec. 601, from 0 to 255.
-double luma(std::uint32_t rgba) {
-    return .299 * channel(rgba, 0) + .587 * channel(rgba, 1) + .114 * channel(rgba, 2);
+double luma(std::uint32_t pixel) {
+    return .299 * channel(pixel, 2) + .587 * channel(pixel, 1) + .114 * channel(pixel, 0);
 }
 
 }  // namespace
@@ -29,7 +30,7 @@ double structural_similarity(const ScreenImage& a, const ScreenImage& b) {
             for (int y = top; y < top + side; ++y)
                 for (int x = left; x < left + side; ++x) {
                     const std::size_t i = std::size_t(y) * a.width + x;
-                    const double own = luma(a.rgba[i]), other = luma(b.rgba[i]);
+                    const double own = luma(a.pixels[i]), other = luma(b.pixels[i]);
                     mean_a += own, mean_b += other;
                     aa += own * own, bb += other * other, ab += own * other;
                 }
@@ -45,21 +46,21 @@ double structural_similarity(const ScreenImage& a, const ScreenImage& b) {
 }
 
 void QualityLog::add(ScreenImage shown, ScreenImage finished, bool next) {
-    assert(shown.rgba.size() == finished.rgba.size());
-    const bool pair = next && last_shown.rgba.size() == shown.rgba.size();
-    for (std::size_t i = 0; i < shown.rgba.size(); ++i) {
+    assert(shown.pixels.size() == finished.pixels.size());
+    const bool pair = next && last_shown.pixels.size() == shown.pixels.size();
+    for (std::size_t i = 0; i < shown.pixels.size(); ++i) {
         int most = 0;
         for (int c = 0; c < 3; ++c) {
-            const int off = channel(shown.rgba[i], c) - channel(finished.rgba[i], c);
+            const int off = channel(shown.pixels[i], c) - channel(finished.pixels[i], c);
             squares += off * off, most = std::max(most, std::abs(off));
             if (!pair) continue;
-            const int before = channel(last_shown.rgba[i], c) - channel(last_finished.rgba[i], c);
+            const int before = channel(last_shown.pixels[i], c) - channel(last_finished.pixels[i], c);
             changes += (off - before) * (off - before);
         }
         ++worst[static_cast<std::size_t>(most)];
     }
     similarity += structural_similarity(shown, finished);
-    const double added = 3 * static_cast<double>(shown.rgba.size());
+    const double added = 3 * static_cast<double>(shown.pixels.size());
     ++count, values += added, values_of_pairs += pair ? added : 0;
     last_shown = std::move(shown), last_finished = std::move(finished);
 }
@@ -79,19 +80,11 @@ Quality QualityLog::quality() const {
     return quality;
 }
 
-ScreenImage all_pixels(const ScreenImage& level, Steps steps, int width, int height) {
-    if (steps == Steps{}) return level;
-    ScreenImage whole;
-    whole.resize(width, height);
-    expand(level, steps, whole);
-    return whole;
-}
-
 ScreenImage traced_picture(Tracer& tracer, const View& view, ThreadPool& pool, const TransferTable& table,
                            const Sampling& sampling, const std::atomic<bool>* stop) {
     ScreenImage image;
     image.resize(view.width, view.height);
-    const auto keep = [&](const Tile& tile) { store(tile.lattice, encoded(tile, table).data(), {}, image); };
+    const auto keep = [&](const Tile& tile) { store(tile.lattice, encoded(tile, table).data(), image); };
     tracer.trace({view, pool, keep, stop}, SampledRegion{{.columns = view.width, .rows = view.height}, sampling});
     return image;
 }

@@ -39,9 +39,6 @@ class QualityLog {
 /// "Image Quality Assessment: From Error Visibility to Structural Similarity", 2004). 1 for pictures smaller than that.
 double structural_similarity(const ScreenImage& a, const ScreenImage& b);
 
-/// Returns the picture with all its pixels, as the window shows the image of a level.
-ScreenImage all_pixels(const ScreenImage& level, Steps steps, int width, int height);
-
 /// Traces all pixels of a view. Those that were not reached when `stop` became true are 0.
 ScreenImage traced_picture(Tracer& tracer, const View& view, ThreadPool& pool, const TransferTable& table,
                            const Sampling& sampling, const std::atomic<bool>* stop = nullptr);

@@ -8,24 +8,26 @@
 
 namespace strahl {
 
-/// 8 bits each of red, green, blue and (always full) opacity, from the low bits up; row by row from the top.
+class ThreadPool;
+
+/// Pixels of a TransferTable, row by row from the top.
 struct ScreenImage {
     int width = 0, height = 0;
-    std::vector<std::uint32_t> rgba;
+    std::vector<std::uint32_t> pixels;
     void resize(int new_width, int new_height) {
         width = new_width, height = new_height;
-        rgba.resize(std::size_t(width) * height);
+        pixels.resize(std::size_t(width) * height);
     }
 };
 
 /// Returns the pixels of a tile as 8-bit colours, row by row.
 std::vector<std::uint32_t> encoded(const Tile& tile, const TransferTable& table);
 
-/// Stores 8-bit pixels, row by row, in the image of a level: pixel (x, y) goes to column x / steps.x, row y / steps.y.
-void store(const Lattice& pixels, const std::uint32_t* rgba, Steps steps, ScreenImage& level);
+/// Stores the pixels of a part, row by row.
+void store(const Lattice& part, const std::uint32_t* colors, ScreenImage& image);
 
-/// Fills the image of a finer level, whose steps are smaller by `ratio`, from that of a level: known pixels stay exact,
-/// those between them are interpolated.
-void expand(const ScreenImage& level, Steps ratio, ScreenImage& finer);
+/// Fills an image with all pixels from that of a level with these steps: known pixels stay exact, those between them
+/// are interpolated.
+void expand(const ScreenImage& level, Steps steps, ScreenImage& whole, ThreadPool& pool);
 
 }  // namespace strahl

@@ -22,7 +22,7 @@ constexpr int povray_grid = 3;  // 3 x 3 rays and one through the middle
 ScreenImage encoded(std::span<const double> values, const View& view, const TransferTable& table) {
     ScreenImage image;
     image.resize(view.width, view.height);
-    for (std::size_t i = 0; i < image.rgba.size(); ++i) image.rgba[i] = table.pixel(&values[3 * i]);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = table.pixel(&values[3 * i]);
     return image;
 }
 
@@ -30,15 +30,15 @@ ScreenImage encoded(std::span<const double> values, const View& view, const Tran
 void compare(std::span<const double> a, std::span<const double> b, const SecondOrder& order, SecondPicture& result) {
     const double gamma = order.scene->settings.assumed_gamma;
     result.difference.resize(order.view.width, order.view.height);
-    for (std::size_t i = 0; i < result.difference.rgba.size(); ++i) {
+    for (std::size_t i = 0; i < result.difference.pixels.size(); ++i) {
         std::uint32_t pixel = 0xff000000u;
         bool differs = false;
         for (unsigned c = 0; c < 3; ++c) {
             const int off = std::abs(quantise(a[3 * i + c], gamma, 65535) - quantise(b[3 * i + c], gamma, 65535));
             differs |= off > 257;
-            pixel |= static_cast<std::uint32_t>(std::min(255, amplified * off / 257)) << 8 * c;
+            pixel |= static_cast<std::uint32_t>(std::min(255, amplified * off / 257)) << 8 * (2 - c);
         }
-        result.difference.rgba[i] = pixel;
+        result.difference.pixels[i] = pixel;
         result.differing += differs;
     }
 }

@@ -56,7 +56,7 @@ bool SecondPictures::take() {
     kept.emplace_front(wanted, current);
     std::size_t pixels = 0, some = 0;
     for (; some < kept.size() && (some == 0 || pixels < most_kept); ++some)
-        pixels += 2 * kept[some].second->image.rgba.size();
+        pixels += 2 * kept[some].second->image.pixels.size();
     kept.resize(some);
     return true;
 }

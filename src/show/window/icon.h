@@ -4,7 +4,7 @@
 
 namespace strahl {
 
-/// Returns an icon of `size` x `size` pixels, transparent around the ball.
+/// Returns an icon of `size` x `size` pixels, transparent around the ball. Red is in the lowest bits, as GLFW takes it.
 ScreenImage icon(int size);
 
 }  // namespace strahl

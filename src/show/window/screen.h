@@ -35,6 +35,7 @@ class Screen {
     int width() const;
     int height() const;
 
+    /// Takes new rows of the picture.
     void upload(const Fresh& fresh);
     /// From now on shows this picture of the same size over the first one, from this column of the window on; null for
     /// none.
@@ -54,23 +55,21 @@ class Screen {
 
   private:
     struct Functions;
+    struct Surface;
     void make_window(const std::string& title, PixelSize size, bool default_size, bool full);
     void start_drawing();
-    void draw_pictures() const;
+    void copy_pictures() const;
     void restore();
     WindowState window_state() const;
 
     GLFWwindow* glfw = nullptr;
     std::unique_ptr<Functions> gl;
-    unsigned texture = 0, second_texture = 0;  // the second one only where it has been needed
+    std::unique_ptr<Surface> picture, second_picture;  // the second one only where it has been needed
     std::shared_ptr<const ScreenImage> second;
     int second_from = 0;
-    int texture_width = 0, texture_height = 0;
-    int picture_width = 0, picture_height = 0;
-    float left = 0, top = 0, right = 1, bottom = 1;  // edges of the part of the texture that is shown
-    float scale = 0;                                 // of the overlay: 1 at a usual pixel density
-    WindowState before;                              // size and place before full screen
-    WindowState opened;                              // size and place at the start
+    float scale = 0;     // of the overlay: 1 at a usual pixel density
+    WindowState before;  // size and place before full screen
+    WindowState opened;  // size and place at the start
 };
 
 }  // namespace strahl

@@ -24,21 +24,20 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 }  // namespace
 
-void PictureOnScreen::replace(ScreenImage& made, const Steps& steps) {
-    std::swap(pixels, made);
-    steps_shown = steps;
-    new_from = 0, new_to = pixels.height;
+void PictureOnScreen::replace(ScreenImage& made) {
+    std::swap(image, made);
+    new_from = 0, new_to = image.height;
 }
 
-void PictureOnScreen::store(const Lattice& part, const std::uint32_t* rgba) {
-    strahl::store(part, rgba, {}, pixels);
+void PictureOnScreen::store(const Lattice& part, const std::uint32_t* colors) {
+    strahl::store(part, colors, image);
     new_from = std::min(new_from, part.y);
     new_to = std::max(new_to, part.y + part.rows);
 }
 
 void PictureOnScreen::take(const std::function<void(const Fresh&)>& upload, const Refinement& picture) {
-    if (new_from < new_to) upload({pixels, steps_shown, picture, new_from, new_to - new_from});
-    new_from = pixels.height, new_to = 0;
+    if (new_from < new_to) upload({image, picture, new_from, new_to - new_from});
+    new_from = image.height, new_to = 0;
 }
 
 TraceThread::TraceThread(int threads, std::function<void()> notify_function)
@@ -146,8 +145,10 @@ void TraceThread::first_picture() {
     FilledLattice filled;
     int level = choose(filled);
     const Lattice& pixels = filled.lattice;
-    spare.resize(pixels.columns, pixels.rows);
-    filled.colors = spare.rgba.data();
+    const Steps steps{pixels.step_x, pixels.step_y};
+    ScreenImage& traced = steps == Steps{} ? spare : coarse;
+    traced.resize(pixels.columns, pixels.rows);
+    filled.colors = traced.pixels.data();
     filled.encode = [this](const double* rgb) { return table->pixel(rgb); };
     const Counts rays = tracer->trace({view, pool, {}, &stop}, filled);
     const double seconds = seconds_since(start);
@@ -157,40 +158,35 @@ void TraceThread::first_picture() {
     if (stop) return;
     if (!even) level = level_of(static_cast<double>(rays.camera) / count(pixels));
     done = even || level < sharp_level ? level : std::max(level, passes[0].level);
+    if (!(steps == Steps{})) {
+        spare.resize(view.width, view.height);
+        expand(coarse, steps, spare, pool);
+    }
     std::unique_lock lock(mutex);
-    shown.replace(spare, {pixels.step_x, pixels.step_y});
+    shown.replace(spare);
     state = {order.number, order.scene, view, level, 0, seconds, rays};
     complete = state.finished() && !next;
     announce(lock);
 }
 
-/// Expands the image on the screen to all pixels.
-void TraceThread::begin_passes() {
-    const View& view = order.view;
-    cells.emplace(tracer->scene(), view, Lattice{.columns = view.width, .rows = view.height},
-                  Sampling{}.error / gain_of(order.exposure));
-    if (shown.steps() == Steps{}) return;
-    spare.resize(view.width, view.height);
-    expand(shown.image(), shown.steps(), spare);  // only this thread replaces the picture
-    std::lock_guard lock(mutex);
-    shown.replace(spare, {});
-}
-
 /// Traces the next pass of the picture's cells.
 void TraceThread::refine() {
-    if (!cells) begin_passes();
+    const View& view = order.view;
+    if (!cells)
+        cells.emplace(tracer->scene(), view, Lattice{.columns = view.width, .rows = view.height},
+                      Sampling{}.error / gain_of(order.exposure));
     const std::span<const Pass> left = passes_after(done);
     const auto [finest, level] = left.front();
     const double before = state.share, part_of_all = (1 - before) / static_cast<double>(left.size());
     const auto keep = [&](const Tile& tile) {
-        const std::vector<std::uint32_t> rgba = encoded(tile, *table);
+        const std::vector<std::uint32_t> colors = encoded(tile, *table);
         std::unique_lock lock(mutex);
-        shown.store(tile.lattice, rgba.data());
+        shown.store(tile.lattice, colors.data());
         state.share += part_of_all / cells->tiles();
         announce(lock);
     };
     const auto start = Clock::now();
-    const Counts rays = tracer->trace({order.view, pool, keep, &stop}, CellPass{*cells, finest});
+    const Counts rays = tracer->trace({view, pool, keep, &stop}, CellPass{*cells, finest});
     if (stop) return;
     done = level;
     std::unique_lock lock(mutex);

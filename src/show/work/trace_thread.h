@@ -40,10 +40,9 @@ struct Refinement {
     bool finished() const { return number > 0 && level == averaged_level; }
 };
 
-/// New rows of the picture on the screen. `image` is that of a level; it represents all pixels of the view.
+/// New rows of the picture on the screen.
 struct Fresh {
     const ScreenImage& image;
-    Steps steps;  // of that level; 1 for the whole picture
     const Refinement& picture;
     int first_row, rows;
 };
@@ -51,19 +50,15 @@ struct Fresh {
 /// The picture on the screen, of which some rows are new to it.
 class PictureOnScreen {
   public:
-    const ScreenImage& image() const { return pixels; }
-    /// Steps of `image`; 1 once it has all pixels.
-    const Steps& steps() const { return steps_shown; }
     /// Takes a whole picture, and leaves the last one in `made`.
-    void replace(ScreenImage& made, const Steps& steps);
-    /// Replaces the pixels of a part; there must be all pixels.
-    void store(const Lattice& part, const std::uint32_t* rgba);
+    void replace(ScreenImage& made);
+    /// Replaces the pixels of a part.
+    void store(const Lattice& part, const std::uint32_t* colors);
     /// Passes the new rows to `upload`, if there are any.
     void take(const std::function<void(const Fresh&)>& upload, const Refinement& picture);
 
   private:
-    ScreenImage pixels;
-    Steps steps_shown;
+    ScreenImage image;
     int new_from = 0, new_to = 0;
 };
 
@@ -97,7 +92,6 @@ class TraceThread {
     bool accept(std::stop_token quit);
     void first_picture();
     int choose(FilledLattice& filled);
-    void begin_passes();
     void refine();
     void announce(std::unique_lock<std::mutex>& lock);
     bool outdated(const Order& order) const;
@@ -107,6 +101,7 @@ class TraceThread {
     std::optional<TransferTable> table;
     Resolution resolution;
     Tolerance tolerance;
+    ScreenImage coarse;                // the traced pixels of a level
     ScreenImage spare;                 // pictures are made here and then swapped with the one on the screen
     int done = -1;                     // the finest level of `order` that is complete
     std::optional<CellPicture> cells;  // of `order`, while it is refined

@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "files/read_file.h"
@@ -46,23 +47,23 @@ double processor_seconds() {
 ScreenImage finished(const Flown& options, int frame, Tracer& tracer, const View& view, ThreadPool& pool,
                      const TransferTable& table) {
     char name[300];
-    std::snprintf(name, sizeof name, "%s/%s-%dx%d-%g.rgba", options.folder.c_str(),
+    std::snprintf(name, sizeof name, "%s/%s-%dx%d-%g.bgra", options.folder.c_str(),
                   std::filesystem::path(options.scene).stem().c_str(), view.width, view.height,
                   options.start + options.speed * frame / options.fps);
     ScreenImage image;
     image.resize(view.width, view.height);
-    const auto bytes = static_cast<std::streamsize>(4 * image.rgba.size());
-    if (std::ifstream file(name, std::ios::binary); file.read(reinterpret_cast<char*>(image.rgba.data()), bytes))
+    const auto bytes = static_cast<std::streamsize>(4 * image.pixels.size());
+    if (std::ifstream file(name, std::ios::binary); file.read(reinterpret_cast<char*>(image.pixels.data()), bytes))
         return image;
     image = traced_picture(tracer, view, pool, table, {});
-    std::ofstream(name, std::ios::binary).write(reinterpret_cast<const char*>(image.rgba.data()), bytes);
+    std::ofstream(name, std::ios::binary).write(reinterpret_cast<const char*>(image.pixels.data()), bytes);
     return image;
 }
 
 void write(const ScreenImage& image, const std::string& path) {
     Picture picture{image.width, image.height, 3, {}};
-    for (const std::uint32_t rgba : image.rgba)
-        for (int c = 0; c < 3; ++c) picture.values.push_back(double(rgba >> 8 * c & 255) / 255);
+    for (const std::uint32_t pixel : image.pixels)
+        for (int c = 0; c < 3; ++c) picture.values.push_back(double(pixel >> 8 * (2 - c) & 255) / 255);
     write_picture(picture, path, {.gamma = 1});
 }
 
@@ -96,7 +97,7 @@ int run(const Flown& options) {
                                        .contrast = contrast,
                                        .tolerance = tolerance.choose(double(view.width) * view.height, options.budget),
                                        .encode = encode,
-                                       .colors = image.rgba.data()};
+                                       .colors = image.pixels.data()};
             const Counts rays = tracer.trace({view, pool, {}}, filled);
             tolerance.observe(filled.tolerance, count(filled.lattice), processor_seconds() - start);
             if (frame >= 0) ++levels[level_of(static_cast<double>(rays.camera) / count(filled.lattice))];
@@ -105,9 +106,12 @@ int run(const Flown& options) {
             const Lattice pixels = pixels_of(level, view.width, view.height);
             ScreenImage coarse;
             coarse.resize(pixels.columns, pixels.rows);
-            tracer.trace({view, pool, {}}, FilledLattice{pixels, contrast, 0, encode, coarse.rgba.data()});
+            tracer.trace({view, pool, {}}, FilledLattice{pixels, contrast, 0, encode, coarse.pixels.data()});
             resolution.observe(count(pixels), processor_seconds() - start);
-            image = all_pixels(coarse, steps_of(level), view.width, view.height);
+            if (image.resize(view.width, view.height); level == finest_level)
+                image = std::move(coarse);
+            else
+                expand(coarse, steps_of(level), image, pool);
             if (frame >= 0) ++levels[level];
         }
         if (frame < 0) continue;

@@ -195,7 +195,7 @@ namespace {
 ScreenImage grey(int width, int height, std::uint32_t brightness) {
     ScreenImage image;
     image.resize(width, height);
-    std::ranges::fill(image.rgba, brightness * 0x010101u | 0xff000000u);
+    std::ranges::fill(image.pixels, brightness * 0x010101u | 0xff000000u);
     return image;
 }
 
@@ -236,10 +236,10 @@ TEST_CASE("two pictures of each eighth of a flight are compared with the finishe
         for (int i = 0; i < 40; ++i) {
             session.go_to(.1 * i, 0);
             const View view = session.view(16, 12);
-            ScreenImage image = traced_picture(tracer, view, pool, table, {});
+            ScreenImage image = traced_picture(tracer, view, pool, table, {.grid = FlownPictures::grid});
             const bool kept = i % 5 < 2;
-            if (!kept || round == 0) std::ranges::fill(image.rgba, 0xffffffffu);
-            flown.shown(i / 40., image, {}, scene, view);
+            if (!kept || round == 0) std::ranges::fill(image.pixels, 0xffffffffu);
+            flown.shown(i / 40., image, scene, view);
         }
     CHECK(flown.count() == 16);
     CHECK(!flown.compare(1, {}, stopped));
@@ -248,8 +248,4 @@ TEST_CASE("two pictures of each eighth of a flight are compared with the finishe
     CHECK(quality->pictures == 16);
     CHECK(quality->rms == 0);
     CHECK(quality->flicker == 0);
-    // A picture of a level is compared as it is shown, with all pixels.
-    FlownPictures coarse;
-    coarse.shown(0, grey(4, 3, 0), {4, 4}, scene, session.view(16, 12));
-    CHECK(coarse.compare(1, {}, going)->rms > 0);
 }

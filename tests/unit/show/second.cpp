@@ -77,8 +77,8 @@ TEST_CASE("a picture of one ray, and one in long double, are what the tracer mak
     make_second(order, pool, stop, [&](const SecondPicture& made) {
         ++stages;
         const Frame frame = render(*scene, order.view, Precision::float32, 1);
-        for (std::size_t i = 0; i < made.image.rgba.size(); ++i)
-            CHECK(made.image.rgba[i] == TransferTable(false).pixel(&frame.rgb[3 * i]));
+        for (std::size_t i = 0; i < made.image.pixels.size(); ++i)
+            CHECK(made.image.pixels[i] == TransferTable(false).pixel(&frame.rgb[3 * i]));
         CHECK(made.finished);
         CHECK(made.differing > 10);  // edges
         CHECK(made.differing < 150);
@@ -86,9 +86,9 @@ TEST_CASE("a picture of one ray, and one in long double, are what the tracer mak
     make_second(order_of(scene, SecondKind::extended), pool, stop, [&](const SecondPicture& made) {
         ++stages;
         CHECK(made.differing == 0);
-        CHECK(made.image.rgba.size() == 300);
+        CHECK(made.image.pixels.size() == 300);
         // Averages are of as many rays as each precision chooses: their difference is no step, but 16 times it shows.
-        for (const std::uint32_t pixel : made.difference.rgba) CHECK((pixel & 0xff) <= 16);
+        for (const std::uint32_t pixel : made.difference.pixels) CHECK((pixel & 0xff) <= 16);
     });
     CHECK(stages == 2);
 }
@@ -114,7 +114,7 @@ TEST_CASE("POV-Ray's picture comes in two stages, is kept, and ends when another
     CHECK(pictures.fault() == "");
     REQUIRE(pictures.picture());
     const auto kept = pictures.picture();
-    CHECK(kept->image.rgba[7] == 0xff808080);
+    CHECK(kept->image.pixels[7] == 0xff808080);
     CHECK(kept->differing > 290);
     const std::string runs = povray.runs();
     CHECK(runs.find("Antialias_Depth=3") != runs.npos);

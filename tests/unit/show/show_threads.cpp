@@ -43,7 +43,6 @@ class Watcher {
 
     Refinement state;
     ScreenImage screen;  // only rows that were reported as new are copied
-    Steps steps;
     int whole_images = 0;
 
   private:
@@ -61,8 +60,7 @@ class Watcher {
         screen.resize(fresh.image.width, fresh.image.height);
         const auto from = std::ptrdiff_t(fresh.first_row) * screen.width,
                    size = std::ptrdiff_t(fresh.rows) * screen.width;
-        std::copy_n(fresh.image.rgba.begin() + from, size, screen.rgba.begin() + from);
-        steps = fresh.steps;
+        std::copy_n(fresh.image.pixels.begin() + from, size, screen.pixels.begin() + from);
     }
 
     std::mutex mutex;
@@ -87,10 +85,11 @@ Exact exact(const Order& order) {
     const Counts rays = tracer.trace({view, pool, keep}, SampledRegion{whole, {}});
     ScreenImage image;
     image.resize(frame.width, frame.height);
-    for (std::size_t i = 0; i < image.rgba.size(); ++i) {
-        image.rgba[i] = 0xff000000u;
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        image.pixels[i] = 0xff000000u;
         for (int c = 0; c < 3; ++c)
-            image.rgba[i] |= quantise(frame.rgb[3 * i + c], order.scene->settings.assumed_gamma, 255) << 8 * c;
+            image.pixels[i] |= quantise(frame.rgb[3 * i + c], order.scene->settings.assumed_gamma, 255)
+                               << 8 * (2 - c);
     }
     return {image, rays};
 }
@@ -104,8 +103,7 @@ TEST_CASE("the finished picture equals one rendered in float") {
             const Order order = order_of(1, shown_scene(more), width, height);
             watcher.tracing.want(order);
             REQUIRE(watcher.finish(1));
-            CHECK(watcher.screen.rgba == exact(order).image.rgba);
-            CHECK(watcher.steps == Steps{});
+            CHECK(watcher.screen.pixels == exact(order).image.pixels);
             CHECK(watcher.state.rays.camera > std::uint64_t(width * height));
             CHECK(watcher.state.share == doctest::Approx(1));
         }
@@ -120,7 +118,7 @@ TEST_CASE("the newest view wins") {
         watcher.tracing.want(order);
     }
     REQUIRE(watcher.finish(200));
-    CHECK(watcher.screen.rgba == exact(order).image.rgba);
+    CHECK(watcher.screen.pixels == exact(order).image.pixels);
     CHECK(watcher.tracing.finished());
 }
 
@@ -131,7 +129,7 @@ TEST_CASE("in motion a picture is not refined; at rest refinement continues") {
     watcher.tracing.want(order);
     REQUIRE(watcher.watch([](const Refinement& r) { return r.number == 1; }));
     CHECK(watcher.state.level == 2);  // to begin with
-    CHECK(watcher.screen.width == 8);
+    CHECK(watcher.screen.width == 64);  // between every 8th pixel it is interpolated
     const std::uint64_t first = watcher.state.rays.camera;
     CHECK(first <= 9 * 9);  // a cell of 8x8 pixels of the level, with its corners
     CHECK(!watcher.tracing.finished());
@@ -141,7 +139,7 @@ TEST_CASE("in motion a picture is not refined; at rest refinement continues") {
     REQUIRE(watcher.finish(1));
     // The passes are levels of one hierarchy: together they have the rays of the finished picture.
     CHECK(watcher.state.rays.camera == first + exact(order).rays.camera);
-    CHECK(watcher.screen.rgba == exact(order).image.rgba);
+    CHECK(watcher.screen.pixels == exact(order).image.pixels);
 }
 
 TEST_CASE("in motion a picture has all pixels, with rays where they are needed; the finished one is exact") {
@@ -152,13 +150,12 @@ TEST_CASE("in motion a picture has all pixels, with rays where they are needed; 
         watcher.tracing.want(order);
         REQUIRE(watcher.watch([&](const Refinement& r) { return r.number == order.number; }));
         CHECK(watcher.screen.width == 96);
-        CHECK(watcher.steps == Steps{});
         CHECK(watcher.state.rays.camera < 96 * 64 * 3 / 2);
     }
     order.moving = false;
     watcher.tracing.want(order);
     REQUIRE(watcher.finish(order.number));
-    CHECK(watcher.screen.rgba == exact(order).image.rgba);
+    CHECK(watcher.screen.pixels == exact(order).image.pixels);
 }
 
 TEST_CASE("the resolution follows the budget, up to the limit") {
@@ -182,11 +179,11 @@ TEST_CASE("another scene, another depth, another size") {
     order.number = 2, order.view.depth = 1;
     watcher.tracing.want(order);
     REQUIRE(watcher.finish(2));
-    CHECK(watcher.screen.rgba == exact(order).image.rgba);
+    CHECK(watcher.screen.pixels == exact(order).image.pixels);
     order = order_of(3, shown_scene("background { color <1,0,0> } global_settings { assumed_gamma 1 }"), 40, 30);
     watcher.tracing.want(order);
     REQUIRE(watcher.finish(3));
-    CHECK(watcher.screen.rgba == exact(order).image.rgba);
+    CHECK(watcher.screen.pixels == exact(order).image.pixels);
 }
 
 TEST_CASE("tracing can be stopped at any time") {
