@@ -217,7 +217,7 @@ std::string light_section(const Scene& scene, const std::vector<Camera>& cameras
         if (light.direction) items.insert(items.end(), {"parallel", "point_at 0"});
         if (light.area) {
             items.push_back("area_light " + placed(light.area->u) + ", " + placed(light.area->v) + ", 16, 16");
-            items.push_back("area_illumination on");
+            if (!light.soft) items.push_back("area_illumination on");
         }
         if (light.spot) {
             items.insert(items.end(), {"spotlight", "point_at " + placed(light.spot->look_at)});

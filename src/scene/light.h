@@ -41,6 +41,7 @@ struct Light {
     std::optional<Spot> spot{};
     std::optional<Area> area{};
     bool shadowless = false;  // it shines through all bodies, and makes no highlights
+    bool soft = false;        // it shines from its middle, and only its shadows are those of its area, as in POV-Ray
     /// With both above 0 its light is multiplied by 2 / (1 + (distance / fade_distance)^fade_power), as in POV-Ray.
     double fade_distance = 0, fade_power = 0;
     std::optional<Motion> motion{};  // of its position, direction, edges, and the point that its spot looks at

@@ -142,6 +142,7 @@ std::string light_text(const Light& light) {
         text += " }";
     }
     if (light.shadowless) text += "  shadowless";
+    if (light.soft) text += "  soft";
     if (light.fade_distance != 0) text += "  fade_distance " + text_of(light.fade_distance, follows, "fade_distance");
     if (light.fade_power != 0) text += "  fade_power " + text_of(light.fade_power, follows, "fade_power");
     if (light.motion) return text + "\n  " + text_of(*light.motion, "\n  ") + "\n}\n";

@@ -10,25 +10,21 @@
 namespace strahl::pov {
 namespace {
 
-/// Returns the rectangle or the grid of an area light. Its edges become perpendicular.
+/// Returns the rectangle of an area light. Its edges become perpendicular; that of a row of points is hardly wide.
 std::optional<Area> area_of(const LightThing& light, const glm::dmat3& m, bool mirrored) {
-    Area area = *light.area;
-    area.u = mirror(m * area.u, mirrored), area.v = mirror(m * area.v, mirrored);
-    area.columns = std::clamp(area.columns, 1, 64), area.rows = std::clamp(area.rows, 1, 64);
-    const auto across = [](const DVec3& v) {
-        return cross_product(std::fabs(v.x) < .5 * length(v) ? DVec3(1, 0, 0) : DVec3(0, 1, 0), v);
+    // Points that jitter are moved by up to half of their distance, and those within count twice: this is the mean.
+    const auto edge = [&](const DVec3& v, int points) {
+        return points < 2 ? DVec3(0) : mirror(m * v, mirrored) * (light.jitter && points == 2 ? 2. : 1.);
     };
-    if (!(length(area.u) > 0)) area.columns = 1;
-    if (!(length(area.v) > 0)) area.rows = 1;
-    if (area.columns == 1 && area.rows == 1) return std::nullopt;
-    if (!(length(area.u) > 0)) area.u = across(area.v);
-    if (!(length(area.v) > 0)) area.v = across(area.u);
+    Area area{edge(light.area->u, light.area->columns), edge(light.area->v, light.area->rows)};
+    const auto strip = [](const DVec3& v) {
+        constexpr double narrow = 1e-6;
+        return narrow * cross_product(std::fabs(v.x) < .5 * length(v) ? DVec3(1, 0, 0) : DVec3(0, 1, 0), v);
+    };
+    if (!(length(area.u) > 0)) std::swap(area.u, area.v);
+    if (!(length(area.u) > 0)) return std::nullopt;
     area.v = area.v - dot_product(area.u, area.v) / dot_product(area.u, area.u) * area.u;
-    if (!(length(area.v) > 1e-9 * length(area.u))) return std::nullopt;
-    // Drops the number of points if POV-Ray moves them at random or takes only some of many: it then means nothing.
-    constexpr int most_points = 36;
-    const bool flat = area.columns > 1 && area.rows > 1;
-    if (flat && (light.jitter || area.columns * area.rows > most_points)) area.columns = area.rows = 0;
+    if (!(length(area.v) > 1e-6 * length(area.u))) area.v = strip(area.u);
     return area;
 }
 
@@ -80,8 +76,10 @@ void SceneMaker::add_light(const ObjectThing& object, const Around& around) {
     }
     if (own.area && !light.direction) light.area = area_of(own, glm::dmat3(m), mirrored);
     approximated(own.area && light.direction, "an area_light that is parallel is a point");
-    approximated(light.area.has_value(),
-                 "each point of an area_light shines by itself, also where nothing is in its way");
+    light.soft = light.area && (light.spot || !own.area_illumination);
+    approximated(light.area.has_value(), "the shadows of an area_light are smooth");
+    approximated(light.area && own.area_illumination && light.spot,
+                 "a spotlight with area_illumination shines from its middle");
     approximated(light.area && own.circular, "a circular area_light is a rectangle");
     approximated(light.area && own.orient, "an area_light that turns to the bodies stays as it is");
     const double reach =
@@ -91,13 +89,7 @@ void SceneMaker::add_light(const ObjectThing& object, const Around& around) {
         approximated(true, "a light further away than 1e9 is parallel light");
     }
     light.color = {std::min(light.color.x, 1e9), std::min(light.color.y, 1e9), std::min(light.color.z, 1e9)};
-    if (!light.area || !light.spot) return scene.lights.push_back(light);
-    // A rectangle cannot be a spotlight: it is a grid of some.
-    if (light.area->columns == 0) light.area->columns = light.area->rows = 4;
-    for (Light& point : points_of(std::vector<Light>{light})) {
-        point.spot = light.spot;
-        scene.lights.push_back(point);
-    }
+    scene.lights.push_back(light);
 }
 
 }  // namespace strahl::pov

@@ -115,11 +115,16 @@ inline std::array<Parameter, 5> motion_parameters(MotionKeyText& key) {
     return joined(time_parameters(key.when, "the time of the key in seconds"), place);
 }
 
-inline std::array<Parameter, 6> light_parameters(Light& light) {
+inline std::array<Parameter, 7> light_parameters(Light& light) {
     return {{{"position", &light.position, coordinates, "where the light is", required, "direction"},
              {"direction", &light.direction, directions, "the direction in which parallel light shines"},
              {"color", &light.color, not_negative, "its colour and strength", required},
              {"shadowless", &light.shadowless, {}, "it shines through all bodies, without highlights", "shadows"},
+             {"soft",
+              &light.soft,
+              {},
+              "it shines from its middle, and its `edges` only soften its shadows",
+              "hard shadows"},
              {"fade_distance", &light.fade_distance, not_negative,
               "the distance at which it is as strong as `color`; 0: it does not fade"},
              {"fade_power", &light.fade_power, not_negative,

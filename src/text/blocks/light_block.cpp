@@ -87,9 +87,13 @@ Light read_light(BlockReader& reader, const TextLimits& limits, std::string_view
         light.area = area;
         if (const std::string why = edges_fault(area); !why.empty()) fault(edges_at, why);
         if (light.direction) fault(edges_at, "parallel light cannot be a rectangle; give it a 'position'");
-        if (light.spot) fault(spot_at, "a light with 'edges' cannot have a spot: it shines in all directions");
+        if (light.spot && !light.soft)
+            fault(spot_at, "a light with 'edges' cannot have a spot unless it is 'soft': it shines in all directions");
+        if (light.soft && grid_at.data()) fault(grid_at, "a soft light cannot be a grid of points");
     } else if (grid_at.data()) {
         fault(grid_at, "a grid of points needs 'edges'");
+    } else if (light.soft) {
+        reader.fault(block, word, "a soft light needs 'edges'");
     }
     if (light.direction && *light.direction == DVec3(0))
         fault(parameters[1].at, "invalid light: its 'direction' is 0");

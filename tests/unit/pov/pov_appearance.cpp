@@ -175,13 +175,16 @@ TEST_CASE("POV-Ray: lights") {
     CHECK(light("0 rgb 1 spotlight").spot == Spot{{0, 0, 1}, 30, 45, 0});
     CHECK(light("2*y rgb 1 parallel point_at x").direction == DVec3(1, -2, 0));
     CHECK(light("x rgb 1 translate y").position == DVec3(1, 1, 0));
-    // A spotlight with an area is a grid of spotlights, all at one point.
-    const auto grid =
-        opened("light_source { 2*y rgb 1 spotlight point_at 0 area_light x, z, 2, 2 }").scene.lights;
-    REQUIRE(grid.size() == 4);
-    CHECK(grid[0].color == Color(.25));
-    CHECK(length(grid[0].position - grid[3].position) == doctest::Approx(std::sqrt(2.)));
-    for (const Light& point : grid) CHECK(point.spot->look_at == DVec3(0));
+    const auto soft = [](const std::string& more) {
+        return opened("light_source { 2*y rgb 1 spotlight point_at 0 area_light x, z, " + more + " }")
+            .scene.lights.at(0);
+    };
+    CHECK((soft("2, 3").soft && soft("2, 3").spot->look_at == DVec3(0)));
+    CHECK(soft("2, 3").area == Area{{1, 0, 0}, {0, 0, 1}});
+    CHECK(soft("2, 3 jitter").area == Area{{2, 0, 0}, {0, 0, 1}});
+    CHECK(length(soft("5, 1").area->v) < 1e-5);
+    CHECK(soft("1, 5").area->u == DVec3(0, 0, 1));
+    CHECK(!soft("1, 1").area);
     CHECK(length(light("x rgb 1 spotlight point_at y rotate 90*z").spot->look_at - DVec3(-1, 0, 0)) < 1e-15);
     const Scene body = opened("light_source { x rgb 1 looks_like { sphere { 0, .1 } } translate y }").scene;
     CHECK(body.primitives.at(0).transformations ==

@@ -138,7 +138,12 @@ TEST_CASE("scenes that once disagreed") {
          "scale <.6, 3, 1> rotate <0, 0, 30> material { rgb <1, 1, 1> reflection 0 diffuse 1 } }"},
         {"bumps that turn to a light without shadows behind the body",
          "light { position <6, 9, 2> color <.5, .5, .5> shadowless } sphere { <0, 0, 0>, 1.5 material { "
-         "rgb <1, .8, .6> diffuse .7 specular 0 reflection 0 bump solid { leopard height 10 scale .1 } } }"}};
+         "rgb <1, .8, .6> diffuse .7 specular 0 reflection 0 bump solid { leopard height 10 scale .1 } } }"},
+        {"a soft spotlight of which a floor sees all",
+         "light { position <0, 0, 2> color <2, 2, 2> edges <6, 0, 0>, <0, 3, 0> soft spot { look_at <0, 0, 0> radius "
+         "30 "
+         "falloff 40 tightness 3 } } plane { <0, 0, -1>, <1, 0, -1>, <0, -1, -1> material { diffuse .8 reflection 0 } "
+         "}"}};
     for (const auto& [name, body] : scenes) {
         CAPTURE(name);
         const std::string found = check(name, parse_scene(view + body, name), {}, 64, 48);

@@ -38,7 +38,10 @@ TEST_CASE("rectangles and grids") {
     check_light("direction <0,0,1> edges <2,0,0>, <0,1,0>", "3:19",
                 "parallel light cannot be a rectangle; give it a 'position'");
     check_light("position <1,2,3> edges <2,0,0>, <0,1,0> spot { look_at <0,0,0> }", "3:41",
-                "a light with 'edges' cannot have a spot: it shines in all directions");
+                "a light with 'edges' cannot have a spot unless it is 'soft': it shines in all directions");
+    check_light("position <1,2,3> edges <2,0,0>, <0,1,0> grid 2, 2 soft", "3:41",
+                "a soft light cannot be a grid of points");
+    check_light("position <1,2,3> soft", "2:1", "a soft light needs 'edges'");
 }
 
 TEST_CASE("fog") {

@@ -66,7 +66,7 @@ class RandomScenes {
             if (own.spot->look_at == own.position) own.spot.reset();
         } else if (chance(3)) {
             own.area = Area{{length(), 0, 0}, {0, -length(), 0}, below(2) * below(9), 3};
-            if (own.area->columns == 0) own.area->rows = 0;
+            if (own.area->columns == 0) own.area->rows = 0, own.soft = chance(2);
         } else if (chance(3)) {
             own.direction = position(), own.position = DVec3(0);
             if (*own.direction == DVec3(0)) own.direction = DVec3(0, 0, -1);
