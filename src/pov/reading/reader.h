@@ -2,11 +2,14 @@
 #pragma once
 #include <atomic>
 #include <functional>
+#include <map>
 #include <memory>
 #include <utility>
 
 #include "pov/language/interpreter.h"
 #include "pov/things/objects.h"
+#include "pov/things/outlines.h"
+#include "scene/kinds/mesh_data.h"
 #include "text/reading/scene_files.h"
 
 namespace strahl::pov {
@@ -87,6 +90,7 @@ class PovReader : public SceneLayer {
     std::vector<std::pair<TextPlace, std::shared_ptr<std::atomic<bool>>>> pattern_functions;  // was it called?
     std::shared_ptr<const TextureThing> default_texture = std::make_shared<TextureThing>();
     CameraThing default_camera;
+    std::map<Point2, std::shared_ptr<const MeshData>> superellipsoids;  // made so far, by their exponents
 };
 
 }  // namespace strahl::pov

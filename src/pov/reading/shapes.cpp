@@ -39,6 +39,18 @@ Plane plane_of(const DVec3& normal, double distance) {
     return {a, a + u, a + v};
 }
 
+/// Returns a box, or the rectangle that POV-Ray shows in place of a box that is flat in one direction.
+Shape box_between(const DVec3& corner, const DVec3& other) {
+    const DVec3 size = other - corner;
+    const int flat = size.x == 0 ? 0 : size.y == 0 ? 1 : 2;
+    DVec3 u(0), v(0);
+    u[(flat + 1) % 3] = size[(flat + 1) % 3], v[(flat + 2) % 3] = size[(flat + 2) % 3];
+    if (size[flat] != 0 || u == DVec3(0) || v == DVec3(0)) return Cuboid{corner, other};
+    MeshData mesh;
+    mesh.points = {corner, corner + u, other, corner + v}, mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+    return Mesh{std::make_shared<const MeshData>(std::move(mesh)), ""};
+}
+
 void read_polygon(Interpreter& in, ObjectThing& object) {
     const int count = in.read_integer();
     std::vector<DVec3> points;
@@ -312,7 +324,7 @@ void PovReader::read_shape(Interpreter& in, std::uint16_t code, ObjectThing& obj
         }
         case word("box"): {
             const DVec3 corner = in.read_vector();
-            set(Cuboid{corner, next_vector(in)});
+            set(box_between(corner, next_vector(in)));
             break;
         }
         case word("cylinder"): {

@@ -31,10 +31,13 @@ std::vector<Point2> read_points(Interpreter& in) {
     return points;
 }
 
-void set_mesh(ObjectThing& object, MeshData mesh) {
-    if (mesh.triangles.empty()) return;
+void set_mesh(ObjectThing& object, std::shared_ptr<const MeshData> mesh) {
+    if (mesh->triangles.empty()) return;
     object.kind = ObjectKind::shape;
-    object.shape = Mesh{std::make_shared<const MeshData>(std::move(mesh)), ""};
+    object.shape = Mesh{std::move(mesh), ""};
+}
+void set_mesh(ObjectThing& object, MeshData mesh) {
+    set_mesh(object, std::make_shared<const MeshData>(std::move(mesh)));
 }
 
 std::shared_ptr<const ObjectThing> part_of(const ObjectThing& whole, const Shape& shape, Steps steps = {}) {
@@ -226,7 +229,9 @@ bool PovReader::read_surface(Interpreter& in, std::uint16_t code, ObjectThing& o
         }
         case word("superellipsoid"): {
             const Point2 exponents = in.read_uv();
-            set_mesh(object, superellipsoid(exponents[0], exponents[1]));
+            std::shared_ptr<const MeshData>& made = superellipsoids[exponents];
+            if (!made) made = std::make_shared<const MeshData>(superellipsoid(exponents[0], exponents[1]));
+            set_mesh(object, made);
             object.approximated("'superellipsoid" + mesh);
             return true;
         }

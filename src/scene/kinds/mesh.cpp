@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 namespace strahl {
 
@@ -12,14 +13,22 @@ std::optional<std::pair<DVec3, DVec3>> open_side(const MeshData& mesh) {
         auto ends() const { return std::pair(low, high); }
         bool operator<(const DirectedSide& other) const { return ends() < other.ends(); }
     };
-    std::vector<DirectedSide> sides;
-    sides.reserve(3 * mesh.triangles.size());
-    for (const MeshData::Corners& triangle : mesh.triangles)
-        for (int k = 0; k < 3; ++k) {
-            const std::int32_t from = triangle[k], to = triangle[(k + 1) % 3];
-            sides.push_back(from < to ? DirectedSide{from, to, 1} : DirectedSide{to, from, -1});
-        }
-    std::sort(sides.begin(), sides.end());
+    const auto visit = [&](const auto& take) {
+        for (const MeshData::Corners& triangle : mesh.triangles)
+            for (int k = 0; k < 3; ++k) {
+                const std::int32_t from = triangle[k], to = triangle[(k + 1) % 3];
+                take(from < to ? DirectedSide{from, to, 1} : DirectedSide{to, from, -1});
+            }
+    };
+    // Sorted by counting those of each point, which are few.
+    std::vector<std::size_t> begins(mesh.points.size() + 1);
+    visit([&](const DirectedSide& side) { ++begins[side.low + 1]; });
+    std::partial_sum(begins.begin(), begins.end(), begins.begin());
+    std::vector<DirectedSide> sides(3 * mesh.triangles.size());
+    std::vector<std::size_t> ends = begins;
+    visit([&](const DirectedSide& side) { sides[ends[side.low]++] = side; });
+    const auto at = [&](std::size_t n) { return sides.begin() + static_cast<std::ptrdiff_t>(n); };
+    for (std::size_t i = 0; i < mesh.points.size(); ++i) std::sort(at(begins[i]), at(ends[i]));
     for (std::size_t i = 0; i < sides.size();) {
         std::size_t end = i + 1;
         int balance = sides[i].direction;
