@@ -17,6 +17,12 @@ std::string word_text(std::uint16_t code) { return std::string(reserved_words[co
 /// The exchange of y and z: POV-Ray's pictures have their poles on the y axis, those of scenes on the z axis.
 const MatrixStep poles{glm::dmat4(1, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 1)};
 
+/// Returns the colours between two, as a stop at `at`.
+ColorStop between(const ColorStop& a, const ColorStop& b, double share, double at) {
+    const auto mixed = [&](const auto& x, const auto& y) { return x + share * (y - x); };
+    return {at, mixed(a.color, b.color), mixed(a.filter, b.filter), mixed(a.transmit, b.transmit)};
+}
+
 }  // namespace
 
 PigmentMaker::Mean PigmentMaker::mean_of(const MapEntry& entry) {
@@ -60,9 +66,19 @@ PigmentMaker::Mean PigmentMaker::mean_of(const MapThing& map, bool list) {
 std::vector<ColorStop> PigmentMaker::stops_of(const Blend& blend) {
     if (listed_colors(blend.word) > 0) return listed_stops(blend);
     std::vector<ColorStop> stops;
+    double before = 0;
     for (const MapEntry& entry : blend.map ? blend.map->entries : usual_entries(blend)) {
-        const double at = std::clamp(decimal(static_cast<float>(entry.at)), stops.empty() ? 0 : stops.back().at, 1.);
-        stops.push_back(stop_of(blend, entry, at));
+        const double own = decimal(static_cast<float>(entry.at));
+        if (!stops.empty() && before >= 1 && own > before) break;
+        ColorStop stop = stop_of(blend, entry, std::clamp(own, stops.empty() ? 0 : stops.back().at, 1.));
+        // Of an interval that reaches beyond 0 or 1 the colours there count.
+        if (!stops.empty() && own > before && !stop.pattern && !stops.back().pattern) {
+            const ColorStop first = stops.back(), last = stop;
+            if (before < 0 && own > 0) stops.back() = between(first, last, -before / (own - before), 0);
+            if (own > 1) stop = between(first, last, (1 - before) / (own - before), 1);
+        }
+        stops.push_back(stop);
+        before = own;
     }
     return stops;
 }

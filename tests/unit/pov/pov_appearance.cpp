@@ -128,6 +128,8 @@ TEST_CASE("POV-Ray: patterns that scenes have are exact") {
     const Pattern ramp = pattern("gradient y color_map { [0 rgb 0] [.25 rgb x] [1 rgb 1] } scale 3");
     CHECK(std::get<Gradient>(ramp.kind).axis == DVec3(0, 1, 0));
     CHECK(ramp.colors == std::vector<ColorStop>{{0, Color(0)}, {.25, {1, 0, 0}}, {1, Color(1)}});
+    const Pattern beyond = pattern("gradient y color_map { [-.5 rgb 0] [.5 rgb x] [1.5 rgb 1] [2 rgb y] }");
+    CHECK(beyond.colors == std::vector<ColorStop>{{0, {.5, 0, 0}}, {.5, {1, 0, 0}}, {1, {1, .5, .5}}});
     // The old form of a map, and a wave.
     const Pattern old = pattern(
         "gradient x triangle_wave color_map { [0, .5 color rgb 0 color rgb 1] [.5 1 color rgb 1 color rgb 1] }");

@@ -32,8 +32,8 @@ TEST_CASE("POV-Ray: a left-handed scene is turned over in z, a right-handed one 
 
 TEST_CASE("POV-Ray: matrices become rotations and scalings") {
     for (const bool mirrored : {false, true})
-        for (const std::string& words : {"rotate <20, 30, 40> scale <1, 2, 3> rotate <50, 60, 70> translate <1, 2, 3>",
-                                         "scale <-1, 2, 2> rotate <5, 90, 3>", "scale 2 rotate <10, 20, 30>"}) {
+        for (const std::string words : {"rotate <20, 30, 40> scale <1, 2, 3> rotate <50, 60, 70> translate <1, 2, 3>",
+                                        "scale <-1, 2, 2> rotate <5, 90, 3>", "scale 2 rotate <10, 20, 30>"}) {
             pov::Steps steps{pov::MatrixStep{glm::dmat4(.5, 2, .25, 0, -1, .5, 3, 0, .125, 1, 1, 0, 4, 5, 6, 1)}};
             if (words.size() < 40) steps = {Rotate{{20, 30, 40}}, Scale{{1, -2, 3}}, pov::MatrixStep{}};
             glm::dmat4 wanted = pov::matrix_of(steps);
@@ -65,7 +65,7 @@ TEST_CASE("POV-Ray: composites with bodies turned inside out contain the same po
     };
     const std::string ball = "sphere { 0, 1 ", box = "box { <0, -2, -2>, <2, 2, 2> ";
     const DVec3 left(-.5, 0, 0), right(.5, 0, 0), far(1.5, 0, 0);
-    for (const std::string& text :
+    for (const std::string text :
          {"intersection { " + ball + "} " + box + "inverse } }", "difference { " + ball + "} " + box + "} }",
           "difference { " + box + "inverse } " + ball + "inverse } }"}) {
         CHECK(inside(text, left));
@@ -175,6 +175,13 @@ TEST_CASE("POV-Ray: scenes can ask about their bodies") {
     CHECK(at(4, {1, 0, 0}));
     CHECK(at(5, {0, 1, 2}));
     CHECK(at(6, {2, 3, 4}));
+}
+
+TEST_CASE("POV-Ray: a box that is flat is a rectangle") {
+    const Primitive flat = whole("box { <0, 1, 5>, <3, 1, 2> }").primitives.at(0);
+    const Box box = world_bounds(flat);
+    CHECK((box.low == DVec3(0, 1, 2) && box.high == DVec3(3, 1, 5)));
+    CHECK(std::get<Mesh>(flat.shape).data->triangles.size() == 2);
 }
 
 TEST_CASE("POV-Ray: curved bodies become closed meshes") {
