@@ -26,29 +26,16 @@ class CompositeWalk {
         find_leaves();
     }
 
-    /// Returns the lanes in which the inside of the composite is there, just after `t`; with `other`, as if that leaf
-    /// were the opposite of what it is; with `passed`, as if leaves from that one on were as just before `t`.
-    [[gnu::noinline]] Mask<S> inside_after(const S& t, int other = -1, int passed = most_leaves) const {
-        Room<Mask<S>, most_leaves> stack;
-        int height = 0;
-        for (int i = 0; i < step_count; ++i) switch (steps[i].step) {
-                case CompositeStep::leaf:
-                    stack[height] =
-                        steps[i].leaf < passed ? inside_leaf(steps[i].leaf, t) : inside_leaf_before(steps[i].leaf, t);
-                    if (steps[i].leaf == other) stack[height] = !stack[height];
-                    ++height;
-                    break;
-                case CompositeStep::unite:
-                    --height, stack[height - 1] = stack[height - 1] | stack[height];
-                    break;
-                case CompositeStep::intersect:
-                    --height, stack[height - 1] = stack[height - 1] & stack[height];
-                    break;
-                case CompositeStep::subtract:
-                    --height, stack[height - 1] = stack[height - 1] & !stack[height];
-                    break;
-            }
-        return stack[0];
+    /// Returns the lanes in which the inside of the composite is there, just after `t`.
+    [[gnu::noinline]] Mask<S> inside_after(const S& t) const {
+        return combined([&](int i) { return inside_leaf(i, t); });
+    }
+    /// Does so as if leaf `other` were the opposite of what it is, and leaves from `passed` on as just before `t`.
+    [[gnu::noinline]] Mask<S> inside_if(const S& t, int other, int passed = most_leaves) const {
+        return combined([&](int i) {
+            const Mask<S> inside = i < passed ? inside_leaf(i, t) : inside_leaf_before(i, t);
+            return i == other ? !inside : inside;
+        });
     }
     /// Returns the next end of any leaf beyond `t`; infinite if there is none.
     [[gnu::noinline]] S next(const S& t) const {
@@ -65,7 +52,7 @@ class CompositeWalk {
     template <class Visit>
     void ends_at(const S& t, Mask<S> lanes, const Visit& visit) const {
         S found(0);
-        each_leaf([&](int i) { found = found + select(ends_of(i, t), S(1), S(0)); });
+        if (leaf_count > 1) each_leaf([&](int i) { found = found + select(ends_of(i, t), S(1), S(0)); });
         const Mask<S> several = lanes & (found > S(1));
         if (any(several)) [[unlikely]] {
             const Mask<S> inside = inside_after(t);
@@ -79,8 +66,8 @@ class CompositeWalk {
                     left = left & !shown;
                 });
             };
-            show_first([&](int i) { return differ(inside, inside_after(t, i)); });
-            show_first([&](int i) { return !differ(inside, inside_after(t, -1, i + 1)); });
+            show_first([&](int i) { return differ(inside, inside_if(t, i)); });
+            show_first([&](int i) { return !differ(inside, inside_if(t, -1, i + 1)); });
             lanes = lanes & !several;
         }
         each_leaf([&](int i) {
@@ -115,12 +102,13 @@ class CompositeWalk {
     /// A stretch of each ray, outside of which a body is not there.
     struct Reach {
         S low, high;
-        /// Returns the lanes in which it is not empty.
-        Mask<S> lanes() const { return (low <= high) & (low < S(inf)); }
+        /// Returns the lanes in which it is not empty. What ends where rays start, as a body does that they leave, is
+        /// not there for them.
+        Mask<S> lanes() const { return (low <= high) & (low < S(inf)) & (high > S(0)); }
     };
     struct WalkStep {
         CompositeStep step;
-        std::int16_t leaf;  // if the step takes one
+        std::int16_t leaf;  // the one it takes, alone or as its second operand; -1 if that is another step's result
     };
 
     static Mask<S> differ(const Mask<S>& a, const Mask<S>& b) { return (a & !b) | (b & !a); }
@@ -128,6 +116,36 @@ class CompositeWalk {
     template <class Visit>
     STRAHL_INLINE void each_leaf(const Visit& visit) const {
         for (int n = 0; n < leaf_count; ++n) visit(leaves[n]);
+    }
+    /// Combines the leaves to the whole: inside(i) returns the lanes in which leaf i is.
+    template <class Inside>
+    STRAHL_INLINE Mask<S> combined(const Inside& inside) const {
+        Room<Mask<S>, most_leaves> stack;
+        Mask<S> top = inside(steps[0].leaf);
+        for (int i = 1, height = 0; i < step_count; ++i) {
+            const auto [step, leaf] = steps[i];
+            Mask<S> second = top;
+            if (step == CompositeStep::leaf)
+                stack[height++] = top;
+            else if (leaf < 0)
+                top = stack[--height];
+            if (leaf >= 0) second = inside(leaf);
+            switch (step) {
+                case CompositeStep::leaf:
+                    top = second;
+                    break;
+                case CompositeStep::unite:
+                    top = top | second;
+                    break;
+                case CompositeStep::intersect:
+                    top = top & second;
+                    break;
+                case CompositeStep::subtract:
+                    top = top & !second;
+                    break;
+            }
+        }
+        return top;
     }
     /// Finds the leaves that matter to any ray within its stretch, and the steps that combine them. What can only cut
     /// is not looked for where there is nothing to be cut.
@@ -152,8 +170,7 @@ class CompositeWalk {
                 second.within = own.until > 0 ? height - 1 : height > 0 ? operands[height - 1].within : -1;
                 second.steps = step_count, second.leaves = leaf_count;
                 second.stretch = second.within < 0 ? whole : operands[second.within].stretch;
-                cross(next, second.stretch);
-                if (any(second.stretch.lanes())) {
+                if (cross(next, second.stretch)) {
                     leaves[leaf_count++] = static_cast<std::int16_t>(next);
                     steps[step_count++] = {step, static_cast<std::int16_t>(next)};
                 }
@@ -164,20 +181,26 @@ class CompositeWalk {
             Operand& first = operands[height - 1];
             Reach &all = first.stretch, &own = second.stretch;
             const bool nowhere = second.steps == step_count;
+            const auto combine = [&] {
+                if (second.steps + 1 == step_count)
+                    steps[second.steps].step = step;  // a leaf
+                else
+                    steps[step_count++] = {step, -1};
+            };
             if (step == CompositeStep::unite) {
                 if (nowhere) continue;
                 if (first.steps == second.steps)
                     all = own;
                 else
-                    all = {min(all.low, own.low), max(all.high, own.high)}, steps[step_count++] = {step, 0};
+                    all = {min(all.low, own.low), max(all.high, own.high)}, combine();
             } else if (step == CompositeStep::subtract) {
-                if (!nowhere) steps[step_count++] = {step, 0};
+                if (!nowhere) combine();
             } else {
                 all = {max(all.low, own.low), min(all.high, own.high)};
                 if (nowhere || none(all.lanes()))
                     remove(first);
                 else
-                    steps[step_count++] = {step, 0};
+                    combine();
             }
         }
         whole = operands[0].stretch;
@@ -206,12 +229,14 @@ class CompositeWalk {
 
     /// Returns the keys of the faces that rays start on, -1 for others.
     [[gnu::noinline]] S keys_of(const S& source) const {
-        alignas(64) T keys[width<S>];
-        for (int k = 0; k < width<S>; ++k) {
+        const auto key_of = [&](int k) {
             const int own = static_cast<int>(lane(source, k)) - composite.surface;
             const bool here = own >= 0 && own < composite.surfaces;
-            keys[k] = here ? static_cast<T>(world.composites.face_keys[composite.first_key + own]) : T(-1);
-        }
+            return here ? static_cast<T>(world.composites.face_keys[composite.first_key + own]) : T(-1);
+        };
+        if (all(source == S(lane(source, 0)))) return S(key_of(0));
+        alignas(64) T keys[width<S>];
+        for (int k = 0; k < width<S>; ++k) keys[k] = key_of(k);
         return load_lanes<S>(keys);
     }
     Mask<S> inside_leaf(int i, const S& t) const {
@@ -224,15 +249,17 @@ class CompositeWalk {
         if (ends[i].pairs > 1) inside = inside | ((ends[i].near[1] < t) & (t <= ends[i].far[1]));
         return inside;
     }
-    /// Finds the spans of rays in leaf i, and shortens the stretch to them. Faces in the same place share a key, and so
-    /// are crossed at the same t: planes by being one, others by their own equal formulas. A ray that starts on one of
-    /// them starts on all of these.
-    void cross(int i, Reach& stretch) {
+    /// Finds the spans of rays in leaf i, and shortens the stretch to them. Returns whether it is anywhere then.
+    STRAHL_INLINE bool cross(int i, Reach& stretch) {
         const CompositeLeaf& own = leaf(i);
-        LeafEnds<S>& end = ends[i];
+        if (!own.nodes && none(reached(world.composites.balls[composite.first_leaf + i], stretch))) return false;
+        cross_leaf(own, stretch, ends[i]);
+        return any(stretch.lanes());
+    }
+    /// Does so for rays that may meet it. Faces in the same place share a key, and so are crossed at the same t: planes
+    /// by being one, others by their own equal formulas. A ray that starts on one of them starts on all of these.
+    [[gnu::noinline]] void cross_leaf(const CompositeLeaf& own, Reach& stretch, LeafEnds<S>& end) {
         if (own.nodes) return cross_mesh(own, stretch, end);
-        if (own.half_space == 0 && none(reached(world.composites.balls[composite.first_leaf + i], stretch)))
-            return void(stretch.low = S(inf));
         const std::int32_t* const keys =
             world.composites.face_keys + composite.first_key + (own.surface - composite.surface);
         if (own.half_space != 0)
@@ -252,12 +279,12 @@ class CompositeWalk {
     void cross_body(const CompositeLeaf& own, const std::int32_t* keys, LeafEnds<S>& end) const {
         const S surface(static_cast<T>(own.surface));
         S start(T(-1));
-        for (int face = 0; starts_here && face < own.faces; ++face) {
-            const S number(static_cast<T>(face));
-            // Another body's face in the same plane may end before it gets there.
-            const Mask<S> here =
-                keys[face] < most_planes ? ray.source == surface + number : start_key == S(static_cast<T>(keys[face]));
-            start = select(here, number, start);
+        if (starts_here) {
+            // Those of an equal body count as its own, but for planes: another body's face there may end before.
+            const S same = start_key - S(static_cast<T>(own.first_key)), face = ray.source - surface;
+            const S faces(static_cast<T>(own.faces)), zero(0);
+            start = select((face >= zero) & (face < faces), face,
+                           select((same >= zero) & (same < faces), same, start));
         }
         const Ray<S> from{ray.origin, ray.direction, surface + start};
         calls<S>(own.form).ends(world, own.item, from, end);

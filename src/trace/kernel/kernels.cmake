@@ -118,7 +118,13 @@ if(NOT STRAHL_LEVELS STREQUAL least)
 endif()
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   strahl_level(v2 -march=x86-64-v2)
-  strahl_level(v3 -march=x86-64-v3)
+  # Without these g++ copies structs in halves of a register, and a load of the whole register has to wait for both.
+  include(CheckCXXCompilerFlag)
+  check_cxx_compiler_flag(-mmove-max=256 STRAHL_MOVE_MAX)
+  if(STRAHL_MOVE_MAX)
+    set(strahl_moves -mmove-max=256 -mstore-max=256)
+  endif()
+  strahl_level(v3 -march=x86-64-v3 ${strahl_moves})
   if(NOT CMAKE_CXX_COMPILER_ID MATCHES Clang)  # clang's AVX-512 code for libstdc++ 12's packs gives wrong pictures
     # g++ 12 warns of an "uninitialized" operand inside its own AVX-512 header.
     strahl_level(v4 -march=x86-64-v4 -mprefer-vector-width=512 -Wno-uninitialized

@@ -105,6 +105,7 @@ class CompositeBuilder {
             meshes.push_back({shape.data.get(), m, tables.leaves.size()});
             return add_mesh(leaf, boxes);
         }
+        leaf.first_key = most_planes + 8 * equal_leaf(leaf);
         for (int face = 0; face < Kind::faces; ++face) {
             const std::optional<HalfSpace> plane = plane_of(shape, face);
             if (plane) {
@@ -112,7 +113,7 @@ class CompositeBuilder {
                 tables.face_keys.push_back(plane_key(numbers));
                 if constexpr (!Kind::bounded) leaf.half_space = static_cast<std::int32_t>(numbers.side);
             } else {
-                tables.face_keys.push_back(most_planes + 8 * equal_leaf(leaf) + face);
+                tables.face_keys.push_back(leaf.first_key + face);
             }
         }
         next_surface += Kind::faces;

@@ -122,7 +122,7 @@ struct CompositeLeaf {
     std::int32_t surface, faces;  // the number of its first face, and how many it has
     std::int32_t half_space;      // of a half-space 1 if it is behind its plane's normal, -1 if before it; else 0
     const Node* nodes = nullptr;  // of a mesh: the hierarchy of its triangles, which are the items from `item` on
-    std::int32_t first_key = 0;   // of a mesh: the key of its first triangle, if that has one of its own
+    std::int32_t first_key = 0;   // of its first face, or of a mesh its first triangle, if that has one of its own
     bool in_planes = false;       // of a mesh: some of its triangles have the keys of planes
     float low[3] = {}, high[3] = {};  // of a mesh: the box around it, as the hierarchy's are
     // Say, at the first leaf of what an intersection is made with or a difference takes away, which step does so, and
