@@ -64,7 +64,7 @@ void write(const ScreenImage& image, const std::string& path) {
     Picture picture{image.width, image.height, 3, {}};
     for (const std::uint32_t pixel : image.pixels)
         for (int c = 0; c < 3; ++c) picture.values.push_back(double(pixel >> 8 * (2 - c) & 255) / 255);
-    write_picture(picture, path, {.gamma = 1});
+    write_picture(picture, path, {});
 }
 
 int run(const Flown& options) {
