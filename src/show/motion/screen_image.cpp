@@ -27,6 +27,7 @@ int weight_of(int part, int whole) { return (256 * part + whole / 2) / whole; }
 
 /// Widens one row of a level to the width of the picture.
 void widen(const std::uint32_t* row, int columns, int step, std::vector<std::uint32_t>& wide) {
+    if (step == 1) return static_cast<void>(std::copy_n(row, columns, wide.begin()));
     std::vector<std::uint32_t> next(row + 1, row + columns), between(columns);
     next.push_back(row[columns - 1]);
     for (int part = 0; part < step; ++part) {
