@@ -1,7 +1,8 @@
 // Opens the window with GLFW and draws with OpenGL and ImGui.
 #include "show/window/screen.h"
 
-#define GLFW_INCLUDE_GLEXT
+#include <GL/gl.h>
+#include <GL/glext.h>
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
