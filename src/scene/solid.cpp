@@ -127,9 +127,11 @@ const std::array<WaveSource, wave_sources>& sources() {
     return all;
 }
 
-double quilt(double t) {
-    const double rest = 1 - t;
-    return (t * t * t + 3 * t * rest * rest + 3 * t * t * rest) * 1.154700538;
+/// The way from the middle of a cell of `quilted`, which is longer the nearer its border is.
+DVec3 quilt(const DVec3& p) {
+    const DVec3 way(fraction(p.x) - .5, fraction(p.y) - .5, fraction(p.z) - .5);
+    const double t = length(way), rest = 1 - t;
+    return (t * t * t + 3 * t * rest * rest + 3 * t * t * rest) * 1.154700538 * way;
 }
 
 /// The value before frequency, phase and wave, at a point that turbulence has moved. Where a kind sums up several sizes
@@ -181,9 +183,8 @@ double raw_value(const SolidPattern& own, const DVec3& p, double step) {
         case Solid::planar:
             return std::max(0., 1 - std::fabs(p.y));
         case Solid::quilted: {
-            const DVec3 v(fraction(p.x) - .5, fraction(p.y) - .5, fraction(p.z) - .5);
-            const double t = quilt(length(v));
-            return (std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z)) * t / 3;
+            const DVec3 way = quilt(p);
+            return (std::fabs(way.x) + std::fabs(way.y) + std::fabs(way.z)) / 3;
         }
         case Solid::radial:
             if (std::fabs(p.x) < .001 && std::fabs(p.z) < .001) return .25;
@@ -374,6 +375,8 @@ DVec3 bend_at(const SolidPattern& own, const DVec3& given) {
             }
             return sum;
         }
+        case Solid::quilted:
+            return quilt(p);
         case Solid::ripples:
         case Solid::waves: {
             DVec3 sum(0);

@@ -19,6 +19,8 @@ bool same_finish(const LayerValues& a, const LayerValues& b) {
 /// Returns a texture for a pattern of textures: their pigments in the pattern, with the finish and the normal of the
 /// one that it shows most. That is the same if they differ in their pigments only.
 LayerValues without_blend(const LayerValues& layer, const NoteTaker& notes) {
+    if (layer.blend.ignored == word("material_map"))
+        notes.left_out(layer.place, "all textures of a material_map but the first");
     if (!layer.blend || !layer.blend.map || layer.blend.map->entries.empty()) return layer;
     std::vector<LayerValues> parts;
     auto pigments = std::make_shared<MapThing>(*layer.blend.map);

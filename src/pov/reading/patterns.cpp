@@ -399,7 +399,6 @@ bool PovReader::read_pattern_word(Interpreter& in, Blend& blend, ValueKind level
         case word("image_map"):
         case word("bump_map"):
         case word("image_pattern"):
-        case word("material_map"):
             take();
             blend.image = read_image(in);
             return true;

@@ -50,6 +50,7 @@ class PovReader : public SceneLayer {
     std::shared_ptr<const TextureThing> read_texture(Interpreter& in);
     std::shared_ptr<const TextureThing> read_texture_body(Interpreter& in);
     void read_tiles(Interpreter& in, Blend& blend);
+    void read_material_map(Interpreter& in, LayerValues& layer);
     std::shared_ptr<const MaterialThing> read_material(Interpreter& in);
     // patterns.cpp
     bool read_pattern_word(Interpreter& in, Blend& blend, ValueKind level);

@@ -1,6 +1,7 @@
 // Reads pigments, normals, finishes, interiors, and textures made of them.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "pov/reading/reader.h"
 #include "pov/things/numbers.h"
@@ -254,6 +255,8 @@ std::shared_ptr<const TextureThing> PovReader::read_texture_body(Interpreter& in
             layer.finish = *finish;
         } else if (in.accept("tiles")) {
             read_tiles(in, layer.blend);
+        } else if (in.accept("material_map")) {
+            read_material_map(in, layer);
         } else if (Steps steps; read_step(in, steps)) {
             for (LayerValues& each : texture->layers) transform(each, steps);
         } else if (!read_pattern_word(in, layer.blend, ValueKind::texture) &&
@@ -281,6 +284,21 @@ void PovReader::read_tiles(Interpreter& in, Blend& blend) {
         if (in.at('{')) map->entries.push_back({.at = double(map->entries.size()), .thing = read_texture(in)});
     in.end_block();
     blend.map = std::move(map);
+}
+
+/// Reads material_map { "picture" texture { ... } ... }, whose pixels choose textures: the first one is taken.
+void PovReader::read_material_map(Interpreter& in, LayerValues& layer) {
+    in.begin_block();
+    for (bool first = true; !in.at('}') && !in.at_end();) {
+        auto texture = in.accept_thing<TextureThing>(ValueKind::texture);
+        if (!texture && in.accept("texture")) texture = read_texture(in);
+        if (texture && std::exchange(first, false))
+            layer = texture->layers.back();
+        else if (!texture)
+            in.skip();
+    }
+    in.end_block();
+    layer.blend.ignored = word("material_map");
 }
 
 std::shared_ptr<const MaterialThing> PovReader::read_material(Interpreter& in) {

@@ -148,8 +148,9 @@ struct TransformThing : Thing {
 
 /// Transforms everything that has a place in a texture.
 inline void transform(LayerValues& layer, std::span<const Step> steps) {
-    for (Steps* const own : {&layer.pigment.blend.steps, &layer.normal.blend.steps, &layer.blend.steps})
-        append(*own, steps);
+    for (Blend* const own : {&layer.pigment.blend, &layer.normal.blend, &layer.blend})
+        // As in POV-Ray a colour moves, and a pattern in its place later, but there is no normal before it is given.
+        if (own != &layer.normal.blend || *own) append(own->steps, steps);
 }
 
 /// Returns a texture with the layers of another on top.

@@ -232,6 +232,8 @@ TEST_CASE("POV-Ray: what scenes cannot hold is told with its line, once") {
     told("media { emission 1 }", "left out: media");
     told("global_settings { assumed_gamma .5 }", "approximated: assumed_gamma 0.5 is 1");
     told("rainbow { distance 1 }", "left out: a rainbow");
+    told("sphere { 0, 1 texture { material_map { png \"no.png\" texture { pigment { rgb x } } texture { } } } }",
+         "left out: all textures of a material_map but the first");
     told("sphere { 0, 0 }", "left out: a body: a number of it is out of range");
     told("fog { fog_type 2 distance 1 }", "left out: fog without a direction");
     told("fog { distance 1 } fog { distance 2 }", "left out: a second fog");
