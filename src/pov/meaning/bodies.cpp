@@ -180,6 +180,8 @@ std::optional<SceneMaker::Part> SceneMaker::build(const ObjectThing& object, con
         const auto* const mesh = std::get_if<Mesh>(&shape);
         const bool mapped = mesh && !mesh->data->places.empty();
         const int material = material_of(object, around, mapped);
+        if (object.hollow && !contents.fogs.empty() && materials[material].transmits())
+            notes.approximated(object.place, "there is no fog inside a hollow body that light passes");
         part = Part{{std::move(shape), material, transformations_of(steps, mirrored)}, object.inverse};
     } else if (object.kind != ObjectKind::light && object.kind != ObjectKind::nothing) {
         part = build_parts(object, around);

@@ -237,6 +237,8 @@ TEST_CASE("POV-Ray: what scenes cannot hold is told with its line, once") {
     told("sphere { 0, 0 }", "left out: a body: a number of it is out of range");
     told("fog { fog_type 2 distance 1 }", "left out: fog without a direction");
     told("fog { distance 1 } fog { distance 2 }", "left out: a second fog");
+    told("fog { distance 1 } plane { y, 9 hollow pigment { rgbt <1, 1, 1, .5> } }",
+         "approximated: there is no fog inside a hollow body that light passes");
     told("global_settings { radiosity { count 9 } }", "approximated: radiosity");
     told("camera { omnimax }", "approximated: a camera of another projection");
     told("camera { cylinder 3 angle 90 }", "approximated: a camera of another projection");
