@@ -57,6 +57,41 @@ inline std::string sentence(const Mesh& mesh) {
     return far ? text + " translate " + text_of(middle) : text;
 }
 
+/// Returns a prism without its closing brace: if any of its lines is curved, all as the cubic curves of Bezier's that
+/// they are. POV-Ray's lies over its plane of x and z, so that it is turned.
+inline std::string sentence(const Prism& prism) {
+    using Point = Contour::Point;
+    const auto mix = [](const Point& p, const Point& q, double share) {
+        return Point{p[0] + share * (q[0] - p[0]), p[1] + share * (q[1] - p[1])};
+    };
+    bool curved = false;
+    for (const Contour& own : prism.data->contours)
+        for (const Contour::Stroke& step : own.strokes) curved |= !step.straight();
+    std::vector<Point> points;
+    for (const Contour& own : prism.data->contours) {
+        Point from = own.start;
+        const auto add = [&](const Contour::Stroke& step) {
+            points.push_back(from);
+            const auto& [control, end, second] = step;
+            if (curved && second)
+                points.insert(points.end(), {control, *second, end});
+            else if (curved && step.straight())
+                points.insert(points.end(), {mix(from, end, 1. / 3), mix(from, end, 2. / 3), end});
+            else if (curved)
+                points.insert(points.end(), {mix(from, control, 2. / 3), mix(end, control, 2. / 3), end});
+            from = end;
+        };
+        for (const Contour::Stroke& step : own.strokes) add(step);
+        if (from != own.start) add({own.start, own.start});
+        if (!curved) points.push_back(own.start);
+    }
+    std::string text = curved ? "prism { bezier_spline " : "prism { linear_spline ";
+    text += text_of(std::min(prism.base, prism.top)) + ", " + text_of(std::max(prism.base, prism.top)) + ", " +
+            std::to_string(points.size());
+    for (const Point& p : points) text += ", <" + text_of(p[0]) + ", " + text_of(0 - p[1]) + ">";
+    return text + " rotate 90*x";
+}
+
 /// Returns a simple body without its closing brace, in the shape's own space.
 inline std::string sentence(const Shape& shape) {
     const auto join = [](const char* keyword, const auto& first, const auto&... more) {
@@ -75,7 +110,7 @@ inline std::string sentence(const Shape& shape) {
     };
     return std::visit(
         [&]<class Kind>(const Kind& kind) {
-            if constexpr (std::is_same_v<Kind, Mesh>)
+            if constexpr (std::is_same_v<Kind, Mesh> || std::is_same_v<Kind, Prism>)
                 return sentence(kind);
             else if constexpr (is_composite<Kind>)
                 return std::string();

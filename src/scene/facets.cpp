@@ -116,6 +116,26 @@ std::vector<Facet> own_facets(const Mesh& mesh) {
     return facets;
 }
 
+/// Its walls, of curved ones strips, and none of its caps.
+std::vector<Facet> own_facets(const Prism& prism) {
+    std::vector<Facet> facets;
+    const ContourData& data = *prism.data;
+    if (data.pieces.size() > most_triangles) return facets;
+    for (const ContourPiece<double>& piece : data.pieces) {
+        const bool straight = piece.ex == 0 && piece.ey == 0 && piece.dx == 0 && piece.dy == 0;
+        const int strips = straight ? 1 : 4;
+        const auto at = [&](int i, double z) {
+            const double t = double(i) / strips;
+            const double x = piece.ax + t * (2 * piece.hx + t * (piece.ex + t * piece.dx));
+            const double y = piece.ay + t * (2 * piece.hy + t * (piece.ey + t * piece.dy));
+            return DVec3(data.centre[0] + data.unit * x, data.centre[1] + data.unit * y, z);
+        };
+        for (int i = 0; i < strips; ++i)
+            facets.push_back({{at(i, prism.base), at(i + 1, prism.base), at(i + 1, prism.top), at(i, prism.top)}, 0});
+    }
+    return facets;
+}
+
 }  // namespace
 
 std::vector<Facet> facets_of(const Primitive& primitive, const glm::dmat4& outer) {

@@ -63,6 +63,20 @@ std::string places_text(const MeshData& mesh, std::size_t triangle) {
     }
     return text;
 }
+std::string shape_text(const Prism& prism) {
+    const auto point = [](const Contour::Point& p) { return "<" + text_of(p[0]) + ", " + text_of(p[1]) + ">"; };
+    std::string text = std::string(Prism::name) + " { " + text_of(prism.base) + ", " + text_of(prism.top);
+    for (const Contour& own : prism.data->contours) {
+        text += "\n  contour { " + point(own.start);
+        for (const Contour::Stroke& step : own.strokes) {
+            text += step.straight() ? "  line " : "  curve " + point(step.control) + ", ";
+            if (step.second) text += point(*step.second) + ", ";
+            text += point(step.end);
+        }
+        text += " }";
+    }
+    return text;
+}
 std::string shape_text(const Mesh& mesh) {
     if (!mesh.file.empty()) return std::string(Mesh::name) + " { file \"" + mesh.file + "\"";
     std::string text(Mesh::name);

@@ -73,6 +73,7 @@ template <class... Kinds>
 Shape any_kind(Dice& dice, std::type_identity<std::variant<Kinds...>>) {
     const auto make = [&]<class Kind>(Kind body) -> Shape {
         if constexpr (std::is_same_v<Kind, Mesh>) return mesh(dice);
+        if constexpr (std::is_same_v<Kind, Prism>) return random_prism(dice);
         const auto fill = [&](auto& value) {
             if constexpr (std::is_same_v<decltype(value), DVec3&>)
                 value = dice.vector(-1.6, 1.6);
@@ -149,6 +150,21 @@ void furnish(Shape& shape, int material, int levels, Scene& scene, Dice& dice, c
 }
 
 }  // namespace
+
+Prism random_prism(Dice& dice) {
+    std::vector<Contour> contours(1 + static_cast<std::size_t>(dice.upto(2)));
+    const auto point = [&] { return Contour::Point{dice.in(-1.4, 1.4), dice.in(-1.4, 1.4)}; };
+    for (Contour& own : contours) {
+        own.start = point();
+        for (int i = 2 + dice.upto(4); i > 0; --i) {
+            const Contour::Point end = point();
+            own.strokes.push_back({dice.chance(.3) ? end : point(), end});
+            if (dice.chance(.4)) own.strokes.back().second = point();
+        }
+    }
+    const double base = dice.in(-1, .3);
+    return {base, base + dice.in(.2, 1.2), std::make_shared<const ContourData>(std::move(contours))};
+}
 
 Scene random_scene(std::uint64_t seed, const RandomScene& what) {
     Dice dice(seed);

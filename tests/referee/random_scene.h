@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "scene/scene.h"
+#include "tests/referee/dice.h"
 
 namespace strahl {
 
@@ -21,5 +22,8 @@ struct RandomScene {
 /// 2 to 9 bodies, mostly spheres, planes and cylinders, of every kind of material, 1 to 4 lights, within about 4 of the
 /// origin, seen by a camera anywhere around. Two bodies never share a surface (with probability 1).
 Scene random_scene(std::uint64_t seed, const RandomScene& what = {});
+
+/// A prism whose contours are curves, straight lines and both; they may cross each other.
+Prism random_prism(Dice& dice);
 
 }  // namespace strahl

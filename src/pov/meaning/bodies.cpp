@@ -19,6 +19,7 @@ struct Mirroring {
     void operator()(Cuboid& own) const { turn(own.corner), turn(own.opposite); }
     void operator()(Disc& own) const { turn(own.centre), turn(own.normal); }
     void operator()(Torus& own) const { turn(own.centre), turn(own.axis); }
+    void operator()(Prism& own) const { own.base = -own.base, own.top = -own.top; }
     void operator()(Triangle& own) const { turn(own.a), turn(own.b), turn(own.c); }
     void operator()(SmoothTriangle& own) const {
         for (DVec3* const v : {&own.a, &own.b, &own.c, &own.normal_a, &own.normal_b, &own.normal_c}) turn(*v);
@@ -39,8 +40,15 @@ Shape mirrored_shape(Shape shape) {
     return shape;
 }
 
-/// A body that is moved as a whole needs no transformation if its arguments can say so.
+/// A body that is moved as a whole needs no transformation if its arguments can say so, and a prism that was turned up
+/// and down again stays as it is.
 void fold_matrix(Shape& shape, Steps& steps) {
+    const auto turns = [&](std::size_t i, double degrees) {
+        const auto* const rotate = i < steps.size() ? std::get_if<Rotate>(&steps[i]) : nullptr;
+        return rotate && rotate->degrees == DVec3(degrees, 0, 0);
+    };
+    if (std::holds_alternative<Prism>(shape) && turns(0, -90) && turns(1, 90))
+        steps.erase(steps.begin(), steps.begin() + 2);
     auto* const torus = std::get_if<Torus>(&shape);
     const auto* const step = steps.empty() ? nullptr : std::get_if<MatrixStep>(&steps[0]);
     if (!torus || !step) return;

@@ -9,6 +9,7 @@
 #include "num/vec_math.h"
 #include "pov/reading/reader.h"
 #include "pov/things/letters.h"
+#include "pov/things/prisms.h"
 #include "scene/error.h"
 
 namespace strahl::pov {
@@ -206,6 +207,23 @@ bool PovReader::read_surface(Interpreter& in, std::uint16_t code, ObjectThing& o
             in.skip_comma();
             if (low > high) std::swap(low, high);
             const std::vector<Point2> points = read_points(in);
+            const bool open = in.accept("open");
+            if (!conic && !open) {
+                std::vector<Contour> contours = contours_of(kind, points);
+                // It is turned up: y becomes z, and z becomes -y.
+                const auto turn = [](Point2& p) { p[1] = -p[1]; };
+                for (Contour& own : contours) {
+                    turn(own.start);
+                    for (auto& [control, end, second] : own.strokes) {
+                        turn(control), turn(end);
+                        if (second) turn(*second);
+                    }
+                }
+                object.kind = ObjectKind::shape;
+                object.shape = Prism{low, high, std::make_shared<const ContourData>(std::move(contours))};
+                object.steps = {Rotate{{-90, 0, 0}}};
+                return true;
+            }
             std::vector<Outline> outlines;
             if (kind == SplineKind::linear) {
                 Outline own;
@@ -220,11 +238,10 @@ bool PovReader::read_surface(Interpreter& in, std::uint16_t code, ObjectThing& o
                 outlines = outlines_of(lines_of(kind, points));
                 object.approximated("'prism" + mesh);
             }
-            set_mesh(object, swept(std::move(outlines), {.low = low,
-                                                         .high = high,
-                                                         .conic = conic,
-                                                         .caps = !in.accept("open"),
-                                                         .smooth = kind != SplineKind::linear}));
+            set_mesh(
+                object,
+                swept(std::move(outlines),
+                      {.low = low, .high = high, .conic = conic, .caps = !open, .smooth = kind != SplineKind::linear}));
             return true;
         }
         case word("superellipsoid"): {
@@ -360,20 +377,12 @@ void PovReader::read_text_body(Interpreter& in, ObjectThing& object) {
     }
     try {
         object.kind = ObjectKind::unite;
-        for (int i = 0; std::vector<Outline>& outlines : letters_of(path, line)) {
-            MeshData letter = swept(std::move(outlines), {.low = std::min(-depth, 0.),
-                                                          .high = std::max(-depth, 0.),
-                                                          .smooth = true});
-            const auto turn_up = [](DVec3& p) { p = {p.x, p.z, -p.y}; };
-            std::ranges::for_each(letter.points, turn_up);
-            std::ranges::for_each(letter.normals, turn_up);
-            const Steps moved{Translate{double(i++) * offset}};
-            if (!letter.triangles.empty())
-                object.parts.push_back(
-                    part_of(object, Mesh{std::make_shared<const MeshData>(std::move(letter)), ""}, moved));
+        for (int i = 0; const Letter& letter : letters_of(path, line)) {
+            const Steps moved{Translate{DVec3(letter.x, 0, 0) + double(i++) * offset}};
+            const Prism prism{0, depth, letter.contours};
+            if (!prism.fault()) object.parts.push_back(part_of(object, prism, moved));
         }
         object.steps = {Rotate{DVec3(.001)}};  // as POV-Ray turns it, so that rays hardly meet its edges
-        object.approximated("the curves of letters are straight pieces");
     } catch (const FileError& error) {
         object.left_out(std::string("a text: ") + error.what());
     }

@@ -5,6 +5,7 @@
 #include FT_FREETYPE_H
 #include FT_OUTLINE_H
 
+#include <map>
 #include <memory>
 
 #include "files/utf8.h"
@@ -14,58 +15,38 @@
 namespace strahl::pov {
 namespace {
 
-constexpr int pieces = 6;  // of a curve
-
 struct CloseFont {
     void operator()(FT_Library library) const { FT_Done_FreeType(library); }
     void operator()(FT_Face face) const { FT_Done_Face(face); }
 };
 
-/// Collects the outlines of a letter. The points are in units of the font.
-struct OutlineTaker {
-    double em, x;
-    std::vector<Outline> outlines{};
-    Point2 last{};
+using Point = Contour::Point;
 
-    Point2 point(const FT_Vector& v) const { return {x + double(v.x) / em, double(v.y) / em}; }
-    void add(const Point2& p) {
-        if (p != last) outlines.back().push_back(p);
-        last = p;
-    }
-    /// Adds a curve of Bezier's, whose first control point is the last point.
-    void add_curve(const Point2& b, const Point2& c, const Point2& d) {
-        const Point2 a = last;
-        for (int i = 1; i <= pieces; ++i) {
-            const double t = double(i) / pieces, s = 1 - t;
-            const double w[4]{s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t};
-            add(i == pieces ? d
-                            : Point2{w[0] * a[0] + w[1] * b[0] + w[2] * c[0] + w[3] * d[0],
-                                     w[0] * a[1] + w[1] * b[1] + w[2] * c[1] + w[3] * d[1]});
-        }
-    }
+/// Collects the contours of a letter. The points are in units of the font.
+struct ContourTaker {
+    double em;
+    std::vector<Contour> contours{};
+
+    Point point(const FT_Vector& v) const { return {double(v.x) / em, double(v.y) / em}; }
+    int add(const Contour::Stroke& step) { return contours.back().strokes.push_back(step), 0; }
 };
 
 int move_to(const FT_Vector* to, void* user) {
-    auto& own = *static_cast<OutlineTaker*>(user);
-    own.last = own.point(*to);
-    own.outlines.push_back({own.last});
+    auto& own = *static_cast<ContourTaker*>(user);
+    own.contours.push_back({own.point(*to), {}});
     return 0;
 }
 int line_to(const FT_Vector* to, void* user) {
-    auto& own = *static_cast<OutlineTaker*>(user);
-    return own.add(own.point(*to)), 0;
+    auto& own = *static_cast<ContourTaker*>(user);
+    return own.add({own.point(*to), own.point(*to)});
 }
 int conic_to(const FT_Vector* control, const FT_Vector* to, void* user) {
-    auto& own = *static_cast<OutlineTaker*>(user);
-    const Point2 a = own.last, b = own.point(*control), c = own.point(*to);
-    const auto between = [&b](const Point2& end) {
-        return Point2{(end[0] + 2 * b[0]) / 3, (end[1] + 2 * b[1]) / 3};
-    };
-    return own.add_curve(between(a), between(c), c), 0;
+    auto& own = *static_cast<ContourTaker*>(user);
+    return own.add({own.point(*control), own.point(*to)});
 }
 int cubic_to(const FT_Vector* first, const FT_Vector* second, const FT_Vector* to, void* user) {
-    auto& own = *static_cast<OutlineTaker*>(user);
-    return own.add_curve(own.point(*first), own.point(*second), own.point(*to)), 0;
+    auto& own = *static_cast<ContourTaker*>(user);
+    return own.add({own.point(*first), own.point(*to), own.point(*second)});
 }
 
 /// Returns the characters of a text.
@@ -84,7 +65,7 @@ std::u32string characters_of(const std::string& text) {
 
 }  // namespace
 
-std::vector<std::vector<Outline>> letters_of(const std::string& font, const std::string& line) {
+std::vector<Letter> letters_of(const std::string& font, const std::string& line) {
     const auto fault = [&] { return FileError(strahl::quoted(font) + " is not a font with outlines"); };
     FT_Library freetype = nullptr;
     if (FT_Init_FreeType(&freetype)) throw fault();
@@ -97,7 +78,8 @@ std::vector<std::vector<Outline>> letters_of(const std::string& font, const std:
     if (symbols) FT_Select_Charmap(opened, FT_ENCODING_MS_SYMBOL);
     constexpr FT_Outline_Funcs takers{move_to, line_to, conic_to, cubic_to, 0, 0};
     const double em = opened->units_per_EM;
-    std::vector<std::vector<Outline>> letters;
+    std::vector<Letter> letters;
+    std::map<FT_UInt, std::shared_ptr<const ContourData>> known;
     double x = 0;
     FT_UInt before = 0;
     for (const char32_t c : characters_of(line)) {
@@ -110,12 +92,13 @@ std::vector<std::vector<Outline>> letters_of(const std::string& font, const std:
         } else if (FT_Vector kern{}; !FT_Get_Kerning(opened, before, own, FT_KERNING_UNSCALED, &kern)) {
             x += double(kern.x) / em;
         }
-        OutlineTaker taker{.em = em, .x = x};
-        if (FT_Outline_Decompose(&outline, &takers, &taker)) throw fault();
-        for (Outline& each : taker.outlines)
-            if (each.size() > 1 && each.back() == each.front()) each.pop_back();
-        std::erase_if(taker.outlines, [](const Outline& each) { return each.size() < 3; });
-        letters.push_back(std::move(taker.outlines));
+        std::shared_ptr<const ContourData>& contours = known[own];
+        if (!contours) {
+            ContourTaker taker{.em = em};
+            if (FT_Outline_Decompose(&outline, &takers, &taker)) throw fault();
+            contours = std::make_shared<const ContourData>(std::move(taker.contours));
+        }
+        letters.push_back({contours, x});
         x += double(opened->glyph->metrics.horiAdvance) / em;
         before = own;
     }

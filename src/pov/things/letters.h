@@ -1,15 +1,22 @@
-// Letters of TrueType fonts as outlines.
+// Letters of TrueType fonts as plane figures.
 #pragma once
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "pov/things/outlines.h"
+#include "scene/kinds/contours.h"
 
 namespace strahl::pov {
 
-/// Returns the outlines of each letter of a line, in UTF-8. The first one begins at x = 0, all stand on y = 0, and the
-/// font's em is 1. They follow each other as in POV-Ray: by their widths, and by the font's table `kern`. Throws
-/// FileError if the font cannot be read.
-std::vector<std::vector<Outline>> letters_of(const std::string& font, const std::string& line);
+/// A letter, and by how much it is moved to the right. Equal letters share their contours.
+struct Letter {
+    std::shared_ptr<const ContourData> contours;
+    double x;
+};
+
+/// Returns the letters of a line, in UTF-8. The first one begins at x = 0, all stand on y = 0, and the font's em is 1.
+/// They follow each other as in POV-Ray: by their widths, and by the font's table `kern`. Throws FileError if the font
+/// cannot be read.
+std::vector<Letter> letters_of(const std::string& font, const std::string& line);
 
 }  // namespace strahl::pov

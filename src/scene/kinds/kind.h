@@ -65,7 +65,7 @@ consteval bool check_kind() {
     static_assert(
         Kind::max_crossings >= 1 && Kind::max_crossings <= (Kind::convex ? 2 : 4),
         "kernels of convex kinds answer with a Span, which has room for two crossings, others with Crossings");
-    static_assert(Kind::convex || Kind::faces == 1, "Crossings tell no faces");
+    static_assert(Kind::convex || Kind::faces <= 1, "Crossings tell no faces");
     static_assert(
         requires(const Kind k) { static_cast<const char*>(k.fault()); },
         "a kind has a `fault()`: why its values make no body, or nullptr");
@@ -85,7 +85,7 @@ consteval bool check_kind() {
         "a kind emits its items: `emit<T>(to_world, emit)`");
     static_assert(
         std::tuple_size_v<std::remove_cvref_t<decltype(Kind::fields)>> == 0 ||
-            requires(const Kind k) { std::tuple_size<decltype(k.pov())>::value; },
+            requires(const Kind k) { std::tuple_size<decltype(k.pov())>::value; } || requires(const Kind k) { k.data; },
         "a kind has its POV-Ray words: `pov()`, a tuple of keyword and arguments; `pov_more()`, if it has that, "
         "follows");
     return true;

@@ -11,6 +11,7 @@
 #include "scene/kinds/kind.h"
 #include "scene/kinds/mesh.h"
 #include "scene/kinds/plane.h"
+#include "scene/kinds/prism.h"
 #include "scene/kinds/smooth_triangle.h"
 #include "scene/kinds/sphere.h"
 #include "scene/kinds/torus.h"
@@ -18,8 +19,8 @@
 
 namespace strahl {
 
-using Shape = std::variant<Sphere, Plane, Cylinder, Cone, Cuboid, Disc, Torus, Triangle, SmoothTriangle, Mesh, Union,
-                           Intersection, Difference>;
+using Shape = std::variant<Sphere, Plane, Cylinder, Cone, Cuboid, Disc, Torus, Prism, Triangle, SmoothTriangle, Mesh,
+                           Union, Intersection, Difference>;
 
 /// Can it be a part of a composite? Meshes can if they are closed.
 bool fits_composite(const Shape& shape);

@@ -90,6 +90,33 @@ Mesh MeshBlock::take(std::string_view word, Block& block) {
     return {std::make_shared<const MeshData>(std::move(inline_data)), ""};
 }
 
+Contour read_contour(BlockReader& reader, std::string_view word, Block& block) {
+    Contour contour;
+    Block own{word};
+    reader.block(
+        own, contour_words, [&] { reader.read(contour.start, coordinates, "start", own); },
+        [&](std::string_view inner) {
+            if (!contains(contour_words, inner)) return false;
+            Contour::Stroke step;
+            const bool curve = inner == contour_words[1];
+            reader.read(curve ? step.control : step.end, coordinates, curve ? "control point" : "end", own);
+            if (curve) {
+                reader.lexer.accept(',');
+                reader.read(step.end, coordinates, "end", own);
+                if (reader.lexer.accept(',') || reader.lexer.at_value()) {
+                    step.second = step.end;
+                    reader.read(step.end, coordinates, "end", own);
+                }
+            } else {
+                step.control = step.end;
+            }
+            contour.strokes.push_back(step);
+            return true;
+        });
+    block.absorb(own);
+    return contour;
+}
+
 std::string open_mesh_fault(const Mesh& mesh) {
     const auto side = open_side(*mesh.data);
     if (!side) return "";

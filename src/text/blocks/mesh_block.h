@@ -1,4 +1,4 @@
-// Reads the contents of a `mesh` block: triangles, or the name of a file.
+// Reads the contents of a `mesh` block: triangles, or the name of a file; and the contours of a `prism`.
 #pragma once
 #include <array>
 #include <memory>
@@ -7,6 +7,7 @@
 #include "mesh/join.h"
 #include "scene/kinds/composite.h"
 #include "scene/kinds/mesh.h"
+#include "scene/kinds/prism.h"
 #include "text/reading/reader.h"
 
 namespace strahl {
@@ -49,6 +50,9 @@ class MeshBlock {
     MeshData inline_data;  // all but its points, normals and places
     PointJoiner points, normals, places;
 };
+
+/// Reads the block of a contour.
+Contour read_contour(BlockReader& reader, std::string_view word, Block& block);
 
 /// Why a body of this word cannot be part of another one; empty if it can.
 std::string open_mesh_fault(const Mesh& mesh);

@@ -88,7 +88,7 @@ class CompositeWalk {
             S ahead = next(t);
             if (list_count > 0)
                 each_leaf([&](int i) {
-                    if (leaf(i).nodes && look_ahead(i, lanes, t, ahead)) ahead = next(t);
+                    if (leaf(i).listed && look_ahead(i, lanes, t, ahead)) ahead = next(t);
                 });
             t = ahead;
             lanes = lanes & (t < S(inf)) & (t <= whole.high);
@@ -252,14 +252,14 @@ class CompositeWalk {
     /// Finds the spans of rays in leaf i, and shortens the stretch to them. Returns whether it is anywhere then.
     STRAHL_INLINE bool cross(int i, Reach& stretch) {
         const CompositeLeaf& own = leaf(i);
-        if (!own.nodes && none(reached(world.composites.balls[composite.first_leaf + i], stretch))) return false;
+        if (!own.listed && none(reached(world.composites.balls[composite.first_leaf + i], stretch))) return false;
         cross_leaf(own, stretch, ends[i]);
         return any(stretch.lanes());
     }
     /// Does so for rays that may meet it. Faces in the same place share a key, and so are crossed at the same t: planes
     /// by being one, others by their own equal formulas. A ray that starts on one of them starts on all of these.
     [[gnu::noinline]] void cross_leaf(const CompositeLeaf& own, Reach& stretch, LeafEnds<S>& end) {
-        if (own.nodes) return cross_mesh(own, stretch, end);
+        if (own.listed) return cross_mesh(own, stretch, end);
         const std::int32_t* const keys =
             world.composites.face_keys + composite.first_key + (own.surface - composite.surface);
         if (own.half_space != 0)

@@ -23,11 +23,11 @@ template <class S>
 struct LeafEnds {
     S near[2], far[2], near_face, far_face;
     int pairs;
-    int list;  // of a mesh: the number of the list of its crossings
+    int list;  // of a leaf whose crossings are listed: the number of the list
 };
 
-/// Lists where rays cross the triangles of a mesh beyond some distance: the nearest places, ascending, at infinity if
-/// there are fewer, each with the least number of the surfaces there.
+/// Lists where rays cross the triangles of a mesh, or a prism, beyond some distance: the nearest places, ascending, at
+/// infinity if there are fewer, each with the least number of the surfaces there.
 template <class S>
 struct MeshCrossings {
     static constexpr int most = 8;
@@ -148,6 +148,11 @@ struct KindCalls {
 };
 template <class S>
 struct KindCalls<Union, S> {
+    static constexpr std::size_t forms = 1;
+    static const std::array<FormCalls<S>, 1> calls;
+};
+template <class S>
+struct KindCalls<Prism, S> {
     static constexpr std::size_t forms = 1;
     static const std::array<FormCalls<S>, 1> calls;
 };

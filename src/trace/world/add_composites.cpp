@@ -18,6 +18,7 @@ int faces_of_leaf(const Kind&) {
     return Kind::faces;
 }
 int faces_of_leaf(const Mesh& mesh) { return static_cast<int>(mesh.data->triangles.size()); }
+int faces_of_leaf(const Prism& prism) { return prism.face_count(); }
 
 /// Adds the leaves of one composite.
 template <class T>
@@ -91,7 +92,8 @@ class CompositeBuilder {
             using Own = Item<FormAt<form, Forms>, T>;
             constexpr std::size_t fields = sizeof(Own) / sizeof(T);
             const auto surface = static_cast<T>(next_surface + static_cast<int>(boxes.size()));
-            const Own item{kernel, surface, static_cast<T>(material)};
+            Own item{kernel, surface, static_cast<T>(material)};
+            if constexpr (std::is_same_v<Kind, Prism>) item.shape.first = arrays.first_piece_of(shape);
             std::vector<T>& numbers = leaf_numbers[form];
             if (leaf.form < 0) leaf.item = arrays.forms[form].count + static_cast<int>(numbers.size() / fields);
             leaf.form = form;
@@ -104,6 +106,11 @@ class CompositeBuilder {
         if constexpr (std::is_same_v<Kind, Mesh>) {
             meshes.push_back({shape.data.get(), m, tables.leaves.size()});
             return add_mesh(leaf, boxes);
+        }
+        if constexpr (std::is_same_v<Kind, Prism>) {
+            prisms.push_back({{shape.base, shape.top}, m, tables.leaves.size()});
+            const Box box = transformed(shape.bounds(), to_world.matrix);
+            return add_prism(leaf, {to_world.place(box.low), to_world.place(box.high)});
         }
         leaf.first_key = most_planes + 8 * equal_leaf(leaf);
         for (int face = 0; face < Kind::faces; ++face) {
@@ -144,6 +151,7 @@ class CompositeBuilder {
             for (int c = 0; c < node->children; ++c)
                 if (node->leaves[c] != 0) node->first[c] += leaf.item;
         own.order.reset();
+        leaf.listed = true;
         leaf.nodes = own.nodes.get();
         for (int c = 0; c < 3; ++c) {
             const auto &low = leaf.nodes->low[c], &high = leaf.nodes->high[c];
@@ -151,14 +159,30 @@ class CompositeBuilder {
             leaf.high[c] = *std::max_element(high, high + leaf.nodes->children);
         }
         tables.mesh_hierarchies.push_back(std::move(own));
-        leaf.first_key = mesh_key(leaf);
-        for (std::int32_t i = 0; i < size; ++i) tables.face_keys.push_back(leaf.first_key + i);
-        next_surface += size;
+        add_listed(leaf);
+    }
+    void add_prism(CompositeLeaf& leaf, const Box& box) {
+        leaf.listed = true;
+        double reach = 0;
+        for (int c = 0; c < 3; ++c) reach = std::max({reach, std::abs(box.low[c]), std::abs(box.high[c])});
+        const double margin = WorldArrays<T>::rounding(reach);
+        // Rounded outwards, for the next crossings are looked for from the box on.
+        constexpr float inf = std::numeric_limits<float>::infinity();
+        for (int c = 0; c < 3; ++c) {
+            leaf.low[c] = std::nextafter(static_cast<float>(box.low[c] - margin), -inf);
+            leaf.high[c] = std::nextafter(static_cast<float>(box.high[c] + margin), inf);
+        }
+        add_listed(leaf);
+    }
+    void add_listed(CompositeLeaf& leaf) {
+        leaf.first_key = first_key(leaf);
+        for (std::int32_t i = 0; i < leaf.faces; ++i) tables.face_keys.push_back(leaf.first_key + i);
+        next_surface += leaf.faces;
         tables.leaves.push_back(leaf);
         tables.steps.push_back(CompositeStep::leaf);
     }
-    /// Returns the key of a mesh's first triangle: that of the first mesh with the same numbers.
-    std::int32_t mesh_key(const CompositeLeaf& own) const {
+    /// Returns the key of the first face of a mesh or a prism: that of the first one with the same numbers.
+    std::int32_t first_key(const CompositeLeaf& own) const {
         const int equal = equal_leaf(own);
         const std::size_t count = tables.leaves.size() - info.first_leaf;
         if (equal < static_cast<int>(count)) return tables.leaves[info.first_leaf + equal].first_key;
@@ -173,31 +197,38 @@ class CompositeBuilder {
         tables.planes.push_back({cast<T>(there.normal), static_cast<T>(dot_product(there.normal, point))});
         return static_cast<std::int32_t>(planes.size()) - 1;
     }
-    /// Gives triangles in a plane with a face of another part the key of that plane, as long as there is one left.
+    /// Gives triangles and the caps of prisms in a plane with a face of another part the key of that plane, as long as
+    /// there is one left.
     void share_planes() {
-        if (meshes.empty() || tables.leaves.size() - info.first_leaf < 2) return;
+        if ((meshes.empty() && prisms.empty()) || tables.leaves.size() - info.first_leaf < 2) return;
         constexpr std::int32_t none = -1;
         struct User {
-            std::int32_t key, mesh;  // that of the plane, and of the first triangle of the mesh that has it alone
+            std::int32_t key, leaf;  // that of the plane, and of the first face of the leaf that has it alone
         };
         std::unordered_map<PlaneNumbers, User, PlaneNumbers::Hash> users;
         for (std::size_t i = 0; i < planes.size(); ++i) users[planes[i]] = {static_cast<std::int32_t>(i), none};
-        const auto each_triangle = [&](const auto& visit) {
+        const auto each_face = [&](const auto& visit) {
             for (const MeshLeaf& mesh : meshes)
                 for (std::size_t i = 0; i < mesh.data->triangles.size(); ++i) {
                     const PlaneNumbers plane(plane_of_triangle(*mesh.data, mesh.data->triangles[i], mesh.matrix));
                     if (std::isfinite(plane.distance)) visit(tables.leaves[mesh.leaf], static_cast<int>(i), plane);
                 }
+            for (const PrismLeaf& prism : prisms)
+                for (int i = 0; i < 2; ++i) {
+                    const double z = i == 0 ? std::ranges::min(prism.ends) : std::ranges::max(prism.ends);
+                    const PlaneNumbers plane(moved({{0, 0, z}, {0, 0, i == 0 ? -1. : 1.}}, prism.matrix));
+                    visit(tables.leaves[prism.leaf], i, plane);
+                }
         };
-        each_triangle([&](const CompositeLeaf& leaf, int, const PlaneNumbers& plane) {
+        each_face([&](const CompositeLeaf& leaf, int, const PlaneNumbers& plane) {
             User& user = users.try_emplace(plane, User{none, leaf.first_key}).first->second;
-            if (user.key == none && user.mesh != leaf.first_key && planes.size() < most_planes)
+            if (user.key == none && user.leaf != leaf.first_key && planes.size() < most_planes)
                 user.key = plane_key(plane);
         });
-        each_triangle([&](CompositeLeaf& leaf, int triangle, const PlaneNumbers& plane) {
+        each_face([&](CompositeLeaf& leaf, int face, const PlaneNumbers& plane) {
             const std::int32_t key = users.find(plane)->second.key;
             if (key == none) return;
-            tables.face_keys[info.first_key + leaf.surface - info.surface + triangle] = key;
+            tables.face_keys[info.first_key + leaf.surface - info.surface + face] = key;
             leaf.in_planes = true;
         });
     }
@@ -237,6 +268,12 @@ class CompositeBuilder {
         std::size_t leaf;
     };
     std::vector<MeshLeaf> meshes;
+    struct PrismLeaf {
+        std::array<double, 2> ends;
+        glm::dmat4 matrix;
+        std::size_t leaf;
+    };
+    std::vector<PrismLeaf> prisms;
 };
 
 }  // namespace
@@ -246,10 +283,11 @@ int faces_of(const Shape& shape) {
     return sum_of_leaves(shape, [&](const auto& kind) { return item ? Mesh::faces : faces_of_leaf(kind); });
 }
 
-/// Adds the leaves of all composites. They follow the items of their forms.
+/// Adds the leaves of all composites, which follow the items of their forms, and notes where the faces of prisms are.
 template <class T>
 void WorldArrays<T>::add_composites(const Scene& scene, const Placement& placement, ThreadPool& pool, bool proves) {
-    if (forms[place_of<CompositeForm>(Forms{})].count == 0) return;
+    constexpr int prism_form = place_of<PrismForm>(Forms{});
+    if (forms[place_of<CompositeForm>(Forms{})].count == 0 && forms[prism_form].count == 0) return;
     std::array<std::vector<T>, Forms::size> leaf_numbers;
     ItemCounts before;
     for (std::size_t i = 0; i < scene.primitives.size(); ++i) {
@@ -276,10 +314,17 @@ void WorldArrays<T>::add_composites(const Scene& scene, const Placement& placeme
     for (const Hierarchy& own : composites.mesh_hierarchies) add_columns(own, pool);
     auto& [list, leaves, balls, steps, planes, hierarchies, face_keys, leaf_faces] = composites;
     leaf_faces.assign(surfaces, -1);
+    const auto refer_to = [&](int form, std::int32_t surface, std::int32_t item, int face) {
+        references[1 + surface] = {item, form};  // each form has one bin
+        leaf_faces[surface] = face;
+    };
+    const auto* const all = reinterpret_cast<const Item<PrismForm, T>*>(forms[prism_form].numbers.get());
+    for (int i = 0; i < forms[prism_form].count; ++i)
+        for (int face = 0; face < static_cast<int>(all[i].shape.count) + 2; ++face)
+            refer_to(prism_form, static_cast<int>(all[i].surface) + face, i, face);
     for (const CompositeLeaf& leaf : leaves) {
         const auto refer = [&](std::int32_t surface, std::int32_t item, int face) {
-            references[1 + surface] = {item, leaf.form};  // each form has one bin
-            leaf_faces[surface] = face;
+            refer_to(leaf.form, surface, item, face);
         };
         const std::size_t fields = traits[leaf.form].fields;
         const T* const numbers = forms[leaf.form].numbers.get();

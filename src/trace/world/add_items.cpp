@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "scene/leaves.h"
 #include "scene/overlap.h"
 #include "trace/world/extended_numbers.h"
 #include "trace/world/world_arrays.h"
@@ -18,6 +19,7 @@ struct PutItems {
     const Box& box;
     T material;
     int faces;
+    T first_piece;
 
     template <class K>
     void operator()(const K& kernel) const {
@@ -27,6 +29,7 @@ struct PutItems {
         auto* const items = reinterpret_cast<Item<FormAt<number, Forms>, T>*>(own.numbers.get());
         items[i] = {kernel, static_cast<T>(before.surfaces), material};
         if constexpr (requires { kernel.number; }) items[i].shape.number = static_cast<T>(i);
+        if constexpr (requires { kernel.first; }) items[i].shape.first = first_piece;
         if constexpr (requires { kernel.bounds(); })
             own.boxes[i] = item_box(kernel.bounds(), number);  // one of many of a body
         else
@@ -36,6 +39,19 @@ struct PutItems {
 };
 
 }  // namespace
+
+/// Adds the pieces of prisms, those that prisms share once.
+template <class T>
+void WorldArrays<T>::add_contours(const Scene& scene) {
+    for (const Primitive& primitive : scene.primitives)
+        for_each_leaf(primitive, [&](const Primitive& leaf, const glm::dmat4&) {
+            const auto* const prism = std::get_if<Prism>(&leaf.shape);
+            if (!prism || !first_pieces.try_emplace(prism->data.get(), T(contour_pieces.size())).second) return;
+            for (const auto& [ax, ay, cx, cy, hx, hy, ex, ey, dx, dy] : prism->data->pieces)
+                contour_pieces.push_back({T(ax), T(ay), T(cx), T(cy), T(hx), T(hy), T(ex), T(ey), T(dx), T(dy)});
+        });
+    world.contour_pieces = contour_pieces.data();
+}
 
 template <class T>
 void WorldArrays<T>::add_items(const Scene& scene, const Placement& placement, ThreadPool& pool, bool proves) {
@@ -58,6 +74,7 @@ void WorldArrays<T>::add_items(const Scene& scene, const Placement& placement, T
         next_box += all.items[form];
     }
     surfaces = static_cast<int>(all.surfaces);
+    add_contours(scene);
 
     std::vector<double> reaches(before.size());
     share_out(pool, size, share_items, [&](std::int32_t first, std::int32_t last) {
@@ -79,7 +96,7 @@ void WorldArrays<T>::add_items(const Scene& scene, const Placement& placement, T
                 [&](const auto& shape) {
                     const int faces = faces_of(primitive.shape);
                     emit_in<T>(shape, to_world, primitive.transformations,
-                               PutItems<T>{*this, own, box, material, faces}, proves);
+                               PutItems<T>{*this, own, box, material, faces, first_piece_of(primitive.shape)}, proves);
                 },
                 primitive.shape);
         }

@@ -19,6 +19,8 @@ double most_crossings(const Shape& shape) {
         []<class Kind>(const Kind& kind) -> double {
             if constexpr (requires { kind.data->triangles; })
                 return static_cast<double>(kind.data->triangles.size());
+            else if constexpr (requires { kind.data->pieces; })
+                return 2. * kind.face_count();
             else
                 return std::max(2, Kind::max_crossings);
         },

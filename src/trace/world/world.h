@@ -103,6 +103,8 @@ struct Group {
 
 /// The form of all composites.
 using CompositeForm = Form<Union, 0>;
+/// The form of all prisms.
+using PrismForm = Form<Prism, 0>;
 
 /// A plane that faces of a composite's parts lie in: normal . x = distance.
 template <class T>
@@ -121,10 +123,11 @@ struct CompositeLeaf {
     std::int32_t form, item, material;
     std::int32_t surface, faces;  // the number of its first face, and how many it has
     std::int32_t half_space;      // of a half-space 1 if it is behind its plane's normal, -1 if before it; else 0
+    bool listed = false;          // a mesh or a prism, which rays cross any number of times: these crossings are listed
     const Node* nodes = nullptr;  // of a mesh: the hierarchy of its triangles, which are the items from `item` on
-    std::int32_t first_key = 0;   // of its first face, or of a mesh its first triangle, if that has one of its own
-    bool in_planes = false;       // of a mesh: some of its triangles have the keys of planes
-    float low[3] = {}, high[3] = {};  // of a mesh: the box around it, as the hierarchy's are
+    std::int32_t first_key = 0;   // of its first face; if listed, if that has one of its own
+    bool in_planes = false;       // if listed: some of its faces have the keys of planes
+    float low[3] = {}, high[3] = {};  // if listed: the box around it, as the hierarchy's are
     // Say, at the first leaf of what an intersection is made with or a difference takes away, which step does so, and
     // how many leaves there are up to it. Where no body comes before that leaf, nothing is left by the step either, so
     // that these leaves are not looked at.
@@ -176,7 +179,7 @@ struct FewBodies {
     static constexpr int cone_stride = most_item_bins + 16;  // a pack may be read past the end
 };
 
-/// Arrays of all composites and their leaves. Null in worlds without composites.
+/// Arrays of all composites and their leaves. Null in worlds without composites, but for the last one.
 template <class T>
 struct CompositeTables {
     const CompositeInfo* list = nullptr;  // by the number in a composite's kernel
@@ -185,7 +188,8 @@ struct CompositeTables {
     const CompositeStep* steps = nullptr;
     const CompositePlane<T>* planes = nullptr;
     const std::int32_t* face_keys = nullptr;
-    const std::int32_t* leaf_faces = nullptr;  // by surface: which face of its leaf it is, -1 if it is of none
+    // By surface: which face of its leaf, or of a prism, it is; -1 if it is of none. Also in worlds with prisms alone.
+    const std::int32_t* leaf_faces = nullptr;
 };
 
 /// Patterns of materials and of the background. Materials with patterns follow those without: each as often as there
@@ -255,6 +259,7 @@ struct World {
 
     FewBodies<T> few;
     CompositeTables<T> composites;
+    const ContourPiece<T>* contour_pieces = nullptr;  // of all prisms
     PatternTables<T> patterns;
     MediumTables<T> media;
     FinishTables<T> finishes;

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <memory>
 #include <type_traits>
+#include <unordered_map>
 #include <vector>
 
 #include "num/buffer.h"
@@ -156,6 +157,8 @@ struct WorldArrays {
     std::vector<LightKernel<T>> lights;
     FewBodiesArrays<T> few;
     CompositeArrays<T> composites;
+    std::vector<ContourPiece<T>> contour_pieces;  // of all prisms, and where those of each figure begin
+    std::unordered_map<const ContourData*, T> first_pieces;
     PatternArrays<T> patterns;
     MediumArrays<T> media;
     FinishArrays<T> finishes;
@@ -171,6 +174,12 @@ struct WorldArrays {
     /// Returns by how much coordinates may be off, the largest of them being `furthest`.
     static double rounding(double furthest) { return 32 * culling_unit<T> * furthest; }
     // add_items.cpp
+    void add_contours(const Scene& scene);
+    /// Returns the number of a prism's first piece.
+    T first_piece_of(const Shape& shape) const {
+        const auto* const prism = std::get_if<Prism>(&shape);
+        return prism ? first_pieces.at(prism->data.get()) : T(0);
+    }
     void add_items(const Scene& scene, const Placement& placement, ThreadPool& pool, bool proves);
     // arrange_items.cpp
     void arrange_items(ThreadPool& pool);

@@ -190,9 +190,8 @@ TEST_CASE("POV-Ray: a box that is flat is a rectangle") {
 
 TEST_CASE("POV-Ray: curved bodies become closed meshes") {
     for (const std::string& text :
-         {"superellipsoid { <.5, .5> }", "prism { 0, 1, 4, <0, 0>, <1, 0>, <0, 1>, <0, 0> }",
-          "sor { 5, <.5, -.5>, <.5, 0>, <.8, .5>, <.3, 1>, <.2, 1.5> }", "lathe { 3, <0, 0>, <1, .5>, <0, 1> }",
-          "prism { conic_sweep 0, 1, 4, <0, 0>, <1, 0>, <0, 1>, <0, 0> }"}) {
+         {"superellipsoid { <.5, .5> }", "sor { 5, <.5, -.5>, <.5, 0>, <.8, .5>, <.3, 1>, <.2, 1.5> }",
+          "lathe { 3, <0, 0>, <1, .5>, <0, 1> }", "prism { conic_sweep 0, 1, 4, <0, 0>, <1, 0>, <0, 1>, <0, 0> }"}) {
         const Scene scene = opened("difference { " + text + " sphere { 9, .1 } }").scene;
         CAPTURE(text);
         REQUIRE(scene.primitives.size() == 1);
@@ -247,6 +246,25 @@ TEST_CASE("POV-Ray: prisms have holes, and what is within these") {
         whole("prism { 0, 1, 8, <0, 0>, <3, 0>, <0, 3>, <0, 0>, <.5, .5>, <.5, 1>, <1, .5>, <.5, .5> }");
     CHECK(contains(frame.primitives.at(0), {.2, .5, .2}));
     CHECK_FALSE(contains(frame.primitives[0], {.6, .5, .6}));
+    // Straight lines and parabolas stay what they are.
+    const auto prism = [](const std::string& words) { return shape<Prism>(whole("prism { " + words + " }")); };
+    CHECK(prism("bezier_spline 0, 1, 8, <0, 0>, <1, 0>, <2, 0>, <3, 0>, <3, 0>, <2, 2>, <1, 2>, <0, 0>") ==
+          Prism{0, 1,
+                std::make_shared<const ContourData>(
+                    std::vector<Contour>{{{0, -0.}, {{{3, -0.}, {3, -0.}}, {{1.5, -3}, {0, -0.}}}}})});
+    const Prism rounded = prism(
+        "quadratic_spline 0, 1, 10, <0, -1>, <1, 0>, <0, 1>, <-1, 0>, <1, 0>, "
+        "<9, 9>, <3, 0>, <4, 1>, <5, 0>, <3, 0>");
+    CHECK(rounded.data->contours.size() == 2);
+    CHECK(rounded.contains({.1, -.1, .5}));
+    CHECK(rounded.contains({4, -.4, .5}));
+    CHECK_FALSE(rounded.contains({2, -.2, .5}));
+    const Prism cubic = prism("cubic_spline 0, 1, 6, <0, -1>, <1, 0>, <0, 1>, <-1, 0>, <1, 0>, <0, 3>");
+    CHECK(cubic.data->contours.at(0).strokes.size() == 3);
+    CHECK(cubic.contains({0, -.9, .5}));
+    CHECK(says(notes_of("\nprism { cubic_spline conic_sweep 0, 1, 6, <0, -1>, <1, 0>, <0, 1>, <-1, 0>, <1, 0>, "
+                        "<0, 3> }"),
+               "approximated: 'prism' is a mesh of flat pieces"));
 }
 
 TEST_CASE("POV-Ray: height fields of functions") {
@@ -289,26 +307,26 @@ TEST_CASE("POV-Ray: letters are solid, and follow each other as in POV-Ray") {
     const auto font = folders[0] + "/timrom.ttf";
     std::string all;
     for (char c = '!'; c <= '~'; ++c) all += c;
-    for (const std::vector<pov::Outline>& letter : pov::letters_of(font, all)) {
-        std::vector<pov::Outline> turned = letter;
-        double area = 0;
-        for (const pov::Outline& own : pov::turned_as_faces(turned))
-            for (std::size_t i = 0; i < own.size(); ++i) {
-                const pov::Point2 &p = own[i], &q = own[(i + 1) % own.size()];
-                area += (p[0] * q[1] - p[1] * q[0]) / 2;
-            }
-        check_solid(pov::swept(letter, {.smooth = true}), area);
+    for (const pov::Letter& letter : pov::letters_of(font, all)) {
+        CHECK(letter.contours->half[0] > 0);
+        const auto& pieces = letter.contours->pieces;
+        double x = 0, y = 0;  // all around a closed contour
+        for (const auto& piece : pieces) x += piece.cx - piece.ax, y += piece.cy - piece.ay;
+        CHECK(std::fabs(x) + std::fabs(y) < 1e-12);
     }
     const auto begin = [&](const std::string& line) {  // of the last letter
-        double least = 9;
-        const std::vector<pov::Outline> last = pov::letters_of(font, line).back();
-        for (const pov::Outline& own : last)
-            for (const pov::Point2& p : own) least = std::min(least, p[0]);
-        return least;
+        const pov::Letter last = pov::letters_of(font, line).back();
+        return last.x + last.contours->centre[0] - last.contours->half[0];
     };
-    CHECK(begin("A") == 0);
+    CHECK(begin("A") == doctest::Approx(0));
     CHECK(begin("AV") < begin("AH") - .05);  // they are moved together
-    CHECK(pov::letters_of(font, "A A").at(1).empty());
+    const std::vector<pov::Letter> three = pov::letters_of(font, "A A");
+    CHECK(three.at(1).contours->pieces.empty());
+    CHECK(three.at(2).contours == three.at(0).contours);  // equal letters share them
+    const Prism ring{0, .5, pov::letters_of(font, "O").at(0).contours};
+    const Box box = ring.bounds();
+    CHECK(ring.contains({box.low.x + .05, box.centre().y, .25}));
+    CHECK_FALSE(ring.contains(box.centre()));
     CHECK(pov::letters_of(font, "\xC3\x84\xE2\x82\xAC").size() == 2);
     CHECK(says(fault_of([&] { pov::letters_of(__FILE__, "A"); }), "is not a font with outlines"));
 }

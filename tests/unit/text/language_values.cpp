@@ -1,5 +1,6 @@
 // The scene language: values, bodies, cameras and flythroughs that cannot be.
 #include "tests/unit/text/language.h"
+#include "text/write.h"
 
 using namespace strahl;
 using namespace strahl::language;
@@ -55,6 +56,27 @@ TEST_CASE("an argument that may be left out") {
     CHECK(scene.primitives.at(0).shape == Shape(Disc{{1, 2, 3}, {0, 0, 2}, 4, 0}));
     CHECK(scene.primitives.at(1).shape == Shape(Disc{{1, 2, 3}, {0, 0, 2}, 4, 1.5}));
     CHECK(scene.primitives.at(1).transformations.size() == 1);
+}
+
+TEST_CASE("contours of prisms are closed lines of straight ones and curves") {
+    const Scene scene = parse(eye +
+                              "prism { 0, 2 contour { <0,0> line <2,0> curve <2,2>, <0,2> } "
+                              "contour { <.5,.5> curve <.5,1> <1,1> curve <1,.8>, <.9,.6>, <.7,.5> } "
+                              "translate <0,0,1> }");
+    const auto& prism = std::get<Prism>(scene.primitives.at(0).shape);
+    CHECK(prism.top == 2);
+    const std::vector<Contour> wanted{{{0, 0}, {{{2, 0}, {2, 0}}, {{2, 2}, {0, 2}}}},
+                                      {{.5, .5}, {{{.5, 1}, {1, 1}}, {{1, .8}, {.7, .5}, {{.9, .6}}}}}};
+    CHECK(prism.data->contours == wanted);
+    CHECK(prism.data->pieces.size() == 6);
+    CHECK(parse(write_scene(scene)) == scene);
+    check_fault("prism { 0, 1 }", "2:1: invalid prism: it has no area");
+    check_fault("prism { 0, 1 contour { <0,0> line <0,1> line <0,2> } }", "2:1: invalid prism: it has no area");
+    check_fault("prism { 1, 1 contour { <0,0> line <1,1> line <2,1> } }",
+                "2:1: invalid prism: its base and its top have the same height");
+    check_fault("prism { 0, 1 contour { <0,0> line <1,1e10> line <2,1> } }",
+                "2:38: 'end' of 'contour' must be from -1e9 to 1e9, not '1e10'");
+    CHECK(faults(eye + "prism { 0, 1 contour { <0,0> curv <1,1> <2,1> } }").at(0).find("'curve'") != std::string::npos);
 }
 
 TEST_CASE("directions are turned and stretched with their bodies, and not moved") {

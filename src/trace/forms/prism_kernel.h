@@ -1,0 +1,102 @@
+// Ray queries on prisms, whose faces are as many as the pieces of their contours.
+#pragma once
+#include "trace/forms/form_kernel.h"
+
+namespace strahl::inline STRAHL_LEVEL {
+
+template <class S>
+struct FormFunctions<PrismForm, S> {
+    using T = Element<S>;
+    static void intersect(const World<T>& world, int first, int count, const Ray<S>& ray, Mask<S> mask,
+                          Nearest<S>& best) {
+        for (int i = first; i < first + count; ++i)
+            each_crossing(world, i, ray, mask, [&](Mask<S> lanes, const S& t, const S& surface) {
+                const Mask<S> better = lanes & (t > S(0)) & closer(t, surface, best.t, best.surface);
+                best.t = select(better, t, best.t);
+                best.surface = select(better, surface, best.surface);
+            });
+    }
+    static void intersect_single(const World<T>& world, int first, int count, SingleRay<S>& single) {
+        Nearest<S> best;
+        best.t = S(single.t), best.surface = S(single.surface);
+        intersect(world, first, count, single.ray, first_lanes<S>(1), best);
+        single.t = lane(best.t, 0), single.surface = lane(best.surface, 0);
+    }
+    static bool occlude(const World<T>& world, int first, int count, const Ray<S>& ray, const S& distance, Mask<S> mask,
+                        Transmission<S>& light) {
+        for (int i = first; i < first + count; ++i) {
+            const auto& item = items(world)[i];
+            const bool clear = transparent(world, item), painted = patterned(world, static_cast<int>(item.material));
+            each_crossing(world, i, ray, mask, [&](Mask<S> lanes, const S& t, const S& surface) {
+                lanes = lanes & (t > S(0)) & (t < distance);
+                if (none(lanes)) return;
+                if (!clear) return void(light.limit = select(lanes, S(-1), light.limit));
+                if (painted)
+                    return PatternCalls<S>::filter(world, static_cast<int>(item.material), surface, ray, t, lanes,
+                                                   light.share);
+                const Vec3<T>& kept = filter(world, item);
+                for (int c = 0; c < 3; ++c)
+                    light.share[c] = select(lanes, min(light.share[c] * S(kept[c]), S(largest_gain)), light.share[c]);
+            });
+            if (all(light.limit < S(0))) return true;
+        }
+        return false;
+    }
+    static bool occlude_single(const World<T>& world, int first, int count, SingleRay<S>& single) {
+        Transmission<S> light{splat<S>(single.share), select(first_lanes<S>(1), S(1), S(-1))};
+        const bool dark = occlude(world, first, count, single.ray, S(single.t), first_lanes<S>(1), light);
+        for (int c = 0; c < 3; ++c) single.share[c] = lane(light.share[c], 0);
+        return dark;
+    }
+    /// As for other forms, but the faces are known.
+    static void surfaces_at(const World<T>& world, const int* numbers, const Ray<S>& ray, const S& t, const S& faces,
+                            SurfaceHit<S>& hit, int* materials) {
+        for (int k = 0; k < width<S>; ++k) materials[k] = static_cast<int>(items(world)[numbers[k]].material);
+        const auto own = gather_items<Item<PrismForm, S>, S>(items(world), numbers);
+        const S first = own.shape.first;
+        hit = {own.shape.at(pieces_of(world.contour_pieces, first, faces), ray, t, faces), own.surface + faces,
+               own.surface};
+    }
+    static void cross_beyond(const World<T>& world, int first, int count, const Ray<S>& ray, Mask<S> mask,
+                             const S& place, MeshCrossings<S>& found) {
+        for (int i = first; i < first + count; ++i)
+            each_crossing(world, i, ray, mask, [&](Mask<S> lanes, const S& t, const S& surface) {
+                lanes = lanes & (t > place);
+                if (any(lanes)) found.add(lanes, t, surface);
+            });
+    }
+
+  private:
+    static const Item<PrismForm, T>* items(const World<T>& world) {
+        return world.groups.template get<PrismForm>().items;
+    }
+    /// Returns the pieces of walls, of prisms with these first pieces; for caps the first piece.
+    static ContourPiece<S> pieces_of(const ContourPiece<T>* pieces, const S& first, const S& face) {
+        alignas(64) T numbers[width<S>];
+        store_lanes(numbers, first + max(face - S(2), S(0)));
+        int index[width<S>];
+        for (int k = 0; k < width<S>; ++k) index[k] = static_cast<int>(numbers[k]);
+        return gather_items<ContourPiece<S>, S>(pieces, index);
+    }
+    /// Calls visit(lanes, t, surface) for each crossing of rays with an item.
+    template <class Visit>
+    static void each_crossing(const World<T>& world, int i, const Ray<S>& ray, Mask<S> mask, const Visit& visit) {
+        const auto& item = items(world)[i];
+        const ContourPiece<T>* const pieces = world.contour_pieces + static_cast<int>(item.shape.first);
+        const S last(item.shape.count + T(1)), surface(item.surface);
+        const auto piece_of = [&](const S& face) { return pieces_of(pieces, S(0), S(min(face, last))); };
+        item.shape.each_crossing(pieces, piece_of, ray, S(ray.source - surface), mask,
+                                 [&](Mask<S> lanes, const S& t, const S& face) { visit(lanes, t, S(surface + face)); });
+    }
+};
+
+/// Prisms are never alone in a bin, so that the other functions are not needed.
+template <class S>
+const std::array<FormCalls<S>, 1> KindCalls<Prism, S>::calls = [] {
+    using Own = FormFunctions<PrismForm, S>;
+    FormCalls<S> calls{&Own::intersect, &Own::intersect_single, &Own::occlude, &Own::occlude_single};
+    calls.surfaces_at = &Own::surfaces_at, calls.cross_beyond = &Own::cross_beyond;
+    return std::array{calls};
+}();
+
+}  // namespace strahl::inline STRAHL_LEVEL
