@@ -221,8 +221,10 @@ WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, Thre
         world.fog.tint = cast<T>(Color(1 - fog.filter) + fog.filter * fog.color);
         if (fog.altitude > 0 && length(fog.up) > 0) {
             const DVec3 up = normalize(fog.up);
-            world.fog.rise = cast<T>(up / (fog.altitude * placement.scale));
-            world.fog.base = static_cast<T>((dot_product(up, placement.origin) - fog.offset) / fog.altitude);
+            // Lower fog is not seen, and heights in its units would overflow.
+            const double altitude = std::max(fog.altitude, 1e-6 / placement.scale);
+            world.fog.rise = cast<T>(up / (altitude * placement.scale));
+            world.fog.base = static_cast<T>((dot_product(up, placement.origin) - fog.offset) / altitude);
         } else {
             world.fog.base = -1;  // below all heights
         }

@@ -93,11 +93,14 @@ std::optional<Scene> with_raised_pictures(const Scene& scene) {
 Bound bound_for(const Scene& given, int depth) {
     const std::optional<Scene> raised = with_raised_pictures(given);
     const Scene& scene = raised ? *raised : given;
-    // B(n) = max(background, own + (Kr + Kt) B(n - 1)) over all materials, from the last generation upwards.
+    // B(n) = max(background, own + (Kr + Kt) B(n - 1)) over all materials, from the last generation upwards; a fog that
+    // filters multiplies all that is seen through it.
+    const Fog fog = scene.fog.value_or(Fog());
+    const double tint = std::max(1., 1 - fog.filter + fog.filter * largest(fog.color));
     double sky = largest(scene.background.color);
     for (const Pigment& coat : scene.background_coats)
         sky = largest(coat.color) + std::max(1., coat.filter * largest(coat.color) + coat.transmit) * sky;
-    const double background = std::max(sky, scene.fog ? largest(scene.fog->color) : 0);
+    const double background = std::max(tint * sky, scene.fog ? largest(fog.color) : 0);
     std::vector<double> own;
     const double most_gain = gain(scene);
     for (const Material& m : scene.materials) own.push_back(own_light(scene, m, most_gain));
@@ -106,14 +109,14 @@ Bound bound_for(const Scene& given, int depth) {
         double most = background;
         for (std::size_t i = 0; i < own.size(); ++i) {
             const Material& m = scene.materials[i];
-            most = std::max(most, own[i] + sent_on(m) * bound.brightest.back());
+            most = std::max(most, tint * (own[i] + sent_on(m) * bound.brightest.back()));
         }
         bound.brightest.push_back(most);
     }
     // A geometric series.
     for (std::size_t i = 0; i < own.size(); ++i) {
-        const double lost = 1 - sent_on(scene.materials[i]);
-        const double series = lost > 0 ? own[i] / lost : std::numeric_limits<double>::infinity();
+        const double lost = 1 - tint * sent_on(scene.materials[i]);
+        const double series = lost > 0 ? tint * own[i] / lost : std::numeric_limits<double>::infinity();
         bound.limit = std::max(bound.limit, series);
     }
     return bound;

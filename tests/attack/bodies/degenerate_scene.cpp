@@ -21,7 +21,7 @@ class DegenerateBodies {
     explicit DegenerateBodies(Dice& dice) : dice(dice) {}
 
     Shape any(int levels = 1) {
-        switch (dice.upto(levels > 0 ? 11 : 6)) {
+        switch (dice.upto(levels > 0 ? 12 : 6)) {
             case 0:
                 return make(Sphere{});
             case 1:
@@ -43,6 +43,8 @@ class DegenerateBodies {
                 return make(SmoothTriangle{});
             case 10:
                 return make(Mesh{});
+            case 11:
+                return make(Prism{});
             default:
                 return composite();
         }
@@ -106,6 +108,25 @@ class DegenerateBodies {
         const auto normal = [&] { return power(-9, 9) * axis(); };
         const DVec3 first = normal(), second = dice.chance(.2) ? -first : normal(), third = normal();
         return SmoothTriangle{a, b, c, first, second, third};
+    }
+    Shape make(const Prism&) {
+        Prism prism;
+        do {
+            Contour contour{{dice.in(-1, 1), dice.in(-1, 1)}, {}};
+            Contour::Point from = contour.start;
+            for (int i = 1 + dice.upto(3); i >= 0; --i) {
+                const auto near = [&](const Contour::Point& p) {
+                    const double size = length();
+                    return Contour::Point{p[0] + size * dice.in(-1, 1), p[1] + size * dice.in(-1, 1)};
+                };
+                const Contour::Point end = near(from);
+                contour.strokes.push_back({dice.chance(.3) ? end : near(dice.chance(.5) ? end : from), end});
+                if (dice.chance(.4)) contour.strokes.back().second = near(dice.chance(.5) ? end : from);
+                from = end;
+            }
+            prism = {0, length(), std::make_shared<const ContourData>(std::vector{contour})};
+        } while (prism.fault());
+        return prism;
     }
     Shape make(const Mesh&) {
         MeshData data = *Mesh::tetrahedron();
