@@ -66,7 +66,7 @@ inline int faces_of(const Prism& prism) {
     for (const Contour& contour : prism.data->contours) count += static_cast<int>(contour.strokes.size()) + 1;
     return count;
 }
-/// Of the crossings of the curve that a line starts on, the one nearest to the start is the start.
+/// Finds where a line crosses a prism. Of the crossings of the curve that it starts on, the nearest one is the start.
 template <class R>
 LineCrossings<R> crossings(const Prism& prism, const Line<R>& line, int source) {
     LineCrossings<R> found;

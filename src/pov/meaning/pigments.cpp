@@ -71,7 +71,7 @@ std::vector<ColorStop> PigmentMaker::stops_of(const Blend& blend) {
         const double own = decimal(static_cast<float>(entry.at));
         if (!stops.empty() && before >= 1 && own > before) break;
         ColorStop stop = stop_of(blend, entry, std::clamp(own, stops.empty() ? 0 : stops.back().at, 1.));
-        // Of an interval that reaches beyond 0 or 1 the colours there count.
+        // Cuts an interval that reaches beyond 0 or 1, and takes the colours that it has there.
         if (!stops.empty() && own > before && !stop.pattern && !stops.back().pattern) {
             const ColorStop first = stops.back(), last = stop;
             if (before < 0 && own > 0) stops.back() = between(first, last, -before / (own - before), 0);

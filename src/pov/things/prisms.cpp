@@ -36,7 +36,7 @@ std::vector<Contour> contours_of(SplineKind kind, std::span<const Point2> points
         contours.back().strokes.push_back(step);
         begins = equal(step.end, contours.back().start);
         if (!begins) return;
-        // What closes it but for rounding ends where it began.
+        // Ends a figure where it began if it closes but for rounding.
         Contour::Stroke& last = contours.back().strokes.back();
         if (last.straight()) last.control = contours.back().start;
         last.end = contours.back().start;

@@ -36,7 +36,7 @@ struct PrismKernel {
         const S zero(0), one(1);
         const Vec3<S> f = ray.origin - splat<S>(centre), d = ray.direction;
         const Mask<S> starts_here = (start >= zero) & (start < S(count) + S(2));
-        // Where it is nearest to the centre a ray has the most digits.
+        // Counts distances from where the ray is nearest to the centre: there they have the most digits.
         const S shift = select(starts_here, zero, -dot(f, d));
         const Vec3<S> p = turn(fma(shift, d, f)), v = turn(d);
         const S across = sqrt(fma(v.x, v.x, v.y * v.y)), per = one / across;

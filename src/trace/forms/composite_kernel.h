@@ -280,7 +280,7 @@ class CompositeWalk {
         const S surface(static_cast<T>(own.surface));
         S start(T(-1));
         if (starts_here) {
-            // Those of an equal body count as its own, but for planes: another body's face there may end before.
+            // Takes faces of an equal body for its own, but not planes: another body's face there may end before.
             const S same = start_key - S(static_cast<T>(own.first_key)), face = ray.source - surface;
             const S faces(static_cast<T>(own.faces)), zero(0);
             start = select((face >= zero) & (face < faces), face,

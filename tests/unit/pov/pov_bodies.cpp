@@ -143,7 +143,7 @@ TEST_CASE("POV-Ray: textures move with what is written after them") {
     // A declared body takes along what it has.
     CHECK(close(pattern("#declare B = sphere { 0, 1 " + checker + "translate x } object { B translate y }"),
                 moved({Translate{{1, 0, 0}}, Translate{{0, 1, 0}}})));
-    // What moved the pigment before does not move a normal that is given later.
+    // A normal that is given later does not move with what moved the pigment before.
     const Scene bent = whole("sphere { 0, 1 pigment { rgb 1 } scale 3 normal { bumps .5 scale 2 } }");
     CHECK(close(matrix(bent.primitives[0].transformations) * matrix(material(bent).bump.pattern->transformations),
                 moved({})));
