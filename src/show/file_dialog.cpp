@@ -14,11 +14,15 @@ extern char** environ;
 namespace strahl {
 namespace {
 
-/// $1 is the folder, with a slash at its end.
+/// $1 is the folder, with a slash at its end; $2 is not empty if the name of a new file is asked for.
 constexpr const char* script = R"(
-if command -v zenity >/dev/null; then
+if command -v zenity >/dev/null && [ -n "$2" ]; then
+    exec zenity --file-selection --save --title='Save the new scene as' --filename="$1untitled.rt" 2>/dev/null
+elif command -v zenity >/dev/null; then
     exec zenity --file-selection --title='Open a scene' --filename="$1" \
         --file-filter='Scenes | *.rt *.pov' --file-filter='All files | *' 2>/dev/null
+elif command -v kdialog >/dev/null && [ -n "$2" ]; then
+    exec kdialog --title 'Save the new scene as' --getsavefilename "$1untitled.rt" 'Scenes (*.rt)' 2>/dev/null
 elif command -v kdialog >/dev/null; then
     exec kdialog --title 'Open a scene' --getopenfilename "$1" 'Scenes (*.rt *.pov)' 2>/dev/null
 fi
@@ -33,7 +37,7 @@ FileDialog::~FileDialog() {
     ::waitpid(child, nullptr, 0);
 }
 
-std::string FileDialog::open(const std::string& scene) {
+std::string FileDialog::open(const std::string& scene, const std::string& made_of) {
     if (thread.joinable()) return "";
     std::string folder = std::filesystem::path(scene).parent_path().string();
     folder = folder.empty() ? "./" : folder + "/";
@@ -42,8 +46,10 @@ std::string FileDialog::open(const std::string& scene) {
     posix_spawn_file_actions_t files;
     posix_spawn_file_actions_init(&files);
     posix_spawn_file_actions_adddup2(&files, pipe[1], 1);
-    std::string words[]{"sh", "-c", script, "sh", folder};
-    std::array<char*, 6> arguments{words[0].data(), words[1].data(), words[2].data(), words[3].data(), words[4].data()};
+    from = made_of;
+    std::string words[]{"sh", "-c", script, "sh", folder, from};
+    std::array<char*, 7> arguments{};
+    for (std::size_t i = 0; i < std::size(words); ++i) arguments[i] = words[i].data();
     const bool started = posix_spawn(&child, "/bin/sh", &files, nullptr, arguments.data(), environ) == 0;
     posix_spawn_file_actions_destroy(&files);
     ::close(pipe[1]);
@@ -66,9 +72,10 @@ std::optional<FileDialog::ChosenFile> FileDialog::take() {
     int status = 0;
     ::waitpid(child, &status, 0);  // it has closed its output, and ends
     if (WIFEXITED(status) && WEXITSTATUS(status) == 127)
-        return ChosenFile{"", "there is no file dialog: install zenity or kdialog, or drop a file onto the window"};
+        return ChosenFile{"", "there is no file dialog: install zenity or kdialog, or drop a file onto the window",
+                          from};
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) return ChosenFile{};
-    return ChosenFile{said.substr(0, said.find_last_not_of('\n') + 1), ""};
+    return ChosenFile{said.substr(0, said.find_last_not_of('\n') + 1), "", from};
 }
 
 }  // namespace strahl

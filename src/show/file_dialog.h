@@ -19,11 +19,12 @@ class FileDialog {
     FileDialog(const FileDialog&) = delete;
 
     /// Opens the dialog in the folder of this scene, unless it is open. Does not wait for it. Returns the reason if it
-    /// cannot, or "".
-    std::string open(const std::string& scene);
+    /// cannot, or "". With a template it asks for the name of a new file.
+    std::string open(const std::string& scene, const std::string& from = "");
     struct ChosenFile {
         std::string path;   // "" if the user has chosen none
         std::string fault;  // why there is no dialog, or ""
+        std::string from;   // the template of which it is to be made, if any
     };
     /// Returns the answer, once.
     std::optional<ChosenFile> take();
@@ -32,6 +33,7 @@ class FileDialog {
     const std::function<void()> notify;
     pid_t child = 0;
     std::atomic<bool> done = false;
+    std::string from;
     std::string said;  // by the dialog; the thread's until `done`
     std::thread thread;
 };

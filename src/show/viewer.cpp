@@ -11,6 +11,7 @@
 #include "files/output_file.h"
 #include "scene/moving_scene.h"
 #include "show/info.h"
+#include "show/welcome/recent_files.h"
 #include "text/reading/tracks_file.h"
 #include "text/write.h"
 
@@ -20,6 +21,7 @@ namespace {
 constexpr double signal_interval = 0.2;  // seconds until a signal is noticed
 
 std::string window_title(const std::string& path) {
+    if (path.empty()) return "strahl (H: help)";
     const std::string name = path == "-" ? "standard input" : std::filesystem::path(path).filename().string();
     return name + " - strahl (H: help)";
 }
@@ -56,11 +58,16 @@ Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::unique_ptr<Reload
       notes(pace, o.verbose),
       session(scene_to_show(first), o.depth),
       screen(window_title(first.path), window_size(o, *session.scene), o.size.width == 0, o.full_screen, !o.benchmark),
-      panels(pace, o.play),
+      panels(pace, o.play, o.scene.empty()),
       input(screen, session, panels, pace, o.play,
             {.perform = [this](Command command) { perform(command); },
+             .browse =
+                 [this](int key) {
+                     if (key != GLFW_KEY_ESCAPE || file.waiting()) return welcome.key(key);
+                     return perform({Action::gallery}), true;
+                 },
              .turn_wheel = [this](double n) { notes.tell(session.change_speed(std::pow(1.25, n), pace.now())); },
-             .drop = [this](std::string path) { file.open(std::move(path)); },
+             .drop = [this](std::string path) { open(std::move(path)); },
              .click = [this](double x, double y) { click(x, y); },
              .points_at = [this](double x, double y) { return points_at(x, y); },
              .hold = [this](double x, double y) { bodies.hold(in_picture(x, y), screen.pixels_to_reach()); },
@@ -79,10 +86,12 @@ Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::unique_ptr<Reload
       bodies(session, file, notes, pace, glfwPostEmptyEvent),
       side(o.threads, notes, pace, glfwPostEmptyEvent),
       dialog(glfwPostEmptyEvent),
+      welcome(o.threads, notes, pace, glfwPostEmptyEvent),
       tracks(o.rocket, session, notes, pace, glfwPostEmptyEvent),
       sound(notes, pace) {
     session.editor.words = first.words, session.exposure = o.exposure;
-    if (first.scene) bodies.loaded(first), side.loaded(first);
+    if (first.scene) bodies.loaded(first), side.loaded(first), opened.push_back(first.path);
+    if (panels.gallery) welcome.appear();
     if (!file.waiting()) start_scene();
 }
 
@@ -90,6 +99,9 @@ void Viewer::perform(Command command) {
     const bool playing = command.action == Action::quit || command.action == Action::full_screen ||
                          (command.action == Action::pause && !options.benchmark);
     if (options.play && !playing) return;
+    const bool in_gallery = playing || command.action == Action::open_file || command.action == Action::help ||
+                            command.action == Action::gallery;
+    if (panels.gallery && !in_gallery) return;
     switch (command.action) {
         case Action::quit:
             return quit();
@@ -105,6 +117,10 @@ void Viewer::perform(Command command) {
         case Action::open_file:
             if (const std::string why = dialog.open(file.path()); !why.empty()) notes.fail(why);
             return;
+        case Action::gallery:
+            if (panels.gallery && file.path().empty()) return;  // there is nothing to go back to
+            panels.toggle(command.action);
+            return panels.gallery ? welcome.appear() : welcome.disappear();
         case Action::write_path:
             return file.write(session.editor.path(), bodies.changes());
         case Action::undo:
@@ -145,6 +161,36 @@ void Viewer::perform(Command command) {
         default:
             notes.tell(session.perform(command, pace.now()));
     }
+}
+
+/// Opens a scene, and leaves the gallery for it.
+void Viewer::open(std::string path) {
+    panels.gallery = false;
+    welcome.disappear();
+    pace.redraw();
+    file.open(std::move(path));
+}
+
+/// Opens a new scene, made of a template.
+void Viewer::begin(const std::string& from, const std::string& path) try {
+    const std::string scene = begin_scene(from, path);
+    notes.announce("a new scene: " + scene);
+    open(scene);
+} catch (const FileError& error) {
+    notes.fail(error.what());
+}
+
+/// Takes what was chosen in the gallery.
+void Viewer::take(const GalleryItem& item) {
+    if (!item.begins) return open(item.path);
+    if (const std::string why = dialog.open(file.path(), item.path); !why.empty()) begin(item.path, "");
+}
+
+/// Takes what was chosen in the file dialog. Where there is none, new scenes get names of their own.
+void Viewer::take(const FileDialog::ChosenFile& chosen) {
+    if (chosen.path.empty() && chosen.fault.empty()) return;
+    if (!chosen.from.empty()) return begin(chosen.from, chosen.path);
+    chosen.path.empty() ? notes.fail(chosen.fault) : open(chosen.path);
 }
 
 void Viewer::apply(const TimelineInput& done) {
@@ -228,8 +274,10 @@ void Viewer::draw() {
     BodyInput on_body;
     const NewBlock* added = nullptr;
     OutlinerInput on_outline;
+    std::optional<GalleryItem> from_gallery;
     screen.draw([&] {
         draw_overlay(over);
+        if (panels.gallery) return void(from_gallery = welcome.draw());
         done = panels.draw_timeline(session);
         on_body = panels.draw_body(bodies.editor(), bodies.file_name());
         added = panels.draw_add();
@@ -246,6 +294,7 @@ void Viewer::draw() {
         session.perform({Action::pause}, pace.now());
     apply(done), apply(on_body), apply(on_outline);
     if (added) bodies.begin_adding(*added);
+    if (from_gallery) take(*from_gallery);
     if (update && picture.newest()) tracks.shown();
     if (!update || before > 0) return;
     char text[80];
@@ -271,11 +320,12 @@ void Viewer::take_scene() {
     const bool first = file.waiting();
     const auto loaded = file.take();
     if (!loaded) return;
+    if (first || loaded->opened) opened.push_back(loaded->path);
     if (loaded->moved) {
         session.replace(loaded->scene, false);
         return bodies.loaded(*loaded), side.loaded(*loaded);
     }
-    if (loaded->opened) print_paths();
+    if (loaded->opened && !first) print_paths();
     const std::vector<std::string> unfollowed = first ? std::vector<std::string>() : unfollowed_tracks(*session.scene);
     if (session.replace(loaded->scene, loaded->opened || first))
         notes.announce("the file has another path now, which replaces yours; Ctrl+Z brings yours back");
@@ -401,7 +451,7 @@ int Viewer::run(const std::atomic<bool>& interrupted) {
         sound.follow(session);
         move();
         file.move_to(session.time);
-        if (!file.waiting() && screen.width() > 0) {
+        if (!file.waiting() && !panels.gallery && screen.width() > 0) {
             const View view = session.view(screen.width(), screen.height());
             bodies.follow(view, screen.pixels_to_reach() / 6);
             picture.order(session, bodies.scene_shown(), screen.width(), screen.height());
@@ -414,10 +464,8 @@ int Viewer::run(const std::atomic<bool>& interrupted) {
         file.tell_written();  // before the scene is taken that the file has now
         take_scene();
         picture.tell_marks();
-        if (const auto chosen = dialog.take()) {
-            if (!chosen->fault.empty()) notes.fail(chosen->fault);
-            if (!chosen->path.empty()) file.open(chosen->path);
-        }
+        if (const auto chosen = dialog.take()) take(*chosen);
+        welcome.take(screen);
         if (tracks.follow()) file.write(*session.tracks);
         // A signal ends the window as Esc does; the next one ends the program at once.
         if (interrupted && !std::exchange(signalled, true)) {
@@ -455,6 +503,7 @@ void Viewer::print_paths() {
 
 void Viewer::end(const std::atomic<bool>& interrupted) {
     print_paths();
+    if (!options.play) remember_recent_files(opened);
     if (options.size.width == 0 && !options.play) screen.remember();
     screen.hide();
     if (options.benchmark) report_benchmark(interrupted);

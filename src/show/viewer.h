@@ -12,6 +12,7 @@
 #include "show/session/session.h"
 #include "show/session/view_options.h"
 #include "show/side_by_side.h"
+#include "show/welcome/welcome.h"
 #include "show/window/input.h"
 #include "show/window/overlay.h"
 #include "show/window/panels.h"
@@ -47,6 +48,10 @@ class Viewer {
     void apply(const TimelineInput& input);
     void apply(const BodyInput& input);
     void apply(const OutlinerInput& input);
+    void open(std::string path);
+    void begin(const std::string& from, const std::string& path);
+    void take(const GalleryItem& item);
+    void take(const FileDialog::ChosenFile& chosen);
     void click(double x, double y);
     Hold points_at(double x, double y);
     glm::dvec2 in_picture(double x, double y) const;
@@ -88,6 +93,8 @@ class Viewer {
     BodyTools bodies;
     SideBySide side;
     FileDialog dialog;
+    Welcome welcome;
+    std::vector<std::string> opened;  // scenes, in this order
     TrackEditor tracks;
     SceneSound sound;
     bool started = false;  // the flight of `strahl play`

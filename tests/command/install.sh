@@ -39,9 +39,8 @@ for library in libvorbisfile.so.3 libvorbis.so.0; do
     rm "moved/lib/strahl/$library"
 done
 
-# A desktop's menu starts it without a scene.
-said=$(env -u DISPLAY -u WAYLAND_DISPLAY "$strahl" view 2>&1)
-[[ $said != *required* ]] || fault "without a scene it opens none: $said"
+# A desktop's menu starts it without a scene: the gallery has templates to begin from.
+expect_file moved/share/strahl/scenes/templates/empty_floor.rt
 
 # Files for other programs are installed.
 share=moved/share

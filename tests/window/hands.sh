@@ -144,7 +144,6 @@ await 'makes no more stills'
 quit
 
 echo "-- size and place are remembered"
-export XDG_STATE_HOME=$work/state
 # placed: waits until the window has the size and place of this test.
 placed() {
     local i geometry

@@ -1,23 +1,13 @@
 #include "main/commands/scene_file.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <iostream>
 
 #include "files/read_file.h"
 #include "files/utf8.h"
 #include "image/pixels.h"
-#include "scene/error.h"
 
 namespace strahl {
-
-std::string example_scene() {
-    std::error_code error;
-    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
-    const std::filesystem::path scene = program.parent_path().parent_path() / "share/strahl/scenes/demo.rt";
-    if (std::filesystem::is_regular_file(scene, error)) return scene.string();
-    throw UsageError("SCENE is required\nSee: strahl view --help");
-}
 
 void print_warnings(std::span<const std::string> warnings) {
     for (const std::string& warning : warnings) std::cerr << "strahl: warning: " << printable(warning) << '\n';

@@ -12,9 +12,6 @@ namespace strahl {
 /// Returns the name of a scene file for messages: "-" is standard input.
 inline std::string shown_name(const std::string& path) { return path == "-" ? "standard input" : path; }
 
-/// Returns the path of an installed scene to show where none is named. Throws UsageError if it is not there.
-std::string example_scene();
-
 /// Reads a scene and its pictures from a file, or from standard input for "-". Tells the notes about it, see
 /// OpenedScene. Throws FileError. A .pov is read as it is at the time.
 OpenedScene load_opened(const std::string& path, OpeningOptions options, std::optional<double> time = {});

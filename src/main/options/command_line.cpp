@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "files/streams.h"
+#include "main/commands/command_view.h"
 #include "main/options/options.h"
 #include "main/process/shell.h"
 #include "main/reference/reference.h"
@@ -172,8 +173,8 @@ int run_command_line(int argc, char** argv) {
     app.footer(
         "Exit status: 0 done, 1 failed, 2 wrong usage, 3 error in a file, 130 interrupted.\n"
         "Example: strahl render SCENE.rt -o picture.png");
-    if (argc < 2) throw UsageError("no command given\n" + app.help());
-    std::vector<std::string> arguments = with_command(app, argc, argv);
+    if (argc < 2 && !window_possible()) throw UsageError("no command given\n" + app.help());
+    std::vector<std::string> arguments = argc < 2 ? std::vector<std::string>{"view"} : with_command(app, argc, argv);
     require_known_command(app, arguments[0]);
     const bool omitted = arguments.size() == static_cast<std::size_t>(argc);  // the word `view`
     const std::vector<std::string> given(argv + 1, omitted ? argv + argc : argv + 1);

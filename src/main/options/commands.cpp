@@ -11,7 +11,6 @@
 #include "main/commands/command_sheet.h"
 #include "main/commands/command_stability.h"
 #include "main/commands/command_view.h"
-#include "main/commands/scene_file.h"
 #include "main/options/options.h"
 #include "main/process/exit_status.h"
 #include "main/process/interrupt.h"
@@ -154,9 +153,7 @@ double parse_pace(std::string_view text) {
     return fps;
 }
 
-int view_until_interrupted(const ViewOptions& asked) {
-    ViewOptions options = asked;
-    if (options.scene.empty()) options.scene = example_scene();
+int view_until_interrupted(const ViewOptions& options) {
     const Interrupt interrupt;
     const int status = view_command(options, interrupt.flag());
     return *interrupt.flag() ? exit_status::interrupted : status;
@@ -197,7 +194,7 @@ void add_view(CLI::App& app, ChosenCommand& chosen) {
                             "Format of stills: bmp (default) or png", "KIND");
     add_window_options(command, *o);
     command->footer(
-        "Without SCENE, as from a desktop's menu, an installed example is opened. H lists the keys.\n"
+        "Without SCENE, as from a desktop's menu, a gallery of scenes is shown. H lists the keys.\n"
         "When the scene file changes it is read again; while it has an error, the window shows the\n"
         "last scene that had none. Drop another file on the window to open it.\n"
         "The word view may be omitted: strahl SCENE --fly");

@@ -39,7 +39,7 @@ constexpr Meaning other_keys[] = {
     {GLFW_KEY_ESCAPE, {Action::quit}},         {GLFW_KEY_SPACE, {Action::pause}},
     {GLFW_KEY_F11, {Action::full_screen}},     {GLFW_KEY_F12, {Action::still}},
     {GLFW_KEY_F2, {Action::write_path}},       {GLFW_KEY_HOME, {Action::rewind}},
-    {GLFW_KEY_F4, {Action::open_text}},
+    {GLFW_KEY_F4, {Action::open_text}},        {GLFW_KEY_BACKSPACE, {Action::gallery}},
     {GLFW_KEY_END, {Action::to_end}},          {GLFW_KEY_LEFT, {Action::step, -1}},
     {GLFW_KEY_RIGHT, {Action::step, 1}},       {GLFW_KEY_PAGE_UP, {Action::to_key, -1}},
     {GLFW_KEY_PAGE_DOWN, {Action::to_key, 1}}, {GLFW_KEY_INSERT, {Action::set_key}},

@@ -51,6 +51,7 @@ enum class Action {
     copy_body,
     add_block,
     outline,
+    gallery,
 };
 struct Command {
     Action action;
@@ -105,6 +106,7 @@ inline constexpr std::array key_help{
     KeyHelp{"F2 Ctrl+S", "write path and bodies into the file"},
     KeyHelp{"Shift+C", "copy the path and print it"},
     KeyHelp{"Ctrl+O", "open another scene; or drop a file here"},
+    KeyHelp{"Backspace", "the gallery of scenes; and back"},
     KeyHelp{"Bodies", ""},
     KeyHelp{"click", "choose a body; again: the one behind"},
     KeyHelp{"O", "list what is in the scene: find, choose, hide"},

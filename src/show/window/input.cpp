@@ -51,7 +51,9 @@ void Input::on_key(int key, int scancode, int action, int modifiers) {
         pace.redraw(after_input);
     }
     if (typing && action != GLFW_RELEASE) return;
-    const auto push = push_of_key(key);
+    if (panels.gallery && action != GLFW_RELEASE && handlers.browse(key)) return pace.redraw(after_input);
+    auto push = push_of_key(key);
+    if (panels.gallery) push.reset();
     pushing = push.has_value();
     const bool third_level = glfwGetKey(window, GLFW_KEY_RIGHT_ALT);
     if (action == GLFW_REPEAT) {

@@ -22,6 +22,7 @@ enum class Hold { nothing, divider, handle };
 /// Functions that are called, while events are processed, for what the user does besides moving the camera.
 struct InputHandlers {
     std::function<void(Command)> perform;
+    std::function<bool(int)> browse;         // takes a key for the gallery, or returns false
     std::function<void(double)> turn_wheel;  // notches, up is positive
     std::function<void(std::string)> drop;   // the path of a file that is dropped onto the window
     std::function<void(double, double)> click;  // x and y in pixels of the window

@@ -9,6 +9,7 @@ void Panels::toggle(Action action) {
                   : action == Action::timeline  ? timeline_open
                   : action == Action::add_block ? add_open
                   : action == Action::outline   ? outline_open
+                  : action == Action::gallery   ? gallery
                                                 : quiet;
     shown = !shown;
     if (&shown != &quiet) quiet = false;

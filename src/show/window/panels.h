@@ -15,11 +15,11 @@ namespace strahl {
 
 class Panels {
   public:
-    /// `no_text`: no panel is shown until the user asks for one.
-    Panels(Pace& pace, bool no_text) : quiet(no_text), pace(pace) {}
+    /// `no_text`: no panel is shown until the user asks for one. `gallery`: that is shown.
+    Panels(Pace& pace, bool no_text, bool gallery) : quiet(no_text), gallery(gallery), pace(pace) {}
 
     /// Shows or hides what the action names: help, info, timeline, the list of what can be added, the outline, or
-    /// all text (Action::quiet).
+    /// all text (Action::quiet); or the gallery, which covers the window.
     void toggle(Action action);
 
     /// Draws the timeline, if it is shown, and returns what the user did on it. To be called while ImGui makes a frame.
@@ -35,7 +35,7 @@ class Panels {
                                const std::vector<std::string>& notes);
     /// Does one of these panels cover this point of the window?
     bool cover(double x, double y) const {
-        return (body_shown && body.area().has(x, y)) || (add_shown() && add.area().has(x, y)) ||
+        return gallery || (body_shown && body.area().has(x, y)) || (add_shown() && add.area().has(x, y)) ||
                (outline_shown() && outliner.area().has(x, y));
     }
     /// The width in pixels that it takes at the right of the window.
@@ -45,9 +45,9 @@ class Panels {
     /// The height in pixels of what lies at the bottom of the window.
     float reserved() const { return timeline_shown() ? timeline.height() : 0; }
     /// Is there a panel that takes input, even if all text is hidden?
-    bool take_input() const { return timeline_open || body_shown || add_open || outline_open; }
+    bool take_input() const { return gallery || timeline_open || body_shown || add_open || outline_open; }
 
-    bool help = false, info = false, quiet;
+    bool help = false, info = false, quiet, gallery;
 
   private:
     bool timeline_shown() const { return timeline_open && !quiet; }

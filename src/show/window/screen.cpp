@@ -98,6 +98,7 @@ struct Screen::Functions {
     decltype(&::glDeleteTextures) DeleteTextures = Found{"glDeleteTextures"};
     decltype(&::glBindTexture) BindTexture = Found{"glBindTexture"};
     decltype(&::glTexImage2D) TexImage2D = Found{"glTexImage2D"};
+    decltype(&::glTexParameteri) TexParameteri = Found{"glTexParameteri"};
     decltype(&::glTexSubImage2D) TexSubImage2D = Found{"glTexSubImage2D"};
     PFNGLGENFRAMEBUFFERSPROC GenFramebuffers = Found{"glGenFramebuffers"};
     PFNGLDELETEFRAMEBUFFERSPROC DeleteFramebuffers = Found{"glDeleteFramebuffers"};
@@ -234,6 +235,17 @@ void Screen::show_second(std::shared_ptr<const ScreenImage> image, int from) {
     if (!second) return;
     if (!second_picture) second_picture = std::make_unique<Surface>(*gl);
     second_picture->upload(*second, 0, second->height);
+}
+
+/// The texture has bytes in the order R, G, B, A: of others Mesa 22.3's llvmpipe draws only parts.
+unsigned Screen::make_texture(const ScreenImage& image) const {
+    unsigned texture = 0;
+    gl->GenTextures(1, &texture);
+    gl->BindTexture(GL_TEXTURE_2D, texture);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, image.width, image.height, 0, GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV,
+                   image.pixels.data());
+    return texture;
 }
 
 void Screen::copy_pictures() const {

@@ -40,6 +40,8 @@ class Screen {
     /// From now on shows this picture of the same size over the first one, from this column of the window on; null for
     /// none.
     void show_second(std::shared_ptr<const ScreenImage> image, int from);
+    /// Makes a texture for ImGui of a picture. It stays until the end.
+    unsigned make_texture(const ScreenImage& image) const;
     /// Draws the window: the uploaded picture, and on it what `overlay` draws with ImGui.
     void draw(const std::function<void()>& overlay);
     void toggle_full_screen();

@@ -1,26 +1,18 @@
 // Reads and writes the file with the window's size and place.
 #include "show/window/window_state.h"
 
-#include <cstdlib>
 #include <filesystem>
 
 #include "files/output_file.h"
 #include "files/regular_file.h"
 #include "files/streams.h"
+#include "files/user_file.h"
 #include "files/utf8.h"
 #include "scene/error.h"
 
 namespace strahl {
 
-std::string window_state_file() {
-    const auto absolute = [](const char* name) {
-        const char* const value = std::getenv(name);
-        return std::filesystem::path(value && value[0] == '/' ? value : "");
-    };
-    std::filesystem::path folder = absolute("XDG_STATE_HOME");
-    if (folder.empty() && !absolute("HOME").empty()) folder = absolute("HOME") / ".local/state";
-    return folder.empty() ? "" : folder / "strahl/window";
-}
+std::string window_state_file() { return user_file("XDG_STATE_HOME", ".local/state", "strahl/window"); }
 
 std::optional<WindowState> window_state_in(std::string_view text) try {
     WordStream words{std::string(utf8_text(text, "window"))};

@@ -12,8 +12,7 @@ struct WindowState {
     bool operator==(const WindowState&) const = default;
 };
 
-/// Returns $XDG_STATE_HOME/strahl/window, by default ~/.local/state/strahl/window (XDG Base Directory Specification
-/// 0.8); empty if neither XDG_STATE_HOME nor HOME is set.
+/// Returns $XDG_STATE_HOME/strahl/window, by default ~/.local/state/strahl/window, see user_file().
 std::string window_state_file();
 
 /// Reads the text of such a file: x, y, width and height. Nothing if it is not valid.

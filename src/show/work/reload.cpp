@@ -158,6 +158,7 @@ class Reload::FileThread {
     const std::shared_ptr<Desk> desk;
     std::string path, text, own_text, own_tracks, own_flight;  // own_: what Strahl wrote last
     OpeningOptions options;
+    bool any_scene = false;  // has been read
     FileStamp known, before;
     std::vector<std::string> others;  // files that the scene includes
     std::vector<FileStamp> known_others, others_before;
@@ -245,7 +246,7 @@ std::optional<Written> Reload::take_written() {
 }
 
 void Reload::FileThread::run() {
-    open_file(path, true);
+    if (!path.empty()) open_file(path, true);
     while (true) {
         std::optional<std::string> other;
         std::optional<TextToShow> changed;
@@ -317,7 +318,8 @@ void Reload::FileThread::notify() {
     if (function) function();
 }
 
-/// Reads the `first` file, which is watched from now on, or another one, which is if it has no error.
+/// Reads the `first` file, or another one. It is watched from now on, unless it has an error and another scene is
+/// shown.
 void Reload::FileThread::open_file(const std::string& file, bool first) {
     std::string content;
     Loaded loaded{.path = file, .opened = true};
@@ -331,7 +333,8 @@ void Reload::FileThread::open_file(const std::string& file, bool first) {
     } catch (const FileError& error) {
         loaded.fault = error.what();
     }
-    if (loaded.scene || first) path = file, text = std::move(content), known = before = {};
+    any_scene |= loaded.scene != nullptr;
+    if (loaded.scene || !any_scene) path = file, text = std::move(content), known = before = {};
     tell(std::move(loaded));
 }
 

@@ -66,6 +66,7 @@ struct ChangedBody {
 class Reload {
   public:
     /// Reads `path`, whatever sort of file it is, or standard input for "-". Then watches it, if it is a regular file.
+    /// If it is empty there is nothing to read yet.
     explicit Reload(const std::string& path, OpeningOptions options = {});
     /// Waits until everything asked for is written, unless the disk gives no answer.
     ~Reload();
@@ -73,7 +74,7 @@ class Reload {
 
     /// From now on calls `notify`, from another thread, when there is something to take.
     void listen(std::function<void()> notify);
-    /// Reads this file instead, and watches it if it is a valid scene.
+    /// Reads this file instead, and watches it if it is a valid scene, or if there was none yet.
     void open(std::string path);
     /// Returns what was read last, if it was not taken yet. Waits for it this long.
     std::optional<Loaded> take(double seconds = 0);

@@ -23,6 +23,11 @@ WatchedScene::WatchedScene(const Loaded& first, bool final, std::unique_ptr<Relo
     if (!error.empty()) log_line("waiting until the scene has no error\n" + error);
 }
 
+void WatchedScene::open(std::string path) {
+    if (awaited) file = path, error.clear();
+    reload->open(std::move(path));
+}
+
 void WatchedScene::move_to(double seconds) {
     if (changes && seconds != std::exchange(moment, seconds)) reload->move_to(seconds);
 }

@@ -22,16 +22,17 @@ class WatchedScene {
     const std::string& path() const { return file; }
     /// The name for messages and titles.
     std::string name() const;
-    /// Is there no scene yet, because the file is still being read, missing or has an error?
+    /// Is there no scene yet, because the file is still being read, missing or has an error, or because none is open?
     bool waiting() const { return awaited; }
     /// Is the first file still being read?
-    bool reading() const { return awaited && error.empty(); }
+    bool reading() const { return awaited && error.empty() && !file.empty(); }
     /// Returns the messages about the scene that reading it gave, see OpenedScene::notes.
     const std::vector<std::string>& messages() const { return said; }
     /// Does the scene use POV-Ray's clock?
     bool uses_clock() const { return changes; }
-    /// Opens another file, unless it has an error.
-    void open(std::string path) { reload->open(std::move(path)); }
+    /// Opens another file, unless it has an error and there is a scene. One that is opened while there is none is
+    /// waited for.
+    void open(std::string path);
     /// Reads a scene that uses POV-Ray's clock for another moment of its flight.
     void move_to(double seconds);
     /// Reads this text in place of the file's; of `change`, if given, only the body.

@@ -53,6 +53,15 @@ TEST_CASE("a scene is chosen by zenity or kdialog, or none is") {
         CHECK(bytes_of(program.folder / "words").find("folder/") != std::string::npos);
         CHECK(!dialog.take());
     }
+    for (const auto& [name, word] : {std::pair("zenity", "--save"), {"kdialog", "--getsavefilename"}}) {
+        const OnlyProgram program(name, "echo \"$@\" >\"${0%/*}/words\"; echo /new.rt");
+        FileDialog dialog([] {});
+        CHECK(dialog.open("", "/template.rt") == "");
+        const FileDialog::ChosenFile chosen = answer_of(dialog);
+        CHECK(chosen.path == "/new.rt");
+        CHECK(chosen.from == "/template.rt");
+        CHECK(bytes_of(program.folder / "words").find(word) != std::string::npos);
+    }
     {
         const OnlyProgram program("zenity", "echo /ignored; exit 1");
         FileDialog dialog([] {});

@@ -5,6 +5,8 @@
 
 namespace strahl {
 
+bool window_possible() { return false; }
+
 int view_command(const ViewOptions&, const std::atomic<bool>*) {
     throw std::runtime_error(
         "strahl was built without the window (cmake -D STRAHL_WINDOW=ON includes it)\n"

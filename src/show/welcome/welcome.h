@@ -1,0 +1,51 @@
+// The gallery in the window: small pictures of scenes to open and of templates to begin from.
+#pragma once
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "show/welcome/gallery.h"
+#include "show/welcome/gallery_reader.h"
+#include "show/window/screen.h"
+#include "show/work/notes.h"
+#include "show/work/pace.h"
+
+namespace strahl {
+
+class Welcome {
+  public:
+    /// `notify` is called from another thread when there is something to take.
+    Welcome(int threads, Notes& notes, Pace& pace, std::function<void()> notify)
+        : threads(threads), notes(notes), pace(pace), notify(std::move(notify)) {}
+
+    /// To be called when the gallery appears: lists the scenes anew. And when it disappears: makes no more pictures.
+    void appear();
+    void disappear();
+    /// Takes a key of GLFW: arrows choose, Enter takes what is chosen. Returns false if it does nothing here.
+    bool key(int key);
+    /// Takes over what was listed and the pictures that were made.
+    void take(const Screen& screen);
+    /// Draws the gallery, and returns what the user takes. To be called while ImGui makes a frame.
+    std::optional<GalleryItem> draw();
+
+  private:
+    bool draw_item(const GalleryItem& item, bool marked);
+
+    const int threads;
+    Notes& notes;
+    Pace& pace;
+    const std::function<void()> notify;
+    std::optional<GalleryReader> reader;  // from the first time on
+    std::optional<std::vector<GallerySection>> sections;
+    std::map<std::string, unsigned> pictures;  // textures by paths of scenes; 0 if a scene cannot be read
+    GalleryPlace chosen;
+    int columns = 1;
+    float width = 1;                      // of an item, in pixels
+    bool taken = false, scrolls = false;  // by keys
+    std::vector<std::string> visible;
+};
+
+}  // namespace strahl
