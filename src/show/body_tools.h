@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "scene/scene.h"
+#include "show/keys/commands.h"
 #include "show/session/body_editor.h"
 #include "show/session/drag.h"
 #include "show/session/handles.h"
-#include "show/session/keys.h"
 #include "show/session/light_marks.h"
 #include "show/session/session.h"
 #include "show/window/body_panel.h"

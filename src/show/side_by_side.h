@@ -4,9 +4,9 @@
 #include <memory>
 #include <string>
 
+#include "show/keys/commands.h"
 #include "show/second/second_pictures.h"
 #include "show/session/divider.h"
-#include "show/session/keys.h"
 #include "show/session/session.h"
 #include "show/window/overlay.h"
 #include "show/work/notes.h"

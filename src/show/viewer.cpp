@@ -11,6 +11,7 @@
 #include "files/output_file.h"
 #include "scene/moving_scene.h"
 #include "show/info.h"
+#include "show/welcome/help_panel.h"
 #include "show/welcome/recent_files.h"
 #include "text/reading/tracks_file.h"
 #include "text/write.h"
@@ -20,10 +21,11 @@ namespace {
 
 constexpr double signal_interval = 0.2;  // seconds until a signal is noticed
 
-std::string window_title(const std::string& path) {
-    if (path.empty()) return "strahl (H: help)";
+std::string window_title(const std::string& path, const KeyMap& keys) {
+    const std::string help = " (" + keys.first_key(Action::help) + ": help)";
+    if (path.empty()) return "strahl" + help;
     const std::string name = path == "-" ? "standard input" : std::filesystem::path(path).filename().string();
-    return name + " - strahl (H: help)";
+    return name + " - strahl" + help;
 }
 
 std::string whole_seconds(double seconds) { return std::to_string(static_cast<int>(seconds)) + " s"; }
@@ -57,9 +59,10 @@ Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::unique_ptr<Reload
       pace(began, o.fps),
       notes(pace, o.verbose),
       session(scene_to_show(first), o.depth),
-      screen(window_title(first.path), window_size(o, *session.scene), o.size.width == 0, o.full_screen, !o.benchmark),
+      screen(window_title(first.path, keys.keys), window_size(o, *session.scene), o.size.width == 0, o.full_screen,
+             !o.benchmark),
       panels(pace, o.play, o.scene.empty()),
-      input(screen, session, panels, pace, o.play,
+      input(screen, session, panels, pace, keys.keys, o.play,
             {.perform = [this](Command command) { perform(command); },
              .browse =
                  [this](int key) {
@@ -89,6 +92,7 @@ Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::unique_ptr<Reload
       welcome(o.threads, notes, pace, glfwPostEmptyEvent),
       tracks(o.rocket, session, notes, pace, glfwPostEmptyEvent),
       sound(notes, pace) {
+    if (!keys.faults.empty()) notes.fail(keys.faults);
     session.editor.words = first.words, session.exposure = o.exposure;
     if (first.scene) bodies.loaded(first), side.loaded(first), opened.push_back(first.path);
     if (panels.gallery) welcome.appear();
@@ -224,7 +228,7 @@ void Viewer::click(double x, double y) {
 /// Returns what the pointer can take hold of at a point of the window.
 Hold Viewer::points_at(double x, double y) {
     if (side.divider().reached(screen.area(), x, y, screen.pixels_to_reach())) return Hold::divider;
-    const bool handle = !panels.quiet && !panels.help && bodies.points_at(in_picture(x, y), screen.pixels_to_reach());
+    const bool handle = !panels.quiet && bodies.points_at(in_picture(x, y), screen.pixels_to_reach());
     return handle ? Hold::handle : Hold::nothing;
 }
 
@@ -277,7 +281,8 @@ void Viewer::draw() {
     std::optional<GalleryItem> from_gallery;
     screen.draw([&] {
         draw_overlay(over);
-        if (panels.gallery) return void(from_gallery = welcome.draw());
+        if (panels.help_shown()) return draw_help(keys.keys, panels.sought());
+        if (panels.gallery) return void(from_gallery = welcome.draw(keys.keys));
         done = panels.draw_timeline(session);
         on_body = panels.draw_body(bodies.editor(), bodies.file_name());
         added = panels.draw_add();
@@ -339,7 +344,7 @@ void Viewer::take_scene() {
         sound.load(*session.scene, file.path(), glfwPostEmptyEvent);
     }
     if (session.flight.paused()) session.follow(pace.now());
-    if (loaded->opened) glfwSetWindowTitle(screen.window(), window_title(file.path()).c_str());
+    if (loaded->opened) glfwSetWindowTitle(screen.window(), window_title(file.path(), keys.keys).c_str());
 }
 
 /// Tells the user about tracks that have no effect.
@@ -402,9 +407,9 @@ Overlay Viewer::overlay() const {
     overlay.reserved_right = panels.reserved_right();
     if (!pace.moving()) overlay.silhouette = bodies.lines();
     overlay.tools = bodies.drawn();
-    overlay.help = panels.help, overlay.share = state.share;
+    overlay.share = state.share;
     overlay.fault = file.fault(), overlay.fault_title = file.fault_title();
-    if (panels.info) overlay.info = info_lines(session, pace, picture);
+    if (panels.info && !panels.help) overlay.info = info_lines(session, pace, picture);
     if (session.recording()) overlay.notes.push_back({"recording; K ends it"});
     if (bodies.adding())
         overlay.notes.push_back({std::string("click where the ") + bodies.adding() + " is to stand; Ctrl+A ends this"});

@@ -8,6 +8,7 @@
 #include "show/body_tools.h"
 #include "show/file_dialog.h"
 #include "show/film_recorder.h"
+#include "show/keys/key_file.h"
 #include "show/motion/flown_pictures.h"
 #include "show/session/session.h"
 #include "show/session/view_options.h"
@@ -79,6 +80,7 @@ class Viewer {
     void end(const std::atomic<bool>& interrupted);
 
     const ViewOptions options;
+    const KeysRead keys = user_keys();
     Pace pace;
     Notes notes;
     Session session;

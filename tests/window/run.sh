@@ -94,7 +94,7 @@ xdotool key i
 shows paused.png
 xdotool key h
 shows_other paused.png
-xdotool key h
+xdotool key f BackSpace Escape # typing searches the help, and does nothing else
 shows paused.png
 xdotool key n
 

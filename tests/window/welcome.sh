@@ -90,6 +90,22 @@ start_log 'gallery of' view --size 640x480
 xdotool key BackSpace Escape
 closed
 
+echo "-- the user's keys apply, in the help as well; an error in their file is told"
+mkdir -p config/strahl
+printf 'add-key = F3\nopen = F3\n' >config/strahl/keys
+put "$camera" "$world"
+start_log 'keys:2:8: F3 is the key of '"'add-key' in line 1 already" scene.rt --size 320x240
+await 'first picture'
+xdotool key p F3
+await 'key 1 added'
+xdotool key F1 p q Escape p ctrl+n # typed for the help
+await 'new path'
+! tail -n +4 log | grep -q 'key 2 added' || fault "what is typed for the help is a command, too"
+quit
+"$strahl" view --list-keys >keys 2>faults
+(($? == 3)) && grep -q '^add-key = F3 ' keys && grep -q '^open =  ' keys && grep -q 'keys:2:8' faults ||
+    fault "the list of keys: $(cat keys faults)"
+
 echo "-- strahl alone shows it, too; without a display it says how it is used"
 "$strahl" >log 2>&1 &
 pid=$!

@@ -1,6 +1,7 @@
 // strahl view: reads the scene and opens the window.
 #include "main/commands/command_view.h"
 
+#include <cstdio>
 #include <cstdlib>
 #include <memory>
 
@@ -15,6 +16,11 @@ bool window_possible() {
 }
 
 int view_command(const ViewOptions& options, const std::atomic<bool>* interrupted) {
+    if (options.list_keys) {
+        const KeysRead read = user_keys();
+        std::fputs(write_keys(read.keys).c_str(), stdout);
+        return read.faults.empty() ? 0 : throw FileError(read.faults);
+    }
     const auto began = Pace::Clock::now();
     OpeningOptions opening = options.opening;
     opening.time = options.time;

@@ -193,6 +193,9 @@ void add_view(CLI::App& app, ChosenCommand& chosen) {
     add_choice<std::string>(command, "--still-format", o->still_ending, {{"bmp", ".bmp"}, {"png", ".png"}},
                             "Format of stills: bmp (default) or png", "KIND");
     add_window_options(command, *o);
+    command->add_flag(
+        "--list-keys", o->list_keys,
+        "Print the commands of the window and their keys; lines of this in ~/.config/strahl/keys change them");
     command->footer(
         "Without SCENE, as from a desktop's menu, a gallery of scenes is shown. H lists the keys.\n"
         "When the scene file changes it is read again; while it has an error, the window shows the\n"

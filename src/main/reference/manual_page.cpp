@@ -58,6 +58,7 @@ constexpr std::array files{
     Mention{"FILE.part-K-of-N", "What --part K/N makes, for strahl join"},
     Mention{".strahl-*", "A file that is being written, in the folder of its final name"},
     Mention{"~/.local/state/strahl/window", "Place and size of the window"},
+    Mention{"~/.config/strahl/keys", "Keys of the window, as strahl view --list-keys prints them"},
     Mention{"~/.local/state/strahl/recent", "The scenes that were opened last"},
     Mention{"share/strahl/scenes", "Example scenes, beside the bin folder of the program"},
     Mention{"share/doc/strahl/language.md", "The language of scenes"},
@@ -65,6 +66,7 @@ constexpr std::array files{
 constexpr std::array variables{
     Mention{"PATH", "Where ffmpeg, for films, and povray, for crosscheck, are found"},
     Mention{"TMPDIR", "Folder for the temporary files of crosscheck, /tmp by default"},
+    Mention{"XDG_CONFIG_HOME", "Folder for strahl/keys, ~/.config by default"},
     Mention{"XDG_STATE_HOME", "Folder for what the window remembers, ~/.local/state by default"},
 };
 template <class Mentions>

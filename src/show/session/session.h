@@ -8,9 +8,9 @@
 
 #include "image/transfer.h"
 #include "scene/scene.h"
+#include "show/keys/commands.h"
 #include "show/session/camera_control.h"
 #include "show/session/flight.h"
-#include "show/session/keys.h"
 #include "show/session/path_editor.h"
 #include "show/session/progressive.h"
 #include "show/session/thinning.h"

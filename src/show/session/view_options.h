@@ -30,6 +30,7 @@ struct ViewOptions {
     double fps = 60;            // requested pictures per second in motion, above 0
     std::optional<int> rocket;  // the port of an editor of tracks, if one is to be used
     bool verbose = false;
+    bool list_keys = false;  // prints the keys instead
     // strahl play: shows only the flight, without panels; the user can only pause it and close the window.
     bool play = false;
     bool loop = false;       // starts the flight again at its end

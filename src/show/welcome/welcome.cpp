@@ -66,7 +66,7 @@ bool Welcome::draw_item(const GalleryItem& item, bool marked) {
     return clicked;
 }
 
-std::optional<GalleryItem> Welcome::draw() {
+std::optional<GalleryItem> Welcome::draw(const KeyMap& keys) {
     std::optional<GalleryItem> result;
     const ImVec2 all = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({0, 0});
@@ -76,8 +76,9 @@ std::optional<GalleryItem> Welcome::draw() {
     ImGui::Begin("gallery", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus);
-    ImGui::TextDisabled(
-        "Click, or arrows and Enter: open   Ctrl+O, or drop a file here: another   H: help   Esc: quit");
+    ImGui::TextDisabled("Click, or arrows and Enter: open   %s, or drop a file here: another   %s: help   %s: quit",
+                        keys.first_key(Action::open_file).c_str(), keys.first_key(Action::help).c_str(),
+                        keys.first_key(Action::quit).c_str());
     ImGui::BeginChild("items");
     const float font = ImGui::GetFontSize(), room = ImGui::GetContentRegionAvail().x, gap = font * .5f;
     columns = std::max(1, static_cast<int>(room / (14 * font)));

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "show/keys/key_map.h"
 #include "show/welcome/gallery.h"
 #include "show/welcome/gallery_reader.h"
 #include "show/window/screen.h"
@@ -29,7 +30,7 @@ class Welcome {
     /// Takes over what was listed and the pictures that were made.
     void take(const Screen& screen);
     /// Draws the gallery, and returns what the user takes. To be called while ImGui makes a frame.
-    std::optional<GalleryItem> draw();
+    std::optional<GalleryItem> draw(const KeyMap& keys);
 
   private:
     bool draw_item(const GalleryItem& item, bool marked);

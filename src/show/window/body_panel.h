@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "show/keys/commands.h"
 #include "show/session/body_editor.h"
-#include "show/session/keys.h"
 #include "show/window/covered_area.h"
 
 namespace strahl {

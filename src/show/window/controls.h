@@ -5,8 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "show/keys/commands.h"
 #include "show/session/camera_control.h"
-#include "show/session/keys.h"
 
 namespace strahl {
 

@@ -18,8 +18,15 @@ Input& input_of(GLFWwindow* window) { return *static_cast<Input*>(glfwGetWindowU
 
 }  // namespace
 
-Input::Input(Screen& screen, const Session& session, Panels& panels, Pace& pace, bool fixed, InputHandlers handlers)
-    : screen(screen), session(session), panels(panels), pace(pace), fixed(fixed), handlers(std::move(handlers)) {
+Input::Input(Screen& screen, const Session& session, Panels& panels, Pace& pace, const KeyMap& keys, bool fixed,
+             InputHandlers handlers)
+    : screen(screen),
+      session(session),
+      panels(panels),
+      pace(pace),
+      keys(keys),
+      fixed(fixed),
+      handlers(std::move(handlers)) {
     GLFWwindow* const window = screen.window();
     glfwSetWindowUserPointer(window, this);
     glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int modifiers) {
@@ -42,6 +49,15 @@ Input::Input(Screen& screen, const Session& session, Panels& panels, Pace& pace,
     glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { input_of(w).pace.redraw(); });
 }
 
+/// Takes a key for the help, if that is shown. Returns false if it is none for that.
+bool Input::for_help(int key, int modifiers) {
+    if (!panels.help_shown()) return false;
+    const bool combined = modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER);
+    if (key == GLFW_KEY_ESCAPE) return panels.toggle(Action::help), true;
+    if (key == GLFW_KEY_BACKSPACE) return panels.search(0), true;
+    return !combined && (key <= GLFW_KEY_WORLD_2 || (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_EQUAL));
+}
+
 void Input::on_key(int key, int scancode, int action, int modifiers) {
     GLFWwindow* const window = screen.window();
     const bool typing = ImGui::GetIO().WantTextInput;
@@ -51,13 +67,14 @@ void Input::on_key(int key, int scancode, int action, int modifiers) {
         pace.redraw(after_input);
     }
     if (typing && action != GLFW_RELEASE) return;
+    used = false;
+    if (action != GLFW_RELEASE && for_help(key, modifiers)) return;
     if (panels.gallery && action != GLFW_RELEASE && handlers.browse(key)) return pace.redraw(after_input);
-    auto push = push_of_key(key);
-    if (panels.gallery) push.reset();
-    pushing = push.has_value();
+    const auto push = keys.push_of_key(key);
+    used = push.has_value();
     const bool third_level = glfwGetKey(window, GLFW_KEY_RIGHT_ALT);
     if (action == GLFW_REPEAT) {
-        const auto command = push ? std::nullopt : command_of_key(key, scancode, modifiers, third_level);
+        const auto command = push ? std::nullopt : keys.command_of_key(key, scancode, modifiers, third_level);
         if (command && command->action == Action::step) handlers.perform(*command);
         return;
     }
@@ -68,10 +85,10 @@ void Input::on_key(int key, int scancode, int action, int modifiers) {
         return;
     }
     const bool combined = modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER);
-    if (push && !combined && !fixed)
+    if (push && !combined && !fixed && !panels.gallery)
         controls.press(*push);
-    else if (const auto command = command_of_key(key, scancode, modifiers, third_level))
-        handlers.perform(*command);
+    else if (const auto command = keys.command_of_key(key, scancode, modifiers, third_level))
+        used = true, handlers.perform(*command);
 }
 
 void Input::on_character(unsigned character) {
@@ -79,15 +96,17 @@ void Input::on_character(unsigned character) {
         pace.redraw(after_input);
         return ImGui_ImplGlfw_CharCallback(screen.window(), character);
     }
-    // On some layouts a key that moves the camera has one of these characters printed on it.
-    if (pushing) return;
-    if (const auto command = command_of_character(character)) handlers.perform(*command);
+    // On some layouts a key that moves the camera has a character printed on it that is a command, too.
+    if (used) return;
+    if (panels.help_shown()) return panels.search(character);
+    if (const auto command = keys.command_of_character(character)) handlers.perform(*command);
 }
 
 void Input::on_button(int button, int action, int modifiers) {
     ImGui_ImplGlfw_MouseButtonCallback(screen.window(), button, action, modifiers);
     if (panels.take_input()) pace.redraw(after_input);
     if (button != GLFW_MOUSE_BUTTON_LEFT) return;
+    if (action == GLFW_PRESS && panels.help_shown()) return panels.toggle(Action::help);
     double x = 0, y = 0;
     glfwGetCursorPos(screen.window(), &x, &y);
     if (action == GLFW_PRESS && !on_panel()) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "show/keys/key_map.h"
 #include "show/session/session.h"
 #include "show/window/controls.h"
 #include "show/window/panels.h"
@@ -35,7 +36,8 @@ struct InputHandlers {
 class Input {
   public:
     /// Receives the events of the screen's window from now on. If `fixed` the user cannot move the camera.
-    Input(Screen& screen, const Session& session, Panels& panels, Pace& pace, bool fixed, InputHandlers handlers);
+    Input(Screen& screen, const Session& session, Panels& panels, Pace& pace, const KeyMap& keys, bool fixed,
+          InputHandlers handlers);
     Input(const Input&) = delete;
 
     /// Looks at the gamepad, which has no events: the left stick moves, the right one turns, the triggers go down and
@@ -62,11 +64,13 @@ class Input {
     void show_hold();
     void let_go();
     bool steps() const;
+    bool for_help(int key, int modifiers);
 
     Screen& screen;
     const Session& session;
     Panels& panels;
     Pace& pace;
+    const KeyMap& keys;
     const bool fixed;
     const InputHandlers handlers;
     Controls controls;
@@ -75,7 +79,7 @@ class Input {
     Hold held = Hold::nothing;
     Hold hold_shown = Hold::nothing;  // by the pointer's shape
     std::array<GLFWcursor*, 3> hold_shapes{};
-    bool pushing = false;  // the character that follows belongs to a key that moves the camera
+    bool used = false;  // the key whose character follows
     double pointer_moved = 0;
     bool pointer_hidden = false;
     std::array<bool, 15> buttons{};  // of the gamepad, which are down

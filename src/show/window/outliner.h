@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "scene/scene.h"
+#include "show/keys/commands.h"
 #include "show/session/body_editor.h"
-#include "show/session/keys.h"
 #include "show/window/covered_area.h"
 #include "text/place_body.h"
 

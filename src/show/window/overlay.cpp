@@ -7,8 +7,6 @@
 #include <cmath>
 #include <sstream>
 
-#include "show/session/keys.h"
-
 namespace strahl {
 namespace {
 
@@ -45,29 +43,6 @@ void cell(const ImVec4& color, const char* text) {
     ImGui::PushStyleColor(ImGuiCol_Text, color);
     ImGui::TextUnformatted(text);
     ImGui::PopStyleColor();
-}
-
-void draw_key_table() {
-    for (const KeyHelp& line : key_help) {
-        ImGui::TableNextRow();
-        const bool heading = line.meaning[0] == 0;
-        cell(heading ? quiet : accent, line.keys);
-        cell(ImGui::GetStyleColorVec4(ImGuiCol_Text), line.meaning);
-    }
-    ImGui::EndTable();
-}
-
-/// Draws the help as large as it fits, but for windows in which nobody could read it.
-ImVec2 draw_help(const FreeArea& free) {
-    return panel("help", free, 1, 0.5f, [&] {
-        const float space = 2, lines = key_help.size();
-        const float high = free.height() - 2 * ImGui::GetStyle().WindowPadding.y - lines * space;
-        ImGui::SetWindowFontScale(std::clamp(high / (lines * ImGui::GetFontSize()), 0.3f, 1.f));
-        ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {ImGui::GetStyle().CellPadding.x, space / 2});
-        if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) draw_key_table();
-        ImGui::PopStyleVar();
-        ImGui::SetWindowFontScale(1);
-    });
 }
 
 ImVec2 draw_info(const Overlay& overlay, const FreeArea& free) {
@@ -243,7 +218,6 @@ void draw_overlay(const Overlay& overlay) {
     const ImVec2 all = ImGui::GetIO().DisplaySize;
     FreeArea free{gap() + overlay.reserved_left, gap(), all.x - overlay.reserved_right - gap(), all.y - overlay.reserved - gap()};
     if (overlay.sides) draw_divider(*overlay.sides, overlay.area, free.bottom + gap());
-    if (overlay.help) free.right -= draw_help(free).x;
     const bool info = !overlay.info.empty();
     if (info) free.top += draw_info(overlay, free).y;
     if (!overlay.notes.empty() || !overlay.bars.empty()) free.top += draw_notes(overlay, free, info ? 0 : 1).y;

@@ -15,7 +15,6 @@
 namespace strahl {
 
 struct Overlay {
-    bool help = false;
     std::vector<std::pair<std::string, std::string>> info;  // names and values; if empty, no panel
     double share = 1;                                       // of the picture's passes that are done
     std::string fault_title, fault;                         // the error in the scene file, if any

@@ -12,7 +12,16 @@ void Panels::toggle(Action action) {
                   : action == Action::gallery   ? gallery
                                                 : quiet;
     shown = !shown;
+    if (&shown == &help) typed.clear();
     if (&shown != &quiet) quiet = false;
+}
+
+void Panels::search(unsigned character) {
+    if (character >= ' ' && character < 127 && typed.size() < 40)
+        typed += static_cast<char>(character);
+    else if (character == 0 && !typed.empty())
+        typed.pop_back();
+    pace.redraw();
 }
 
 TimelineInput Panels::draw_timeline(const Session& session) {

@@ -33,10 +33,15 @@ class Panels {
     /// Draws the outline, if it is shown, and returns what the user did in it. Likewise; see Outliner::draw.
     OutlinerInput draw_outline(const Session& session, const BodyEditor& editor, const std::set<int>& hidden,
                                const std::vector<std::string>& notes);
+    /// Is the help shown? It covers the window.
+    bool help_shown() const { return help && !quiet; }
+    /// The words that the help is searched for. Adds a character to them, or, with 0, removes the last one.
+    const std::string& sought() const { return typed; }
+    void search(unsigned character);
     /// Does one of these panels cover this point of the window?
     bool cover(double x, double y) const {
-        return gallery || (body_shown && body.area().has(x, y)) || (add_shown() && add.area().has(x, y)) ||
-               (outline_shown() && outliner.area().has(x, y));
+        return gallery || help_shown() || (body_shown && body.area().has(x, y)) ||
+               (add_shown() && add.area().has(x, y)) || (outline_shown() && outliner.area().has(x, y));
     }
     /// The width in pixels that it takes at the right of the window.
     float reserved_right() const { return body_shown ? body.width() : 0; }
@@ -55,6 +60,7 @@ class Panels {
     bool outline_shown() const { return outline_open && !quiet; }
 
     Pace& pace;
+    std::string typed;
     bool timeline_open = false;
     Timeline timeline;
     bool body_shown = false;

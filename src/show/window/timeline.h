@@ -2,7 +2,7 @@
 #pragma once
 #include <optional>
 
-#include "show/session/keys.h"
+#include "show/keys/commands.h"
 #include "show/session/path_editor.h"
 
 namespace strahl {

@@ -1,0 +1,145 @@
+// The commands that the user can give, each with its word, its usual keys and its help: the only list of them.
+#pragma once
+#include <array>
+
+namespace strahl {
+
+enum class Action {
+    move,
+    quit,
+    still,
+    film,
+    play,
+    pause,
+    rewind,
+    to_end,
+    step,
+    to_key,
+    add_key,
+    set_key,
+    delete_key,
+    clear_path,
+    record,
+    undo,
+    redo,
+    copy_path,
+    write_path,
+    open_file,
+    timeline,
+    change_style,
+    reset,
+    full_screen,
+    fill,
+    expose,
+    deeper,
+    shallower,
+    finer,
+    coarser,
+    recall,
+    store,
+    copy_camera,
+    help,
+    info,
+    quiet,
+    stability,
+    second,
+    difference,
+    open_text,
+    approach,
+    handles,
+    lights,
+    copy_body,
+    add_block,
+    outline,
+    gallery,
+};
+/// The keys that move the camera, identified by their place.
+enum class Push { forward, back, left, right, down, up };
+struct Command {
+    Action action = Action::quit;
+    /// Says which Push; which camera, 1 to 9; how many 1/25 s or keys to step, backwards if negative; 1 if a still is a
+    /// .png; or by how many half stops to expose more, 0 for no exposure.
+    int number = 0;
+    bool operator==(const Command&) const = default;
+};
+
+/// What the help says in one line. What has no word is not a command but says what else there is; without a meaning it
+/// is a heading.
+struct CommandHelp {
+    const char *word, *keys, *meaning;  // keys as in the user's file of keys, see key_file.h
+    Command command{};
+};
+inline constexpr std::array command_helps{
+    CommandHelp{"", "Moving", ""},
+    CommandHelp{"forward", "W", "fly forward", {Action::move, int(Push::forward)}},
+    CommandHelp{"left", "A", "to the left", {Action::move, int(Push::left)}},
+    CommandHelp{"back", "S", "back", {Action::move, int(Push::back)}},
+    CommandHelp{"right", "D", "to the right", {Action::move, int(Push::right)}},
+    CommandHelp{"down", "Q", "down", {Action::move, int(Push::down)}},
+    CommandHelp{"up", "E", "up", {Action::move, int(Push::up)}},
+    CommandHelp{"", "with Shift", "faster"},
+    CommandHelp{"", "mouse drag", "look around"},
+    CommandHelp{"", "wheel", "speed"},
+    CommandHelp{"orbit", "Tab", "fly, or orbit around what is seen", {Action::change_style}},
+    CommandHelp{"reset", "R", "back to the scene's camera", {Action::reset}},
+    CommandHelp{"approach", "B", "to the body that is chosen", {Action::approach}},
+    CommandHelp{"recall", "1-9", "recall a camera", {Action::recall}},
+    CommandHelp{"store", "Shift+1-9", "store the camera", {Action::store}},
+    CommandHelp{"copy-camera", "C", "copy the camera and print it", {Action::copy_camera}},
+    CommandHelp{"", "Flight", ""},
+    CommandHelp{"play", "F", "fly along the path", {Action::play}},
+    CommandHelp{"pause", "Space", "pause, continue", {Action::pause}},
+    CommandHelp{"step-back", "Left", "1/25 s back", {Action::step, -1}},
+    CommandHelp{"step", "Right", "1/25 s forward", {Action::step, 1}},
+    CommandHelp{"second-back", "Shift+Left", "1 s back", {Action::step, -25}},
+    CommandHelp{"second", "Shift+Right", "1 s forward", {Action::step, 25}},
+    CommandHelp{"start", "Home", "to the start", {Action::rewind}},
+    CommandHelp{"end", "End", "to the end", {Action::to_end}},
+    CommandHelp{"previous-key", "PageUp", "to the key before", {Action::to_key, -1}},
+    CommandHelp{"next-key", "PageDown", "to the next key", {Action::to_key, 1}},
+    CommandHelp{"add-key", "P", "add the camera as the next key", {Action::add_key}},
+    CommandHelp{"set-key", "Insert", "set the key of this moment", {Action::set_key}},
+    CommandHelp{"record", "K", "record a flight by hand; end that", {Action::record}},
+    CommandHelp{"timeline", "T", "the timeline: drag keys", {Action::timeline}},
+    CommandHelp{"copy-path", "Shift+C", "copy the path and print it", {Action::copy_path}},
+    CommandHelp{"new-path", "Ctrl+N", "a new path", {Action::clear_path}},
+    CommandHelp{"", "Bodies", ""},
+    CommandHelp{"", "click", "choose; again: the one behind"},
+    CommandHelp{"outline", "O", "list all: find, choose, hide", {Action::outline}},
+    CommandHelp{"add", "Ctrl+A", "add a body or a light", {Action::add_block}},
+    CommandHelp{"handles", "M", "handles move, turn, scale", {Action::handles}},
+    CommandHelp{"", "Ctrl+drag", "in steps"},
+    CommandHelp{"copy", "Ctrl+D", "copy what is chosen", {Action::copy_body}},
+    CommandHelp{"delete", "Delete", "remove it; or the path's key", {Action::delete_key}},
+    CommandHelp{"lights", "L", "show lights, to be dragged", {Action::lights}},
+    CommandHelp{"edit-text", "F4", "open its line in $EDITOR", {Action::open_text}},
+    CommandHelp{"", "File", ""},
+    CommandHelp{"write", "F2 Ctrl+S", "write path and bodies", {Action::write_path}},
+    CommandHelp{"undo", "Ctrl+Z", "undo", {Action::undo}},
+    CommandHelp{"redo", "Ctrl+Y Ctrl+Shift+Z", "redo", {Action::redo}},
+    CommandHelp{"open", "Ctrl+O", "open another; or drop a file", {Action::open_file}},
+    CommandHelp{"gallery", "Backspace", "the gallery of scenes", {Action::gallery}},
+    CommandHelp{"quit", "Esc", "leave", {Action::quit}},
+    CommandHelp{"", "Picture", ""},
+    CommandHelp{"still", "F12", "save a still", {Action::still}},
+    CommandHelp{"still-png", "Shift+F12", "save it as .png", {Action::still, 1}},
+    CommandHelp{"film", "Ctrl+F12", "make a film; again: end it", {Action::film}},
+    CommandHelp{"fewer", "[", "fewer reflections", {Action::shallower}},
+    CommandHelp{"more", "]", "more reflections", {Action::deeper}},
+    CommandHelp{"brighter", "+", "brighter", {Action::expose, 1}},
+    CommandHelp{"darker", "-", "darker", {Action::expose, -1}},
+    CommandHelp{"as-it-is", "0", "light as it is", {Action::expose}},
+    CommandHelp{"coarser", ",", "lower quality in motion", {Action::coarser}},
+    CommandHelp{"finer", ".", "higher quality in motion", {Action::finer}},
+    CommandHelp{"fullscreen", "F11", "full screen", {Action::full_screen}},
+    CommandHelp{"fill", "V", "fill the window", {Action::fill}},
+    CommandHelp{"compare", "G", "compare with POV-Ray, and others", {Action::second}},
+    CommandHelp{"difference", "Shift+G", "show the difference, 16 times", {Action::difference}},
+    CommandHelp{"rounding", "X", "check rounding, at rest", {Action::stability}},
+    CommandHelp{"info", "I", "information", {Action::info}},
+    CommandHelp{"quiet", "N", "hide all text", {Action::quiet}},
+    CommandHelp{"help", "H F1", "this help", {Action::help}},
+    CommandHelp{"", "gamepad", "sticks move; A pauses; X adds a key"},
+};
+
+}  // namespace strahl
