@@ -46,8 +46,9 @@ void write_picture(const Picture& picture, const std::string& path, FileFormat f
 /// The most values that a picture may have unless the caller allows more: 2 GiB of doubles.
 inline constexpr std::uint64_t most_values_read = std::uint64_t(1) << 28;
 
-/// Reads a .bmp, .png, .exr, .ppm, .pgm or .pfm file, whatever its name ends in, without converting colours. Throws
-/// FileError, also if the picture has more than `most` values or more than there is memory for.
+/// Reads a .bmp, .png, .exr, .jpg, .gif, .ppm, .pgm or .pfm file, whatever its name ends in, without converting
+/// colours; of an animation the first picture. Throws FileError, also if it has more than `most` values or more than
+/// there is memory for.
 Picture read_picture(const std::string& path, std::uint64_t most = most_values_read);
 
 /// Loads the library that reads .png and .exr files, before work that would be lost without it. Throws OutputError.

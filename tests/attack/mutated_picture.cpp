@@ -9,6 +9,7 @@
 #include "image/picture.h"
 #include "tests/attack/mutator.h"
 #include "tests/unit/image/exr_bytes.h"
+#include "tests/unit/image/other_pictures.h"
 #include "tests/unit/scratch.h"
 
 namespace strahl {
@@ -146,7 +147,9 @@ std::vector<std::string> valid_pictures() {
         write_picture(picture, folder / ending, {.bits = bits});
         files.push_back(bytes_of(folder / ending));
     };
-    for (const auto& [width, height] : {std::pair{1, 1}, {7, 5}, {33, 17}}) {
+    for (const auto& [width, height] : {std::pair<std::uint16_t, std::uint16_t>{1, 1}, {7, 5}, {33, 17}}) {
+        for (const int channels : {1, 3}) files.push_back(jpeg(width, height, channels));
+        files.push_back(gif(width, height));
         add("a.bmp", 8, width, height, 3);
         for (const int channels : {1, 2, 3, 4}) {
             for (const int bits : {8, 16}) add("a.png", bits, width, height, channels);

@@ -131,8 +131,9 @@ bool decode(const strahl::Wanted& wanted, strahl::Picture& picture, std::string&
     } else {
         whole = read_values<float>(*input, spec, channels, 1, picture);
     }
-    if (!whole) reason = input->geterror();
-    return whole;
+    if (!whole || input->has_error()) reason = input->geterror();
+    // Of a .jpg that is cut off the library makes the rest grey.
+    return whole && reason.find("Premature end") == std::string::npos;
 }
 
 bool draw_text(const std::string& text, int size, strahl::Picture& picture, std::string& reason) {

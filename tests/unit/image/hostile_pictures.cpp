@@ -13,6 +13,7 @@
 #include "image/picture.h"
 #include "tests/unit/faults.h"
 #include "tests/unit/image/exr_bytes.h"
+#include "tests/unit/image/other_pictures.h"
 #include "tests/unit/scratch.h"
 
 namespace strahl {
@@ -26,7 +27,7 @@ std::string fault_in(const std::string& path, std::uint64_t most = most_values_r
     return fault_of([&] { read_picture(path, most); });
 }
 
-TEST_CASE("only .bmp, .png, .exr, .ppm, .pgm and .pfm are read, recognised by their contents") {
+TEST_CASE("only .bmp, .png, .exr, .jpg, .gif, .ppm, .pgm and .pfm are read, recognised by their contents") {
     const Scratch folder;
     const auto reading = [&](const std::string& name) { return fault_in(folder / name); };
     write_picture(picture(4, 4), folder / "a.png", {});
@@ -37,7 +38,7 @@ TEST_CASE("only .bmp, .png, .exr, .ppm, .pgm and .pfm are read, recognised by th
     for (const std::string& start : {no_channels, icon, dds, cineon, std::string("P4 8 1\n1")})
         for (const char* name : {"b.png", "b.sgi", "b.ico", "b.dds", "b.cin", "b.ppm"}) {
             write_file(folder / name, start + std::string(2000, '\0'));
-            CHECK(says(reading(name), "is not a .bmp, .png, .exr, .ppm, .pgm or .pfm file"));
+            CHECK(says(reading(name), "is not a .bmp, .png, .exr, .jpg, .gif, .ppm, .pgm or .pfm file"));
         }
     for (const char* kind : {"1.pbm", "2.pgm", "3.ppm"}) {
         write_file(folder / "c.ppm", "P" + std::string(kind, 1) + " 1 1 255\n1 2 3");
@@ -106,6 +107,42 @@ TEST_CASE("BMP headers that are forged, and files that are cut off") {
         read += fault_in(folder / "b.bmp").empty();
     }
     CHECK(read > 100);
+}
+
+TEST_CASE(".jpg and .gif files: their values, and headers that are forged") {
+    const Scratch folder;
+    const auto reading = [&](const std::string& bytes) {
+        write_file(folder / "a", bytes);
+        return fault_in(folder / "a");
+    };
+    write_file(folder / "a.gif", gif(40, 9));
+    const Picture grey = read_picture(folder / "a.gif");
+    REQUIRE(grey.width == 40);
+    REQUIRE(grey.height == 9);
+    const auto channels = static_cast<std::size_t>(grey.channels);
+    for (std::size_t i = 0; i < 360; ++i) CHECK(grey.values[channels * i + 1] == double(i % 256) / 255);
+    for (const int channels : {1, 3}) {
+        write_file(folder / "a.jpg", jpeg(20, 9, channels));
+        const Picture blocks = read_picture(folder / "a.jpg");
+        REQUIRE(blocks.width == 20);
+        REQUIRE(blocks.height == 9);
+        REQUIRE(blocks.channels == channels);
+        const double left = blocks.values[0], right = blocks.values[static_cast<std::size_t>(8 * channels)];
+        CHECK(left != right);
+        CHECK(blocks.values[static_cast<std::size_t>(7 * channels)] == left);
+    }
+    const std::string whole = jpeg(200, 90, 3);
+    CHECK(reading(whole).empty());
+    CHECK(says(reading(whole.substr(0, whole.size() - 100)), "as a picture"));
+    std::string forged = whole;
+    forged.replace(whole.find("\xff\xc0") + 5, 4, "\xff\xff\xff\xff");
+    CHECK(says(reading(forged), "more pixels than fit into such a file"));
+    CHECK(says(reading("\xff\xd8\xff" + std::string(3000, '\xff')), "it has no size"));
+    CHECK(says(reading(std::string("\xff\xd8\xff\xe0\0\0", 6) + std::string(3000, '\0')), "it has no size"));
+    std::string canvas = gif(40, 9);
+    CHECK(says(reading(canvas.substr(0, canvas.size() - 100)), "as a picture"));
+    canvas.replace(6, 4, "\xff\xff\xff\xff");
+    CHECK(says(reading(canvas), "more pixels than fit into such a file"));
 }
 
 TEST_CASE("devices and pipes are not read") {
