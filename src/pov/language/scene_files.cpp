@@ -106,8 +106,10 @@ std::string Interpreter::State::find(const std::string& name, const std::vector<
         return std::ranges::any_of(standard_library(), [&](const fs::path& folder) { return begins(path, folder); });
     };
     const auto accepted = [&](const fs::path& path) {
-        if (!allowed(path))
-            return fault(strahl::quoted(name) + " lies outside of the scene's folder and of the library folders");
+        if (std::error_code ignored; !allowed(path))
+            return fault(
+                strahl::quoted(name) + " lies outside of the scene's folder and of the library folders; --library " +
+                strahl::quoted(fs::weakly_canonical(path, ignored).parent_path().string()) + " allows to read it");
         const std::string found = path.string();
         if (std::ranges::find(paths, found) != paths.end()) return found;
         paths.push_back(found);

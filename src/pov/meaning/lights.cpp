@@ -70,8 +70,8 @@ void SceneMaker::add_light(const ObjectThing& object, const Around& around) {
             spot.tightness = std::clamp(own.tightness.value_or(0), 0., 1e9);
         }
         approximated(std::max(spot.radius, spot.falloff) > 90, "a spotlight shines at most 90 degrees off its axis");
-        spot.falloff = std::clamp(spot.falloff, 0., 90.);
-        spot.radius = std::clamp(spot.radius, 0., spot.falloff);
+        spot.radius = std::clamp(spot.radius, 0., 90.);
+        spot.falloff = std::clamp(spot.falloff, spot.radius, 90.);  // light ends at a radius beyond the falloff
         light.spot = spot;
     }
     if (own.area && !light.direction) light.area = area_of(own, glm::dmat3(m), mirrored);

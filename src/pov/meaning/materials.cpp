@@ -175,8 +175,10 @@ Material MaterialMaker::layered_material_of(const TextureThing& texture, const I
         approximate_opacity(layer, values);
         if (values.finish.conserve_energy && layer.reflection > 0 && layer.rgb.clear())
             notes.approximated(values.finish.place, "'conserve_energy' changes nothing");
-        if (i + 1 < texture.layers.size() && values.normal.blend && values.normal.amount != 0)
-            notes.approximated(values.normal.blend.place, "only the uppermost layer has bumps");
+        if (values.normal.blend && values.normal.amount != 0 && texture.layers.size() > 1)
+            notes.approximated(values.normal.blend.place, i + 1 < texture.layers.size()
+                                                              ? "only the uppermost layer has bumps"
+                                                              : "bumps of the uppermost layer bend all layers");
         if (lowest)
             whole = std::move(layer);
         else

@@ -38,7 +38,7 @@ bool CameraAxes::left_handed() const { return dot_product(cross_product(up, dire
 CameraAxes axes_of(const CameraThing& camera) {
     CameraAxes axes{camera.location, camera.direction, camera.right, camera.up};
     const bool flat = camera.projection == word("perspective") || camera.projection == word("orthographic");
-    if (camera.angle && flat) {
+    if (camera.angle.value_or(0) > 0 && flat) {  // angle 0 keeps the direction's length
         const double width = length(camera.right), angle = std::clamp(*camera.angle, 1e-6, 179.999);
         axes.direction = width / (2 * tangent(angle / 2)) * normalize(camera.direction);
         if (camera.steps.empty()) axes.angle = angle;
@@ -49,10 +49,10 @@ CameraAxes axes_of(const CameraThing& camera) {
         const DVec3 across = cross_product(camera.sky, ahead);
         const double size = length(axes.direction);
         axes.direction = size * ahead;
-        const bool level = length(across) > 1e-12 * length(camera.sky);  // else it looks up or down
-        const DVec3 right = normalize(level ? across : axes.right);
+        const bool level = std::max({std::fabs(across.x), std::fabs(across.y), std::fabs(across.z)}) >= 1e-10;
+        const DVec3 right = normalize(level ? across : axes.right);  // of its own if it looks up or down
         axes.up = length(axes.up) * normalize(cross_product(ahead, right));
-        if (level) axes.right = (turned ? 1 : -1) * length(axes.right) * right;
+        axes.right = (turned ? 1 : -1) * length(axes.right) * right;
     }
     if (camera.projection == word("orthographic") && (!camera.has_axes || camera.angle)) {
         const double size = length(camera.look_at - camera.location) / length(axes.direction);

@@ -59,6 +59,9 @@ void PovReader::read_pigment_body(Interpreter& in, PigmentThing& pigment) {
         } else if (in.at_color()) {
             pigment.color = in.read_color();
             pigment.blend.word = end_code;
+        } else if (in.accept("uv_mapping")) {
+            if (const auto known = in.accept_thing<PigmentThing>(ValueKind::pigment)) pigment = *known;
+            pigment.blend.uv = true;
         } else if (!read_pattern_word(in, pigment.blend, ValueKind::pigment) &&
                    !read_modifier(in, pigment.blend, ValueKind::pigment)) {
             if (changed) keep_values(pigment.blend, false, in.noise_generator);

@@ -21,6 +21,7 @@ TEST_CASE("POV-Ray: cameras have POV-Ray's axes") {
                            Row{"look_at x right -x", {1, 0, 0}, {0, 0, 1}, .5, .5},
                            Row{"sky z look_at y right -x", {0, 1, 0}, {1, 0, 0}, .5, .5},
                            Row{"direction 2*z", {0, 0, 1}, {1, 0, 0}, .3325, .25},
+                           Row{"sky z direction -x right -x location z look_at 0", {0, 0, -1}, {1, 0, 0}, .5, .5},
                            Row{"look_at z rotate 90*y", {1, 0, 0}, {0, 0, -1}, .665, .5}}) {
         CAPTURE(row.text);
         const Scene scene = whole("camera { " + std::string(row.text) + " }", false);
@@ -49,6 +50,7 @@ TEST_CASE("POV-Ray: cameras of other projections") {
           Row{"orthographic location -9*z look_at 0", Projection::orthographic, 9 * .665, 4.5},
           Row{"orthographic location -9*z right 3*x look_at 0", Projection::orthographic, 1.5, .5},
           Row{"orthographic location -9*z right 3*x look_at 0 angle 40", Projection::orthographic, 9 * t, 3 * t},
+          Row{"orthographic location -9*z right 3*x look_at 0 angle 0", Projection::orthographic, 9 * 1.5, 4.5},
           Row{"orthographic location -9*z up 2*y rotate 20*y", Projection::orthographic, .665, 1},
           Row{"fisheye angle 160", Projection::fisheye, 1.33 * 80 * degree, 80 * degree},
           Row{"ultra_wide_angle angle 160", Projection::ultra_wide_angle, 80 * degree, 80 / 1.33 * degree},
@@ -74,6 +76,8 @@ TEST_CASE("POV-Ray: finishes and pigments") {
         of("pigment { rgb .2 } finish { phong .7 phong_size 25 reflection .3 ambient 0 diffuse .9 }");
     CHECK(shiny ==
           Material{.rgb = {.2, .2, .2}, .reflection = .3, .diffuse = .9, .ambient = 0, .specular = .7, .pow = 25});
+    CHECK(material(whole("#declare P = pigment { rgb x } sphere { 0, 1 pigment { uv_mapping P } }")).rgb ==
+          Color(1, 0, 0));
     const Material clear = of("pigment { rgb 1 transmit .75 } finish { reflection .25 } interior { ior 1.5 }");
     CHECK(clear.refraction == .75);
     CHECK(clear.ior == 1.5);
@@ -174,6 +178,7 @@ TEST_CASE("POV-Ray: lights") {
     };
     CHECK(light("<1, 2, 3> rgb <1, .5, .25>") == Light{.position = {1, 2, 3}, .color = {1, .5, .25}});
     CHECK(light("0 rgb 1 spotlight point_at y falloff 30 radius 20 tightness 2").spot == Spot{{0, 1, 0}, 20, 30, 2});
+    CHECK(light("0 rgb 1 spotlight point_at y falloff 30 radius 40").spot == Spot{{0, 1, 0}, 40, 40, 0});
     CHECK(light("0 rgb 1 spotlight").spot == Spot{{0, 0, 1}, 30, 45, 0});
     CHECK(light("2*y rgb 1 parallel point_at x").direction == DVec3(1, -2, 0));
     CHECK(light("x rgb 1 translate y").position == DVec3(1, 1, 0));
@@ -229,6 +234,8 @@ TEST_CASE("POV-Ray: what scenes cannot hold is told with its line, once") {
     told("fog { distance 9 } light_source { 9 rgb 1 media_attenuation on }", "approximated: fog does not dim a light");
     CHECK(notes_of("sphere { 0, 1 pigment { crackle metric 2 form <-1, 1, 0> agate_turb 1 } }") == "");
     told("text { ttf \"no.ttf\" \"A\" 1, 0 }", "left out: a text: cannot find its font 'no.ttf'");
+    told("sphere { 0, 1 texture { pigment { rgb x } } texture { pigment { rgbt .5 } normal { bumps 1 } } }",
+         "approximated: bumps of the uppermost layer bend all layers");
     told("media { emission 1 }", "left out: media");
     told("global_settings { assumed_gamma .5 }", "approximated: assumed_gamma 0.5 is 1");
     told("rainbow { distance 1 }", "left out: a rainbow");
