@@ -64,14 +64,26 @@ Result refine(Tracer& tracer, const View& view, double error, ThreadPool& pool) 
     return result;
 }
 
-/// The reference, from a file of this scene's text and size if there is one: grid x grid rays a pixel, each anywhere in
-/// its own part of the pixel. On a regular grid edges along its rows would be off by up to half a row in every pixel.
-std::vector<double> reference(Tracer& tracer, const View& view, int grid, const std::string& path, ThreadPool& pool) {
+/// How the picture looks without noise, in two halves with rays of their own: the expected product of a picture's
+/// differences from both is the square of its error, however noisy they are.
+struct Reference {
+    std::vector<double> halves[2];
+
+    double difference(const std::vector<double>& rgb, std::size_t i) const {
+        return rgb[i] - .5 * (halves[0][i] + halves[1][i]);
+    }
+};
+
+/// A half of the reference, from a file of this scene's text and size if there is one: grid x grid rays a pixel, each
+/// anywhere in its own part of the pixel. On a regular grid edges along its rows would be off by up to half a row in
+/// every pixel.
+std::vector<double> half_of_reference(Tracer& tracer, const View& view, int grid, unsigned seed,
+                                      const std::string& path, ThreadPool& pool) {
     std::vector<double> rgb(std::size_t(3) * view.width * view.height);
     const auto bytes = static_cast<std::streamsize>(rgb.size() * sizeof(double));
     if (std::ifstream file(path, std::ios::binary); file.read(reinterpret_cast<char*>(rgb.data()), bytes)) return rgb;
     std::fill(rgb.begin(), rgb.end(), 0.);
-    std::mt19937 random(1);
+    std::mt19937 random(seed);
     const auto within = [&](int part) { return (part + random() * 0x1p-32) / grid - .5; };
     for (int i = 0; i < grid * grid; ++i) {
         View shifted = view;
@@ -82,17 +94,25 @@ std::vector<double> reference(Tracer& tracer, const View& view, int grid, const 
     std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(rgb.data()), bytes);
     return rgb;
 }
+Reference reference(Tracer& tracer, const View& view, int grid, const std::string& path, ThreadPool& pool) {
+    const auto half = [&](unsigned i) {
+        return half_of_reference(tracer, view, grid, i, path + std::to_string(i) + ".raw", pool);
+    };
+    return {{half(1), half(2)}};
+}
 
 /// Values are clamped to what a file shows, so that a brightness of 3 does not outweigh everything else.
-void print(const std::string& name, const Result& result, const std::vector<double>& exact, double pixels) {
+void print(const std::string& name, const Result& result, const Reference& exact, double pixels) {
     double squares = 0;
     std::vector<double> worst;  // by pixel
-    for (std::size_t i = 0; i < exact.size(); i += 3) {
+    for (std::size_t i = 0; i < result.rgb.size(); i += 3) {
         double most = 0;
         for (std::size_t c = i; c < i + 3; ++c) {
-            const double off = std::clamp(result.rgb[c], 0., 1.) - std::clamp(exact[c], 0., 1.);
-            squares += off * off;
-            most = std::max(most, std::abs(off));
+            const auto off = [&](int half) {
+                return std::clamp(result.rgb[c], 0., 1.) - std::clamp(exact.halves[half][c], 0., 1.);
+            };
+            squares += off(0) * off(1);
+            most = std::max(most, std::abs(off(0) + off(1)) / 2);
         }
         worst.push_back(most);
     }
@@ -100,8 +120,8 @@ void print(const std::string& name, const Result& result, const std::vector<doub
     const auto percentile = [&](double share) { return worst[std::size_t(share * double(worst.size() - 1))] * 255; };
     std::printf("%-14s %7.2f %8.1f %8.3f %8.3f %8.2f %8.1f %9.4f %9.3f\n", name.c_str(),
                 double(result.rays.camera) / pixels, double(result.rays.total()) / pixels,
-                510 * std::sqrt(squares / double(exact.size())), percentile(.99), percentile(.999), worst.back() * 255,
-                result.seconds, 510 * result.estimate);
+                510 * std::sqrt(std::max(squares, 0.) / double(result.rgb.size())), percentile(.99), percentile(.999),
+                worst.back() * 255, result.seconds, 510 * result.estimate);
 }
 
 /// A scene at a moment and a size, and where it is kept how it looks with a grid of rays in every pixel.
@@ -122,7 +142,7 @@ struct Measured {
         const char* const folder = std::getenv("TMPDIR");
         std::ostringstream name;
         name << (folder ? folder : "/tmp") << "/strahl-" << std::filesystem::path(path).stem().string() << '-'
-             << std::hash<std::string>()(text) << '-' << width << '-' << grid << '-' << time << "-random.raw";
+             << std::hash<std::string>()(text) << '-' << width << '-' << grid << '-' << time << "-half-";
         return name.str();
     }
 };
@@ -134,7 +154,7 @@ int compare(const Measured& own, std::span<char*> pictures) {
     const double pixels = double(view.width) * view.height;
     ThreadPool pool(0);
     Tracer tracer(own.scene, precision());
-    const std::vector<double> exact = reference(tracer, view, own.grid, own.kept(), pool);
+    const Reference exact = reference(tracer, view, own.grid, own.kept(), pool);
     if (!pictures.empty()) {  // other programs' pictures
         for (const char* const path : pictures) {
             Result result;
@@ -171,13 +191,14 @@ void print_row(const Measured& own) {
         std::printf(" %.2f |\n", 510 * result.estimate);
         return;
     }
-    const std::vector<double> exact = reference(tracer, view, own.grid, own.kept(), pool);
+    const Reference exact = reference(tracer, view, own.grid, own.kept(), pool);
     double squares = 0, worst = 0, light = 0;
-    for (std::size_t i = 0; i < exact.size(); ++i) {
-        const double off = result.rgb[i] - exact[i];
-        squares += off * off, light += off / 3, worst = std::max(worst, std::abs(off));
+    for (std::size_t i = 0; i < result.rgb.size(); ++i) {
+        const double off = exact.difference(result.rgb, i);
+        squares += (result.rgb[i] - exact.halves[0][i]) * (result.rgb[i] - exact.halves[1][i]);
+        light += off / 3, worst = std::max(worst, std::abs(off));
     }
-    const double rms = std::sqrt(squares / double(exact.size()));
+    const double rms = std::sqrt(std::max(squares, 0.) / double(result.rgb.size()));
     std::printf(" %.2f | %.2f | %.2f | %.3f | %+.1f |\n", 510 * result.estimate, 510 * rms, result.estimate / rms, worst,
                 light);
     std::fflush(stdout);
