@@ -134,6 +134,18 @@ DVec3 quilt(const DVec3& p) {
     return (t * t * t + 3 * t * rest * rest + 3 * t * t * rest) * 1.154700538 * way;
 }
 
+/// The mean of a grain of granite at points that lie in their cells as this one does: on a floor at a whole number it
+/// is not that of all points. Fitted to means of 400,000 points at random; off by up to .006.
+double mean_of_grain(const SolidPattern& own, const DVec3& p) {
+    double mean = own.generator == 3 ? .228 : .202;
+    const double swing = own.generator == 3 ? -.0137 : .0133;
+    for (int c = 0; c < 3; ++c) {
+        const double t = fraction(p[c]), inwards = 2 * std::min(t, 1 - t);
+        mean += swing * (1 - 2 * inwards * inwards * (3 - 2 * inwards));
+    }
+    return mean;
+}
+
 /// The value before frequency, phase and wave, at a point that turbulence has moved. Where a kind sums up several sizes
 /// of detail, those too fine for points that are `step` apart fade to their means.
 double raw_value(const SolidPattern& own, const DVec3& p, double step) {
@@ -161,14 +173,15 @@ double raw_value(const SolidPattern& own, const DVec3& p, double step) {
             return along > 1 ? std::fmod(along, 1.) : along;
         }
         case Solid::granite: {
-            const double grain_mean = own.generator == 3 ? .23 : .2;
             double sum = 0;
             for (int i = 0; i < 6; ++i) {
                 const double fine = std::ldexp(1, i);
-                sum += lattice::faded(4 * fine * step, grain_mean, [&] {
-                    const double n = noise(own, p * (4 * fine));
+                const DVec3 grain = p * (4 * fine);
+                const auto value = [&] {
+                    const double n = noise(own, grain);
                     return own.generator > 1 ? std::min(.5, std::fabs(1 - 2 * n)) : std::fabs(.5 - n);
-                }) / fine;
+                };
+                sum += lattice::faded(4 * fine * step, step > 0 ? mean_of_grain(own, grain) : 0, value) / fine;
             }
             return sum;
         }

@@ -22,6 +22,16 @@ double middle_off(const std::array<const CellSample*, 4>& corners, const CellSam
     return off;
 }
 
+double deviation_of(const std::array<const CellSample*, 4>& corners, const CellSample& middle) {
+    double most = 0;
+    for (int c = 0; c < 3; ++c) {
+        double sum = middle.rgb[c], squares = middle.rgb[c] * middle.rgb[c];
+        for (const CellSample* corner : corners) sum += corner->rgb[c], squares += corner->rgb[c] * corner->rgb[c];
+        most = std::max(most, squares - sum * sum / 5);
+    }
+    return std::sqrt(most / 4);
+}
+
 std::array<std::array<double, 3>, 5> without_pattern(std::span<const CellSample* const> samples) {
     std::array<std::array<double, 3>, 5> result{};
     for (int c = 0; c < 3; ++c) {

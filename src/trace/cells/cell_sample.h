@@ -39,6 +39,9 @@ double glint_range(const std::array<const CellSample*, 4>& corners);
 /// Returns the largest difference of a channel between the middle and the mean of the corners.
 double middle_off(const std::array<const CellSample*, 4>& corners, const CellSample& middle);
 
+/// Returns the largest standard deviation of a channel among all five samples.
+double deviation_of(const std::array<const CellSample*, 4>& corners, const CellSample& middle);
+
 /// Interpolates between the corners of a square of n x n pixels, which are in order around it from the top left one on.
 /// Pixels lie `shift` pixels right of and below the square's corners. Writes the first `columns` of its first `rows`,
 /// 3 numbers each; rows are `stride` numbers apart.

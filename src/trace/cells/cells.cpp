@@ -12,8 +12,10 @@ namespace {
 constexpr std::int32_t least_cell = Point::unit / 32;
 constexpr int side = tile_pixels + 1;  // of the lattice
 constexpr double steepest_gradient = .06;  // across a cell of one signature
-/// The error of the loosest filter of patterns over the difference of the middle from the corners, found by experiment.
-constexpr double filter_off = .6;
+/// The error of the loosest filter of patterns over the deviation of samples from each other, found by experiment.
+constexpr double filter_off = .85;
+/// How much less contrast cells may have in which patterns vary, for there are many of them; found by experiment.
+constexpr double patterned = .7;
 std::uint64_t key_of(Point p) { return std::uint64_t(std::uint32_t(p.x)) << 32 | std::uint32_t(p.y); }
 
 Point on_side(std::int32_t x, std::int32_t y, std::int32_t size, int number, std::int32_t along) {
@@ -121,13 +123,19 @@ void Cells::advance(Cell& cell, int finest) {
 }
 
 bool Cells::hides_something(const Cell& cell) const {
-    const double s = double(cell.size) / unit, least = contrast / 16 / (s * s);
+    const double s = double(cell.size) / unit, least = contrast / 8 / (s * s);
     std::array<CellCorner, 4> corners;
     for (int k = 0; k < 4; ++k) {
         const Point& p = points[cell.corners[k]];
         corners[k] = {left + p.x / double(unit), top + p.y / double(unit), &samples[cell.corners[k]]};
     }
     return thin->hides_in(corners, least);
+}
+
+/// Returns the difference of colour that a pixel in this cell may have.
+double Cells::contrast_in(const Cell& cell) const {
+    const auto detailed = [&](int k) { return samples[k].detailed(); };
+    return std::ranges::any_of(cell.corners, detailed) ? patterned * contrast : contrast;
 }
 
 std::array<const CellSample*, 4> Cells::corners_of(const Cell& cell) const {
@@ -152,9 +160,9 @@ void Cells::look_at_corners(Cell& cell, int finest) {
     const bool equal = equal_signatures(cell);
     const double s = double(cell.size) / unit, share = s * s;
     const bool glints = !(glint_range(corners_of(cell)) * share <= most_glint), hidden = hides_something(cell);
-    const double difference = spread(cell) * share;
-    const bool rough = glints || hidden ||
-                       !(equal ? difference <= std::min(16 * contrast, steepest_gradient) : difference <= contrast);
+    const double difference = spread(cell) * share, allowed = contrast_in(cell);
+    const bool rough =
+        glints || hidden || !(equal ? difference <= std::min(16 * allowed, steepest_gradient) : difference <= allowed);
     const bool small = equal ? cell.size <= unit / 4 && !shows_pattern(cell) : cell.size < unit / 2;
     if (!rough && small) return finish(cell, mean(cell));
     if (cell.size <= finest) return waiting.push_back(cell);
@@ -172,7 +180,7 @@ void Cells::go_on(Cell& cell) {
 
 void Cells::look_at_middle(Cell& cell) {
     const double s = double(cell.size) / unit, off = off_corners(cell);
-    if (off * s * s <= contrast) return finish(cell, mean(cell));
+    if (off * s * s <= contrast_in(cell)) return finish(cell, mean(cell));
     cell.middle = -1;
     if (begin_search(cell)) return active.push_back(cell);
     go_on(cell);
@@ -244,7 +252,7 @@ void Cells::look_beside(Cell& cell) {
         if (samples[probes[part]].signature != samples[ends[part][0]].signature) return go_on(cell);
 
     const double first_area = chord_of(crossings, cell.size).first_area;
-    const double s = double(cell.size) / unit;
+    const double s = double(cell.size) / unit, allowed = contrast_in(cell);
     std::array<double, 3> color{};
     for (int part = 0; part < 2; ++part) {
         double sum[3] = {}, low[3], high[3], count = 0;
@@ -263,7 +271,7 @@ void Cells::look_beside(Cell& cell) {
         add(probes[part]);
         const double area = part == 0 ? first_area : 1 - first_area;
         for (int c = 0; c < 3; ++c) {
-            if (!((high[c] - low[c]) * area * s * s <= 2 * contrast)) return go_on(cell);
+            if (!((high[c] - low[c]) * area * s * s <= 2 * allowed)) return go_on(cell);
             color[c] += area * sum[c] / count;
         }
     }
@@ -326,14 +334,15 @@ std::array<double, 3> Cells::mean(const Cell& cell) const {
 }
 
 /// Returns the largest difference of a channel between the middle and the mean of the corners. If they show a pattern
-/// the middle has seen its mean, and the filter is assumed to be off by a share of the difference.
+/// the middle has seen its mean, and the filter is assumed to be off by a share of the samples' deviation.
 double Cells::off_corners(const Cell& cell) const {
-    const double whole = middle_off(corners_of(cell), samples[cell.middle]);
-    if (!shows_pattern(cell)) return whole;
+    const CellSample& middle = samples[cell.middle];
+    const auto corners = corners_of(cell);
+    if (!shows_pattern(cell)) return middle_off(corners, middle);
     return with_values(cell, [&](const auto& value) {
-        double loose = samples[cell.middle].loose;
-        for (const CellSample* corner : corners_of(cell)) loose = std::max(loose, double(corner->loose));
-        double off = filter_off * loose * whole;
+        double loose = middle.loose;
+        for (const CellSample* corner : corners) loose = std::max(loose, double(corner->loose));
+        double off = filter_off * loose * deviation_of(corners, middle);
         for (int c = 0; c < 3; ++c)
             off = std::max(off, std::abs(.25 * (value(0, c) + value(1, c) + value(2, c) + value(3, c)) - value(4, c)));
         return off;

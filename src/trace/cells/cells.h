@@ -89,6 +89,7 @@ class Cells {
     void search(Cell& cell);
     void look_beside(Cell& cell);
     bool hides_something(const Cell& cell) const;
+    double contrast_in(const Cell& cell) const;
     bool equal_signatures(const Cell& cell) const;
     bool shows_pattern(const Cell& cell) const;
     template <class Use>

@@ -18,6 +18,8 @@ namespace strahl::inline STRAHL_LEVEL {
 
 /// Most lookups along the longer axis of a footprint, and lookups along the shorter one.
 inline constexpr int most_lookups = 32, lookups_beside = 2;
+/// How loose means of images count, see Filtering; found by experiment.
+inline constexpr double image_loose = .35;
 
 /// Returns how u and v in the picture change along a vector in the pattern's space, at p.
 template <class S>

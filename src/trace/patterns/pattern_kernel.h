@@ -176,41 +176,76 @@ STRAHL_INLINE Vec3<S> along_surface(const Footprint<S>& footprint, const Vec3<S>
 
 /// Footprints with edges of a pattern and of one among its colours are divided into so many parts in a row, and their
 /// mean counts as so loose; found by experiment.
-inline constexpr int divided_into = 4;
-inline constexpr double divided_loose = .3;
+inline constexpr int divided_into = 3;
+inline constexpr double divided_loose = .1;
 
-/// Finds mean colours of a pattern that has patterns among its colours: the means of these by the weights of its stops,
-/// as if they did not depend on where in the footprint each stop is seen. Where both have edges in the footprint, it is
-/// divided.
+/// The weights of stops in a footprint, and in its left and upper halves; of halves none if it may be divided.
+template <class S>
+struct NestedMeans {
+    PatternMeans<S> whole, left, upper;
+};
+/// Returns how far aside of a footprint's middle a stop is seen, along both sides of it, from -1/2 to 1/2: exactly if
+/// its border is straight and along a side.
+template <class S>
+std::array<S, 2> shift_of(const NestedMeans<S>& means, int stop, Mask<S> lanes) {
+    using T = Element<S>;
+    alignas(64) T shifts[2][width<S>] = {};
+    each_lane<S>(lanes, [&](int k) {
+        const T weight = means.whole.weights[stop][k];
+        const T ways[2] = {1 - means.left.weights[stop][k] / weight, 1 - means.upper.weights[stop][k] / weight};
+        const T sum = std::abs(ways[0]) + std::abs(ways[1]);
+        for (int i = 0; i < 2 && sum > 0; ++i) {
+            const T part = std::pow(weight, std::abs(ways[i]) / sum);  // of the side's length that it is seen on
+            shifts[i][k] = std::clamp(ways[i] * std::max(part, 1 - part) / 2, T(-.5), T(.5));
+        }
+    });
+    return {load_lanes<S>(shifts[0]), load_lanes<S>(shifts[1])};
+}
+
+/// Finds mean colours of a pattern that has patterns among its colours: the means of these by the weights of its stops.
+/// Where both have edges in the footprint, it is divided; in its parts each stop is taken to be seen around one place.
 template <class S>
 [[gnu::noinline]] Filtering<S> mean_of_nested(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
                                               const Vec3<S>& position, const S& surface, const Footprint<S>& footprint,
-                                              Mask<S> lanes, const PatternMeans<S>& means, Vec3<S>& color,
+                                              Mask<S> lanes, const NestedMeans<S>& means, Vec3<S>& color,
                                               bool may_divide) {
     using T = Element<S>;
     const S zero(0), one(1);
-    Filtering<S> all = means.get(color);
+    const Vec3<S> across = along_surface(footprint, footprint.across, footprint.normal);
+    const Vec3<S> down = along_surface(footprint, footprint.down, footprint.normal);
+    Filtering<S> all = means.whole.get(color);
     color = splat<S>(Vec3<T>(0));
     Mask<S> crossed = first_lanes<S>(0);
     for (int i = 0; i < pattern.stops; ++i) {
-        const S weight = load_lanes<S>(means.weights[i]);
-        const Mask<S> seen = lanes & (weight > S(T(1e-6)));
-        if (none(seen)) continue;
+        const S weight = load_lanes<S>(means.whole.weights[i]);
+        const Mask<S> seen = lanes & (weight > S(T(1e-6))), others = seen & (weight < S(T(.999)));
         const ColorStopKernel<T>& stop = world.patterns.stops[pattern.first_stop + i];
         Vec3<S> own = splat<S>(stop.color);
-        if (stop.nested >= 0) {
-            const Filtering<S> inner = filtered_at(world, world.patterns.nested[stop.nested], position, surface,
-                                                   footprint, seen, own, may_divide);
-            const Mask<S> varies = seen & (inner.loose >= zero) & (inner.length > zero);
+        const auto add = [&](Mask<S> which, const Vec3<S>& middle, const Footprint<S>& part, bool divide) {
+            if (none(which)) return;
+            const Filtering<S> inner =
+                filtered_at(world, world.patterns.nested[stop.nested], middle, surface, part, which, own, divide);
+            const Mask<S> varies = which & (inner.loose >= zero) & (inner.length > zero);
             all.loose = select(varies, max(all.loose, inner.loose), all.loose);
-            crossed = crossed | (varies & (weight < S(T(.999))));
+            crossed = crossed | (varies & others);
+            for (int c = 0; c < 3; ++c) color[c] = select(which, fma(weight, own[c], color[c]), color[c]);
+        };
+        if (stop.nested < 0) {
+            for (int c = 0; c < 3; ++c) color[c] = select(seen, fma(weight, own[c], color[c]), color[c]);
+            continue;
         }
-        for (int c = 0; c < 3; ++c) color[c] = select(seen, fma(weight, own[c], color[c]), color[c]);
+        add(seen & !others, position, footprint, may_divide);
+        if (may_divide) {  // perhaps all of the footprint is divided
+            add(others, position, footprint, false);
+        } else if (any(others)) {
+            const auto [x, y] = shift_of(means, i, others);
+            const Footprint<S> part{footprint.direction, footprint.normal, scale(one - S(2) * abs(x), across),
+                                    scale(one - S(2) * abs(y), down)};
+            add(others, fma(x, across, fma(y, down, position)), part, false);
+        }
     }
     if (!may_divide || none(crossed)) return all;
     const S per(T(1) / T(divided_into));
-    const Vec3<S> across = along_surface(footprint, footprint.across, footprint.normal);
-    const Vec3<S> down = along_surface(footprint, footprint.down, footprint.normal);
     const Footprint<S> part{footprint.direction, footprint.normal, scale(per, across), scale(per, down)};
     Vec3<S> sum = splat<S>(Vec3<T>(0));
     for (int j = 0; j < divided_into; ++j)
@@ -229,6 +264,7 @@ template <class S>
 Filtering<S> filtered_at(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
                          const Vec3<S>& position, const S& surface, const Footprint<S>& footprint, Mask<S> lanes,
                          Vec3<S>& color, bool may_divide) {
+    using T = Element<S>;
     if (pattern.form == PatternForm::constant || (pattern.nests && pattern.stops > most_weighed)) {
         color = color_at(world, pattern, position, surface);
         if (pattern.form != PatternForm::constant) return {S(1), S(1)};  // not filtered at all
@@ -254,26 +290,32 @@ Filtering<S> filtered_at(const World<Element<S>>& world, const PatternKernel<Ele
     across = turned(across), down = turned(down);
     if (pattern.form == PatternForm::image) {
         const MipMapKernel& map = world.patterns.mip_maps[pattern.image.number];
-        return {filtered_color(pattern.image, map, p, across, down, lanes, color), S(1)};
+        return {filtered_color(pattern.image, map, p, across, down, lanes, color), S(T(image_loose))};
     }
     // Where footprints are not known, or go beyond the horizon, colours are those of points.
     const S longest = dot(across, across) + dot(down, down);
     const Mask<S> known = longest < S(largest_gain);
     across = select(known, across, splat<S>(Vec3<Element<S>>(0)));
     down = select(known, down, splat<S>(Vec3<Element<S>>(0)));
-    PatternMeans<S> means;
-    if (has_mean(pattern.form))
+    const auto find_means = [&](const Vec3<S>& middle, const Vec3<S>& side, const Vec3<S>& other,
+                                PatternMeans<S>& means) {
+        if (!has_mean(pattern.form)) return mean_of_values(world, pattern, middle, side, other, lanes, means);
         each_lane<S>(lanes, [&](int k) {
             means.set(pattern, k, [&](double* weights) {
                 return mean_over(pattern, world.patterns.stops + pattern.first_stop,
-                                 PatternArea{lane_of(p, k), lane_of(across, k), lane_of(down, k)}, weights);
+                                 PatternArea{lane_of(middle, k), lane_of(side, k), lane_of(other, k)}, weights);
             });
         });
-    else
-        mean_of_values(world, pattern, p, across, down, lanes, means);
-    if (pattern.nests)
-        return mean_of_nested(world, pattern, position, surface, footprint, lanes, means, color, may_divide);
-    return means.get(color);
+    };
+    NestedMeans<S> means;
+    find_means(p, across, down, means.whole);
+    if (!pattern.nests) return means.whole.get(color);
+    if (!may_divide) {
+        const S half(T(.5)), aside(T(-.25));
+        find_means(fma(aside, across, p), scale(half, across), down, means.left);
+        find_means(fma(aside, down, p), across, scale(half, down), means.upper);
+    }
+    return mean_of_nested(world, pattern, position, surface, footprint, lanes, means, color, may_divide);
 }
 /// Does light come through somewhere?
 template <class T>
