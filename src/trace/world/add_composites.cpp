@@ -217,7 +217,7 @@ class CompositeBuilder {
                 for (int i = 0; i < 2; ++i) {
                     const double z = i == 0 ? std::ranges::min(prism.ends) : std::ranges::max(prism.ends);
                     const PlaneNumbers plane(moved({{0, 0, z}, {0, 0, i == 0 ? -1. : 1.}}, prism.matrix));
-                    visit(tables.leaves[prism.leaf], i, plane);
+                    if (std::isfinite(plane.distance)) visit(tables.leaves[prism.leaf], i, plane);
                 }
         };
         each_face([&](const CompositeLeaf& leaf, int, const PlaneNumbers& plane) {

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <string>
 
+#include "text/parse.h"
 #include "trace/tracer.h"
 
 namespace strahl {
@@ -100,6 +102,24 @@ TEST_CASE("a body pierced by meshes looks like one pierced by boxes, however oft
         for (std::size_t i = 0; i < frame.rgb.size(); ++i)
             most = std::max(most, std::abs(frame.rgb[i] - pierced_by_meshes.rgb[i]));
         CHECK(most < 1e-9);
+    }
+}
+
+TEST_CASE("prisms whose planes are beyond all numbers share none with other parts") {
+    for (const std::string scale : {"1e-155", "1e-271"}) {
+        const std::string figure = "contour { <1, 0>  line <0, 1>  line <-1, -1> }";
+        const Scene scene = parse_scene(
+            "camera { position <0, -10, 4>  look_at <0, 0, 1>  sky <0, 0, 1>  angle 40 }\n"
+            "difference { union { prism { 2.3, 1e9  " +
+                figure +
+                "  rotate <0, 270, 90> }\n"
+                "                     prism { -1, 2  " +
+                figure + " }  scale " + scale +
+                "  scale <-17, 1, -2> }\n"
+                "             sphere { <0, 1, .6>, 2 } }\n",
+            "tiny");
+        const Frame seen = render(scene, {.camera = scene.camera, .width = 8, .height = 6});
+        for (const double value : seen.rgb) CHECK(value == 0);
     }
 }
 
