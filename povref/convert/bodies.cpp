@@ -131,7 +131,7 @@ void BodyWriter::add(const Scene& scene, const Primitive& primitive) {
     const std::string head =
         head_of(primitive, primitive.material, how.motions, [](int, const std::string&) { return ""; });
     if (material.transparent && how.shadow_copies) return add_clear(primitive, head, material, items);
-    if (material.no_shadow) items.push_back("no_shadow");
+    items.insert(items.end(), material.hides.begin(), material.hides.end());
     items.insert(items.begin(), dressed(*number));
     if (how.hollow && !material.transparent) items.push_back("hollow");
     (material.transparent ? clear : solid) += block(head, items);
@@ -142,7 +142,8 @@ void BodyWriter::add(const Scene& scene, const Primitive& primitive) {
 void BodyWriter::add_mixed(const Scene& scene, const Primitive& primitive) {
     Items items = statements(primitive.transformations, how.motions);
     if (how.scaled) items.push_back("scale Unit");
-    if (how.materials[primitive.material].no_shadow) items.push_back("no_shadow");
+    const Items& hides = how.materials[primitive.material].hides;
+    items.insert(items.end(), hides.begin(), hides.end());
     const int medium_number = medium_of(scene, primitive);
     // POV-Ray looks first for the shadow of the body that was in the way of a light last, if its own texture, not those
     // of its parts, is opaque; and dims light by its transparent parts once more afterwards. A pattern of the whole
@@ -190,7 +191,9 @@ void BodyWriter::add_clear(const Primitive& primitive, const std::string& head, 
         for (const std::string& item : items) moved += " " + item;
     if (material.own_shadow)
         shadows += block("object { " + name, copy_items("texture { " + material.name + "_Shadow" + moved + " }"));
-    seen += block("object { " + name, {"material { " + material.name + moved + " }"});
+    Items shown{"material { " + material.name + moved + " }"};
+    shown.insert(shown.end(), material.hides.begin(), material.hides.end());
+    seen += block("object { " + name, shown);
     if (material.own_shadow) seen.insert(seen.size() - 3, " no_shadow");
 }
 

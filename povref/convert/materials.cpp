@@ -91,6 +91,7 @@ std::vector<std::string> layer_finish(const Material& m) {
     add(m.specular > 0, "phong " + text_of(m.specular) + " phong_size " + text_of(m.pow));
     add(m.blinn > 0, "specular " + text_of(m.blinn) + " roughness " + text_of(m.roughness));
     add(m.metallic > 0, "metallic " + text_of(m.metallic));
+    add(m.conserve > 0, "conserve_energy");
     if (m.reflection > 0) {
         const Color most = m.reflection * m.mirror;
         std::string text = "reflection { rgb " + text_of(m.facing * most) + ", rgb " + text_of(most);
@@ -114,14 +115,19 @@ std::string layers_of(const Material& m, const std::string& indent) {
     return text;
 }
 
-PovMaterial describe(const Material& m, const std::string& name, const Circumstances& scene) {
+PovMaterial describe(const Material& m, const std::string& name, const Circumstances& scene, bool scaled) {
     PovMaterial pov{.name = name};
     pov.patterned = m.patterned();
     pov.transparent = m.transmits();
-    pov.no_shadow = m.shadow == 0;
+    if (m.shadow == 0) pov.hides.push_back("no_shadow");
+    if (m.seen == 0) pov.hides.push_back("no_image");
+    if (m.mirrored == 0) pov.hides.push_back("no_reflection");
     if (!m.plain()) {
         pov.ior = text_of(m.ior);
         pov.transparent |= m.ior != 1;
+        if (m.fade_distance > 0)
+            pov.ior += " fade_distance " + text_of(m.fade_distance) + (scaled ? " * Unit" : "") + " fade_power " +
+                       text_of(m.fade_power) + " fade_color rgb " + text_of(m.fade_color);
         pov.declaration = "#declare " + name + " = ";
         if (pov.transparent)
             pov.declaration += "material {\n  " + layers_of(m, "  ") + "\n  interior { ior " + pov.ior + " }\n}\n";
@@ -157,11 +163,12 @@ std::string shadow_texture(const Material& m, const std::string& indent) {
     return texture(pigment_text(m.rgb, " filter " + text_of(m.refraction)), {"ambient 0", "diffuse 0"}, indent);
 }
 
-std::vector<PovMaterial> pov_materials(const Scene& scene, int depth) {
+std::vector<PovMaterial> pov_materials(const Scene& scene, int depth, bool scaled) {
     const Circumstances all = circumstances_of(scene, depth);
     const std::vector<std::string> names = material_names(scene.materials);
     std::vector<PovMaterial> result;
-    for (std::size_t i = 0; i < names.size(); ++i) result.push_back(describe(scene.materials[i], names[i], all));
+    for (std::size_t i = 0; i < names.size(); ++i)
+        result.push_back(describe(scene.materials[i], names[i], all, scaled));
     return result;
 }
 

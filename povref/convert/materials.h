@@ -15,16 +15,17 @@ struct PovMaterial {
     std::string declaration{};
     bool transparent = false;
     bool own_shadow = false;  // needs that copy
-    bool no_shadow = false;   // the body casts none
-    std::string ior{};        // of a transparent one
+    std::vector<std::string> hides{};  // the words for where the body is not shown
+    std::string ior{};                 // of a transparent one, and how light fades in it
     std::string weight{};     // of the finish keyword `refraction`, about which POV-Ray warns; empty if it is not used
     bool layered = false;     // has two layers of texture
     bool patterned = false;   // has a pattern, which moves with the body
     bool near_one = false;    // an ior of 1 is written as the next larger number
 };
 
-/// Returns the materials in the order of scene.materials. `depth` is the number of generations of rays.
-std::vector<PovMaterial> pov_materials(const Scene& scene, int depth);
+/// Returns the materials in the order of scene.materials. `depth` is the number of generations of rays; `scaled` says
+/// that lengths are multiplied by Unit.
+std::vector<PovMaterial> pov_materials(const Scene& scene, int depth, bool scaled);
 
 /// Returns the texture of a part of a transparent body that has one interior. POV-Ray takes the weight of the keyword
 /// `refraction` for the interior's, so all parts have the same, or none.

@@ -43,7 +43,7 @@ struct Plan {
 };
 
 Plan plan_for(const Scene& scene, const PovRequest& request) {
-    Plan plan{.materials = pov_materials(scene, request.depth)};
+    Plan plan;
     SceneSizes sizes;
     const auto look = [&](const Scene& moment, const std::vector<Camera>& cameras) {
         sizes.add(moment, cameras);
@@ -60,6 +60,7 @@ Plan plan_for(const Scene& scene, const PovRequest& request) {
     if (!plan.moves) look(scene, request.cameras);
     plan.scale = scale_for(sizes);
     plan.scaled = plan.scale.factor != 1;
+    plan.materials = pov_materials(scene, request.depth, plan.scaled);
     for (const PovMaterial& material : plan.materials) {
         plan.keyword |= !material.weight.empty();
         plan.shadow_copies |= material.own_shadow;
@@ -142,7 +143,9 @@ PovCamera axes_of(const Camera& camera, double aspect, bool left_handed = false)
     if (!angular(camera.projection)) return {camera.position, 2 * frame.tan_x * frame.right, up, frame.forward, angles};
     PovCamera axes{camera.position, ratio * frame.right, DVec3(0) - frame.down, frame.forward, angles};
     if (camera.projection == Projection::fisheye) axes.angles.x /= ratio;
-    if (camera.projection == Projection::cylinder) axes.up = up;
+    if (camera.projection == Projection::cylinder || camera.projection == Projection::cylinder3) axes.up = up;
+    if (camera.projection == Projection::cylinder2 || camera.projection == Projection::cylinder4)
+        axes.right = 2 * frame.tan_x * frame.right;
     // Spherical rays are turned about the axes, which is upside down by right-handed ones.
     if (camera.projection == Projection::spherical && !left_handed) axes.right = -axes.right, axes.up = -axes.up;
     return axes;
@@ -161,10 +164,12 @@ std::string camera_block(Projection projection, const Text& text) {
     std::string angle;
     if (angular(projection)) angle = "\n  angle     " + text("Angles", &PovCamera::angles) + ".x";
     if (projection == Projection::spherical) angle += ", " + text("Angles", &PovCamera::angles) + ".y";
-    return "camera {\n  " + std::string(projection_words[static_cast<std::size_t>(projection)]) +
-           (projection == Projection::cylinder ? " 1" : "") + "\n  location  " + text("Eye", &PovCamera::location) +
-           "\n  right     " + text("Right", &PovCamera::right) + "\n  up        " + text("Up", &PovCamera::up) +
-           "\n  direction " + text("Direction", &PovCamera::direction) + angle + "\n}\n";
+    std::string word(projection_words[static_cast<std::size_t>(projection)]);
+    if (projection >= Projection::cylinder)
+        word = "cylinder " + std::to_string(1 + int(projection) - int(Projection::cylinder));
+    return "camera {\n  " + word + "\n  location  " + text("Eye", &PovCamera::location) + "\n  right     " +
+           text("Right", &PovCamera::right) + "\n  up        " + text("Up", &PovCamera::up) + "\n  direction " +
+           text("Direction", &PovCamera::direction) + angle + "\n}\n";
 }
 
 std::string camera_section(const PovRequest& request, const Plan& plan) {
@@ -186,7 +191,7 @@ std::string camera_section(const PovRequest& request, const Plan& plan) {
     return text + camera_block(projection, [&](const char* name, DVec3 PovCamera::*member) {
                const std::string value = animated ? name + std::string("[frame_number]") : text_of(cameras[0].*member);
                const bool across = member == &PovCamera::right || member == &PovCamera::up;
-               const bool length = member == &PovCamera::location || (across && projection == Projection::orthographic);
+               const bool length = member == &PovCamera::location || (across && starts_apart(projection));
                return length ? scaled(value, plan) : value;
            });
 }
@@ -207,17 +212,26 @@ std::string light_section(const Scene& scene, const std::vector<Camera>& cameras
     if (scene.lights.empty()) return "";
     std::string text = heading("Lights");
     for (const Light& light : points_of(scene.lights)) {
-        const DVec3 place = light.direction ? place_of_parallel(*light.direction, cameras, plan) : light.position;
+        const DVec3 place = light.from        ? *light.from
+                            : light.direction ? place_of_parallel(*light.direction, cameras, plan)
+                                              : light.position;
         const auto placed = [&](const DVec3& p) { return light.motion ? text_of(p) : scaled(text_of(p), plan); };
         std::vector<std::string> items{placed(place) + ", rgb " + text_of(light.color)};
         if (light.shadowless) items.push_back("shadowless");
         if (light.fades())
             items.push_back("fade_distance " + scaled(text_of(light.fade_distance), plan) + " fade_power " +
                             text_of(light.fade_power));
-        if (light.direction) items.insert(items.end(), {"parallel", "point_at 0"});
+        if (light.direction)
+            items.insert(items.end(),
+                         {"parallel", "point_at " + (light.from ? placed(*light.from + *light.direction) : "0")});
         if (light.area) {
-            items.push_back("area_light " + placed(light.area->u) + ", " + placed(light.area->v) + ", 16, 16");
+            const auto [u, v, columns, rows] = *light.area;
+            const std::string size = columns == 0 ? "16, 16" : std::to_string(columns) + ", " + std::to_string(rows);
+            items.push_back("area_light " + placed(u) + ", " + placed(v) + ", " + size);
             if (!light.soft) items.push_back("area_illumination on");
+            if (light.adaptive != Light{}.adaptive) items.push_back("adaptive " + text_of(light.adaptive));
+            if (light.circular) items.push_back("circular");
+            if (light.orient) items.push_back("orient");
         }
         if (light.spot) {
             items.insert(items.end(), {"spotlight", "point_at " + placed(light.spot->look_at)});

@@ -58,7 +58,10 @@ CameraFrame frame_of(const Camera& camera, double aspect) {
     const DVec3 down = cross_product(forward, right);
     double half = angular(camera.projection) ? camera.fov * std::numbers::pi / 180 : tangent(camera.fov);
     if (camera.projection == Projection::orthographic) half *= length(camera.look_at - camera.position);
-    return {right, down, forward, half, half / camera.aspectratio.value_or(aspect)};
+    const double ratio = camera.aspectratio.value_or(aspect);
+    if (camera.projection == Projection::cylinder2 || camera.projection == Projection::cylinder4)
+        return {right, down, forward, half * ratio, half};  // the angle is that of the picture's height
+    return {right, down, forward, half, half / ratio};
 }
 
 Camera camera_at(const Flythrough& path, const Camera& scene_camera, double time) {

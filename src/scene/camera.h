@@ -12,11 +12,27 @@
 namespace strahl {
 
 /// How a camera maps space to its picture, in POV-Ray's words. From `fisheye` on the picture's sides are angles.
-enum class Projection { perspective, orthographic, panoramic, fisheye, ultra_wide_angle, spherical, cylinder };
-inline constexpr std::array<std::string_view, 7> projection_words{
-    "perspective", "orthographic", "panoramic", "fisheye", "ultra_wide_angle", "spherical", "cylinder"};
+enum class Projection {
+    perspective,
+    orthographic,
+    panoramic,
+    fisheye,
+    ultra_wide_angle,
+    spherical,
+    cylinder,
+    cylinder2,
+    cylinder3,
+    cylinder4
+};
+inline constexpr std::array<std::string_view, 10> projection_words{
+    "perspective", "orthographic", "panoramic", "fisheye",   "ultra_wide_angle",
+    "spherical",   "cylinder",     "cylinder2", "cylinder3", "cylinder4"};
 /// Returns whether the picture's sides are angles, which may exceed 180 degrees.
 constexpr bool angular(Projection projection) { return projection >= Projection::fisheye; }
+/// Returns whether rays start at different points.
+constexpr bool starts_apart(Projection projection) {
+    return projection == Projection::orthographic || projection >= Projection::cylinder3;
+}
 
 /// The world is right-handed; +x of camera space is to the right of the picture, +y down it (row 0 is the top row).
 struct Camera {
@@ -68,6 +84,12 @@ CameraRay<R> camera_ray(Projection projection, const CameraFrame& frame, R x, R 
             return {none, way(std::sin(u) * std::cos(v), std::sin(v), std::cos(u) * std::cos(v))};
         case Projection::cylinder:
             return {none, way(std::sin(u), v, std::cos(u))};
+        case Projection::cylinder2:
+            return {none, way(u, std::sin(v), std::cos(v))};
+        case Projection::cylinder3:
+            return {v * down, way(std::sin(u), 0, std::cos(u))};
+        case Projection::cylinder4:
+            return {u * right, way(0, std::sin(v), std::cos(v))};
         default:
             return {none, way(u, v, 1)};
     }

@@ -25,15 +25,16 @@ struct Spot {
 };
 
 /// A rectangle that shines from all its points, each in all directions, and is not seen itself. With a grid it is that
-/// many points instead, the outer ones on its edges, as in POV-Ray's area_light.
+/// many points instead, the outer ones on its edges.
 struct Area {
     DVec3 u{0}, v{0};          // its edges, perpendicular to each other
     int columns = 0, rows = 0;  // of the grid; 0 if there is none
     bool operator==(const Area&) const = default;
 };
 
-/// A point that shines in all directions or, with a spot, in a cone. With a direction: parallel light from infinitely
-/// far away, which has no position. With an area: a rectangle around its position.
+/// A point that shines in all directions or, with a spot, in a cone. With a direction: parallel light, which has no
+/// position; it comes from infinitely far away or, with `from`, from the plane through that point, behind which bodies
+/// cast no shadow. With an area: a rectangle around its position.
 struct Light {
     DVec3 position{0};
     Color color{1};
@@ -41,24 +42,31 @@ struct Light {
     std::optional<Spot> spot{};
     std::optional<Area> area{};
     bool shadowless = false;  // it shines through all bodies, and makes no highlights
-    bool soft = false;        // it shines from its middle, and only its shadows are those of its area, as in POV-Ray
+    /// It shines from its middle, and only its shadows are those of its area, as of POV-Ray's area_light. With a grid
+    /// these are means over its points as POV-Ray takes them, by corners of quarters: with `adaptive` quarters are
+    /// divided so often, and from then on only if the light of their corners differs. `circular` rounds the grid, and
+    /// `orient` turns it towards the points that it lights.
+    bool soft = false, circular = false, orient = false;
+    double adaptive = 100;
+    std::optional<DVec3> from{};
     /// With both above 0 its light is multiplied by 2 / (1 + (distance / fade_distance)^fade_power), as in POV-Ray.
     double fade_distance = 0, fade_power = 0;
     std::optional<Motion> motion{};  // of its position, direction, edges, and the point that its spot looks at
     std::vector<Follow> follows{};   // numbers of it and its spot that follow tracks
     bool operator==(const Light&) const = default;
-    bool fades() const { return fade_distance > 0 && fade_power > 0 && !direction; }
+    bool fades() const { return fade_distance > 0 && fade_power > 0 && (!direction || from); }
 };
 
 /// The number of lights that the tracer makes of one.
 inline std::size_t points_of(const Light& light) {
-    return light.area && light.area->columns > 0 ? std::size_t(light.area->columns) * light.area->rows : 1;
+    const bool grid = light.area && light.area->columns > 0 && !light.soft;
+    return grid ? std::size_t(light.area->columns) * light.area->rows : 1;
 }
-/// Returns the lights with grids replaced by the points that they consist of, row by row.
+/// Returns the lights with grids that are not soft replaced by the points that they consist of, row by row.
 inline std::vector<Light> points_of(const std::vector<Light>& lights) {
     std::vector<Light> all;
     for (const Light& light : lights) {
-        if (!light.area || light.area->columns == 0) {
+        if (!light.area || light.area->columns == 0 || light.soft) {
             all.push_back(light);
             continue;
         }

@@ -29,12 +29,18 @@ struct Material {
     Color mirror{1};
     double facing = 1, falloff = 1, fresnel = 0, gilding = 0;
     double shadow = 1;  // 0: the body casts none
+    double conserve = 0;            // 1: what comes through is multiplied by 1 less what is reflected
+    double seen = 1, mirrored = 1;  // 0: rays go through it that come from the eye, or from mirrors
+    // With fade_distance > 0 light is multiplied by c + (1 - c) / (1 + (d / fade_distance)^fade_power), of the colour
+    // c, after a way d inside the body; with powers from 1000 on by exp(-(1 - c) d / fade_distance).
+    double fade_distance = 0, fade_power = 1;
+    Color fade_color{0};
 
     NormalMap normal{};
     Bump bump{};                    // bends the normals that `normal` has bent
     std::vector<Follow> follows{};  // numbers of it that follow tracks
     /// Layers above this one, the lowest first: each lights, mirrors and lets through light by its own colour and
-    /// finish. Their refraction, ior, shadow, normal and bump do not count.
+    /// finish. Their refraction, ior, normal and bump do not count, nor what is said of the body as a whole.
     std::vector<Material> coats{};
 
     bool operator==(const Material&) const = default;
@@ -49,8 +55,11 @@ struct Material {
     /// Does it use only what the article's equation has?
     bool plain() const {
         return blinn == 0 && metallic == 0 && brilliance == 1 && glow == Color(1) && mirror == Color(1) &&
-               facing == 1 && fresnel == 0 && gilding == 0 && shadow == 1 && coats.empty() && !rgb.clear();
+               facing == 1 && fresnel == 0 && gilding == 0 && shadow == 1 && conserve == 0 && seen == 1 &&
+               mirrored == 1 && fade_distance == 0 && coats.empty() && !rgb.clear();
     }
+    /// Does light fade inside the body?
+    bool fades() const { return fade_distance > 0 && transmits(); }
     bool bends() const { return normal.pattern || bump.pattern; }
     /// Does it vary across the body?
     bool patterned() const {
@@ -94,15 +103,26 @@ struct Material {
               Range::zero_or_more},
         Field{"glow", &Material::glow, "factors of ambient light", Range::zero_or_more},
         Field{"mirror", &Material::mirror, "colour of what is reflected", Range::zero_or_more},
-        Field{"facing", &Material::facing, "share of `reflection` where the surface faces the eye",
-              Range::zero_to_one},
+        Field{"facing", &Material::facing, "share of `reflection` where the surface faces the eye", Range::zero_to_one},
         Field{"falloff", &Material::falloff, "how late reflection grows from that to `reflection`, with the angle",
               Range::zero_or_more},
         Field{"fresnel", &Material::fresnel, "1: reflection grows with the angle by Fresnel's law, and `ior`",
               Range::zero_to_one},
-        Field{"gilding", &Material::gilding, "how much mirror images have the colour of the body",
-              Range::zero_or_more},
+        Field{"gilding", &Material::gilding, "how much mirror images have the colour of the body", Range::zero_or_more},
         Field{"shadow", &Material::shadow, "0: the body casts no shadow", Range::zero_to_one},
+        Field{"conserve", &Material::conserve, "1: light that comes through is dimmed by the share that is reflected",
+              Range::zero_to_one},
+        Field{"seen", &Material::seen, "0: the eye looks through the body, and only mirrors show it",
+              Range::zero_to_one},
+        Field{"mirrored", &Material::mirrored, "0: mirrors do not show the body", Range::zero_to_one},
+        Field{"fade_distance", &Material::fade_distance,
+              "the way inside the body after which light has faded by half; 0: it does not fade", Range::zero_or_more},
+        Field{"fade_power", &Material::fade_power,
+              "light is multiplied by c + (1 - c) / (1 + (way / `fade_distance`)^`fade_power`), c being `fade_color`; "
+              "from 1000 on by exp((c - 1) way / `fade_distance`)",
+              Range::zero_or_more},
+        Field{"fade_color", &Material::fade_color, "the colour that is left of light after a long way inside the body",
+              Range::zero_to_one},
         Field{"normal", &Material::normal, "an image of normals, see below", Range::zero_or_more},
         Field{"bump", &Material::bump, "a pattern that bends normals, see below", Range::zero_or_more});
 };

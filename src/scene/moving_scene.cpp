@@ -46,6 +46,7 @@ void move(Light& light, const SceneTime& time) {
         light.direction = glm::dmat3(m) * *light.direction;
     else
         light.position = transform_point(m, light.position);
+    if (light.from) light.from = transform_point(m, *light.from);
     if (light.area) light.area->u = glm::dmat3(m) * light.area->u, light.area->v = glm::dmat3(m) * light.area->v;
     if (light.spot) light.spot->look_at = transform_point(m, light.spot->look_at);
 }

@@ -65,7 +65,9 @@ struct Scene {
     bool operator==(const Scene&) const = default;
     /// Has it anything that the article's equation lacks?
     bool finished() const {
-        const auto special = [](const Light& light) { return light.shadowless || light.soft || light.fades(); };
+        const auto special = [](const Light& light) {
+            return light.shadowless || light.soft || light.fades() || light.from;
+        };
         return settings.adc_bailout > 0 || (fog && fog->filter > 0) ||
                !std::ranges::all_of(materials, &Material::plain) || std::ranges::any_of(lights, special);
     }

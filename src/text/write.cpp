@@ -141,6 +141,7 @@ std::string light_text(const Light& light) {
     const auto& follows = light.follows;
     std::string text = light.direction ? "light { direction " + text_of(*light.direction, follows, "direction")
                                        : "light { position " + text_of(light.position, follows, "position");
+    if (light.from) text += "  from " + text_of(*light.from);
     text += "  color " + text_of(light.color, follows, "color");
     if (light.area) text += "  edges " + text_of(light.area->u) + ", " + text_of(light.area->v);
     if (light.area && light.area->columns > 0)
@@ -157,6 +158,9 @@ std::string light_text(const Light& light) {
     }
     if (light.shadowless) text += "  shadowless";
     if (light.soft) text += "  soft";
+    if (light.adaptive != Light{}.adaptive) text += "  adaptive " + text_of(light.adaptive);
+    if (light.circular) text += "  circular";
+    if (light.orient) text += "  orient";
     if (light.fade_distance != 0) text += "  fade_distance " + text_of(light.fade_distance, follows, "fade_distance");
     if (light.fade_power != 0) text += "  fade_power " + text_of(light.fade_power, follows, "fade_power");
     if (light.motion) return text + "\n  " + text_of(*light.motion, "\n  ") + "\n}\n";

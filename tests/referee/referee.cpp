@@ -46,6 +46,12 @@ struct Referee<R>::World {
                 return {eye, turned(turned(forward, across, u), below, v)};
             case Projection::cylinder:
                 return {eye, unit(turned(forward, across, u) + v * below)};
+            case Projection::cylinder2:
+                return {eye, unit(turned(forward, below, v) + u * across)};
+            case Projection::cylinder3:
+                return {eye + v * below, turned(forward, across, u)};
+            case Projection::cylinder4:
+                return {eye + u * across, turned(forward, below, v)};
             default:
                 return {eye, unit(forward + off)};
         }

@@ -319,11 +319,21 @@ void SceneMaker::add(const ObjectThing& object, const Around& around) {
     }
 }
 
-/// Gives a body and its parts materials that cast no shadow.
-void SceneMaker::cast_none(Primitive& body) {
-    body.material = materials.without_shadow(body.material);
-    change_parts(body, [&](Primitive& part) { cast_none(part); });
+/// Gives a body and its parts materials without a shadow, or that are not seen or not mirrored.
+void SceneMaker::take(double Material::*part, Primitive& body) {
+    body.material = materials.without(part, body.material);
+    change_parts(body, [&](Primitive& own) { take(part, own); });
 }
+
+namespace {
+
+Primitive without_materials(Primitive body) {
+    body.material = 0;
+    change_parts(body, [](Primitive& part) { part = without_materials(part); });
+    return body;
+}
+
+}  // namespace
 
 /// Finds pairs of one body of which one is only seen and the other only casts a shadow, as `strahl pov` writes them,
 /// and makes each pair one body again. Tells of all others that cast no shadow or are not seen.
@@ -347,18 +357,25 @@ void SceneMaker::drop_shadow_copies() {
         gone[*same] = true, shown[i].no_shadow = false;
         copies.erase(same);
     }
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        Seen& own = shown[i];
+        if (gone[i] || !(own.no_image || own.no_reflection)) continue;
+        const Primitive bare = without_materials(scene.primitives[i]);
+        std::size_t same = 0;
+        for (const Primitive& other : scene.primitives) same += without_materials(other) == bare;
+        if (same == 1) continue;
+        // Of bodies in one place rays meet the first alone.
+        notes.left_out(own.place, "a body that not all rays see, in the place of another");
+        gone[i] = own.no_image, own.no_reflection = false;
+    }
     std::vector<Primitive> kept;
     for (std::size_t i = 0; i < shown.size(); ++i) {
         if (gone[i]) continue;
         const auto& [no_shadow, no_image, no_reflection, place] = shown[i];
-        if (no_image && no_reflection) {
-            notes.left_out(place, "the shadow of a body that is not seen");
-            continue;
-        }
-        if (no_shadow) cast_none(scene.primitives[i]);
-        if (no_image) notes.left_out(place, "no_image: a body that only mirrors show");
-        if (no_reflection) notes.approximated(place, "no_reflection: mirrors show a body");
-        if (!no_image) kept.push_back(std::move(scene.primitives[i])), kept_places.push_back(place);
+        if (no_shadow) take(&Material::shadow, scene.primitives[i]);
+        if (no_image) take(&Material::seen, scene.primitives[i]);
+        if (no_reflection) take(&Material::mirrored, scene.primitives[i]);
+        kept.push_back(std::move(scene.primitives[i])), kept_places.push_back(place);
     }
     scene.primitives = std::move(kept);
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "num/vec_math.h"
@@ -10,18 +11,20 @@
 namespace strahl::pov {
 namespace {
 
-/// Returns the rectangle of an area light. Its edges become perpendicular; that of a row of points is hardly wide.
-std::optional<Area> area_of(const LightThing& light, const glm::dmat3& m, bool mirrored) {
+/// Returns the rectangle of an area light, with a grid unless its points jitter. Its edges become perpendicular; that
+/// of a row of points is hardly wide.
+std::optional<Area> area_of(const LightThing& light, const glm::dmat3& m, bool grid, bool mirrored) {
     // Points that jitter are moved by up to half of their distance, and those within count twice: this is the mean.
     const auto edge = [&](const DVec3& v, int points) {
-        return points < 2 ? DVec3(0) : mirror(m * v, mirrored) * (light.jitter && points == 2 ? 2. : 1.);
+        return points < 2 ? DVec3(0) : mirror(m * v, mirrored) * (!grid && light.jitter && points == 2 ? 2. : 1.);
     };
     Area area{edge(light.area->u, light.area->columns), edge(light.area->v, light.area->rows)};
+    if (grid) area.columns = light.area->columns, area.rows = light.area->rows;
     const auto strip = [](const DVec3& v) {
         constexpr double narrow = 1e-6;
         return narrow * cross_product(std::fabs(v.x) < .5 * length(v) ? DVec3(1, 0, 0) : DVec3(0, 1, 0), v);
     };
-    if (!(length(area.u) > 0)) std::swap(area.u, area.v);
+    if (!(length(area.u) > 0)) std::swap(area.u, area.v), std::swap(area.columns, area.rows);
     if (!(length(area.u) > 0)) return std::nullopt;
     area.v = area.v - dot_product(area.u, area.v) / dot_product(area.u, area.u) * area.u;
     if (!(length(area.v) > 1e-6 * length(area.u))) area.v = strip(area.u);
@@ -56,7 +59,7 @@ void SceneMaker::add_light(const ObjectThing& object, const Around& around) {
     approximated(own.dimmed && !contents.fogs.empty(), "fog does not dim a light");
     if (own.parallel && target != light.position) {
         light.direction = target - light.position;
-        light.position = DVec3(0);
+        light.from = std::exchange(light.position, DVec3(0));
         approximated(own.sort != LightThing::Sort::point, "a parallel light shines everywhere");
     } else if (own.sort != LightThing::Sort::point && target != light.position) {
         Spot spot{.look_at = target};
@@ -74,18 +77,31 @@ void SceneMaker::add_light(const ObjectThing& object, const Around& around) {
         spot.falloff = std::clamp(spot.falloff, spot.radius, 90.);  // light ends at a radius beyond the falloff
         light.spot = spot;
     }
-    if (own.area && !light.direction) light.area = area_of(own, glm::dmat3(m), mirrored);
+    const bool round = own.area && (own.circular || own.orient) && std::min(own.area->columns, own.area->rows) > 1;
+    const bool soft = light.spot || !own.area_illumination;
+    const bool grid = own.area && soft && (!own.jitter || round) && std::max(own.area->columns, own.area->rows) <= 64;
+    if (own.area && !light.direction) light.area = area_of(own, glm::dmat3(m), grid, mirrored);
     approximated(own.area && light.direction, "an area_light that is parallel is a point");
-    light.soft = light.area && (light.spot || !own.area_illumination);
-    approximated(light.area.has_value(), "the shadows of an area_light are smooth");
+    light.soft = light.area && soft;
+    approximated(light.area && !grid, "the shadows of an area_light are smooth");
+    approximated(light.area && grid && own.jitter, "the points of an area_light do not jitter");
     approximated(light.area && own.area_illumination && light.spot,
                  "a spotlight with area_illumination shines from its middle");
-    approximated(light.area && own.circular, "a circular area_light is a rectangle");
-    approximated(light.area && own.orient, "an area_light that turns to the bodies stays as it is");
+    approximated(light.area && !grid && own.circular, "a circular area_light is a rectangle");
+    approximated(light.area && !grid && own.orient, "an area_light that turns to the bodies stays as it is");
+    if (light.area && grid) {
+        light.circular = round, light.orient = round && own.orient;
+        light.adaptive = std::clamp(own.adaptive, 0, 100);
+        const DVec3 u = glm::dmat3(m) * own.area->u, v = glm::dmat3(m) * own.area->v;
+        approximated(std::min(own.area->columns, own.area->rows) > 1 && !light.orient &&
+                         std::fabs(dot_product(u, v)) > 1e-6 * length(u) * length(v),
+                     "the edges of an area_light are at right angles");
+    }
     const double reach =
         std::max({std::fabs(light.position.x), std::fabs(light.position.y), std::fabs(light.position.z)});
     if (!(reach <= 1e9)) {
         light.direction = -light.position, light.position = DVec3(0), light.spot.reset(), light.area.reset();
+        light.from.reset(), light.soft = light.circular = light.orient = false, light.adaptive = Light{}.adaptive;
         approximated(true, "a light further away than 1e9 is parallel light");
     }
     light.color = {std::min(light.color.x, 1e9), std::min(light.color.y, 1e9), std::min(light.color.z, 1e9)};

@@ -68,9 +68,9 @@ int MaterialMaker::without_patterns(int number) {
     return materials.number(own);
 }
 
-int MaterialMaker::without_shadow(int number) {
+int MaterialMaker::without(double Material::*part, int number) {
     Material own = (*this)[number];
-    own.shadow = 0;
+    own.*part = 0;
     return materials.number(own);
 }
 
@@ -173,8 +173,7 @@ Material MaterialMaker::layered_material_of(const TextureThing& texture, const I
         if (values.finish.refraction.value_or(1) != 1)
             notes.approximated(values.finish.place, "'refraction' of a finish is 1");
         approximate_opacity(layer, values);
-        if (values.finish.conserve_energy && layer.reflection > 0 && layer.rgb.clear())
-            notes.approximated(values.finish.place, "'conserve_energy' changes nothing");
+        if (values.finish.conserve_energy && layer.reflection > 0 && layer.rgb.clear()) layer.conserve = 1;
         if (values.normal.blend && values.normal.amount != 0 && texture.layers.size() > 1)
             notes.approximated(values.normal.blend.place, i + 1 < texture.layers.size()
                                                               ? "only the uppermost layer has bumps"
@@ -189,7 +188,13 @@ Material MaterialMaker::layered_material_of(const TextureThing& texture, const I
     if (interior) whole.ior = std::clamp(decimal(static_cast<float>(interior->ior)), 1e-9, 1e9);
     if (interior && std::fabs(interior->ior - 1) < 1.5e-7) whole.ior = 1;
     if (interior && whole.transmits()) {
-        if (interior->fades) notes.approximated(interior->place, "light does not fade inside bodies");
+        if (interior->fades()) {
+            whole.fade_distance = std::clamp(tidy(interior->fade_distance), 1e-9, 1e9);
+            whole.fade_power = coefficient(decimal(static_cast<float>(interior->fade_power)));
+            whole.fade_color = min(coefficients(interior->fade_color), Color(1));
+            if (whole.fade_color != coefficients(interior->fade_color) || interior->fade_power < 0)
+                notes.approximated(interior->place, "light does not grow inside bodies");
+        }
         if (interior->dispersion) notes.left_out(interior->place, "dispersion");
         if (interior->caustics) notes.left_out(interior->place, "caustics");
     }
@@ -212,7 +217,9 @@ void MaterialMaker::approximate_opacity(Material& layer, const LayerValues& valu
 /// Returns the material by the article's terms alone, or by POV-Ray's if those do not say all.
 Material MaterialMaker::material_of(const TextureThing& texture, const InteriorThing* interior, const MaterialUse& use,
                                     const Steps& way) {
-    if (use.shadow_only) return plain_material_of(texture, interior, use, way);
+    if (use.shadow_only)
+        return interior && interior->fades() ? layered_material_of(texture, interior, use, way)
+                                             : plain_material_of(texture, interior, use, way);
     bool differs = false;
     notes.only_asked = &differs;
     Material plain = plain_material_of(texture, interior, use, way);
@@ -309,7 +316,7 @@ Material MaterialMaker::plain_material_of(const TextureThing& texture, const Int
             notes.approximated(place, "the shadow of a transparent body has the body's colour");
         if (material.ior != 1 && std::fabs(material.reflection + material.refraction - lost) > 1e-6)
             notes.approximated(place, "total reflection is weaker");
-        if (interior && interior->fades) notes.approximated(interior->place, "light does not fade inside bodies");
+        if (interior && interior->fades()) notes.approximated(interior->place, "light does not fade inside bodies");
         if (interior && interior->dispersion) notes.left_out(interior->place, "dispersion");
         if (interior && interior->caustics) notes.left_out(interior->place, "caustics");
     }

@@ -40,8 +40,8 @@ class MaterialMaker {
     }
     /// Returns the number of the same material without its patterns.
     int without_patterns(int number);
-    /// Returns the number of the same material of bodies that cast no shadow.
-    int without_shadow(int number);
+    /// Returns the number of the same material without its shadow, or of bodies that are not seen or not mirrored.
+    int without(double Material::*part, int number);
     /// Returns the number of an equal material whose patterns have a space of their own.
     int apart(int number);
     const Material& operator[](int number) const { return materials.list[static_cast<std::size_t>(number)]; }

@@ -64,7 +64,8 @@ class SceneMaker {
     int material_of(const ObjectThing& object, const Around& around, bool mapped);
     void push(Part part, const ObjectThing& object, const Around& around);
     void tell_notes(const ObjectThing& object) const;
-    void cast_none(Primitive& body);
+    void take(double Material::*part, Primitive& body);
+    void set_planes();
     void drop_shadow_copies();
     void settle_materials();
     // lights.cpp

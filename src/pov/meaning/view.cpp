@@ -26,9 +26,9 @@ double angle_of(double tan) {
 /// Returns a camera's projection; perspective in place of those that scenes do not have.
 Projection projection_of(const CameraThing& camera) {
     const auto known = std::ranges::find(projection_words, camera.projection, find_word);
-    const bool same = camera.projection != word("cylinder") || camera.cylinder == 1;
-    return same && known != projection_words.end() ? static_cast<Projection>(known - projection_words.begin())
-                                                   : Projection::perspective;
+    if (known == projection_words.end()) return Projection::perspective;
+    const bool numbered = camera.projection == word("cylinder") && camera.cylinder >= 1 && camera.cylinder <= 4;
+    return static_cast<Projection>(known - projection_words.begin() + (numbered ? camera.cylinder - 1 : 0));
 }
 
 }  // namespace
@@ -97,7 +97,10 @@ void SceneMaker::set_camera() {
     const bool spherical = camera.projection == Projection::spherical;
     double half_angle = std::max(own.angle.value_or(spherical ? 360 : 90) / 2, 1e-6);
     if (spherical) ratio = own.vertical_angle ? 2 * half_angle / std::max(*own.vertical_angle, 1e-6) : 2;
-    if (camera.projection == Projection::cylinder) ratio = 2 * half_angle * std::numbers::pi / 180 / height;
+    const double radians = 2 * half_angle * std::numbers::pi / 180;
+    const auto is = [&](Projection projection) { return camera.projection == projection; };
+    if (is(Projection::cylinder) || is(Projection::cylinder3)) ratio = radians / height;
+    if (is(Projection::cylinder2) || is(Projection::cylinder4)) ratio = width / radians;
     if (camera.projection == Projection::fisheye) {
         half_angle *= width;
         approximated(std::fabs(height - 1) > 1e-6, "the circle of a fisheye touches the picture's top and bottom");
@@ -209,6 +212,27 @@ std::vector<Primitive> SceneMaker::bodies_of(const ObjectThing& object) {
     return std::move(scene.primitives);
 }
 
+/// Parallel light comes from infinitely far away if nothing is behind the plane from which it comes, or that is further
+/// off than POV-Ray looks.
+void SceneMaker::set_planes() {
+    constexpr double reach = 1e7;
+    for (Light& light : scene.lights) {
+        if (!light.from) continue;
+        const auto is_behind = [&](const Primitive& body) {
+            const Box box = world_bounds(body);
+            if (!box.finite()) return true;
+            double least = 0;
+            for (int c = 0; c < 3; ++c) {
+                const double d = (*light.direction)[c];
+                least += std::min(d * (box.low[c] - (*light.from)[c]), d * (box.high[c] - (*light.from)[c]));
+            }
+            return least < 0;
+        };
+        const bool far = length(*light.from - scene.camera.position) >= reach;
+        if (far || (!light.fades() && std::ranges::none_of(scene.primitives, is_behind))) light.from.reset();
+    }
+}
+
 /// Rays that bring too little are black, which shows in scenes with mirrors or glass.
 void SceneMaker::set_bailout() {
     const double bailout = std::clamp(contents.adc_bailout, 0., 1.);
@@ -230,6 +254,7 @@ Scene SceneMaker::make() {
     }
     drop_shadow_copies();
     settle_materials();
+    set_planes();
     set_bailout();
     return std::move(scene);
 }

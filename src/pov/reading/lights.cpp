@@ -74,7 +74,7 @@ std::shared_ptr<const ObjectThing> PovReader::read_light(Interpreter& in) {
                 break;
             }
             case word("adaptive"):
-                in.read_number();
+                light.adaptive = in.read_integer();
                 break;
             case word("jitter"):
                 light.jitter = in.read_flag();

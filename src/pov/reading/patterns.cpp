@@ -44,10 +44,10 @@ struct Usual {
     std::uint16_t code;
     double value;
 };
-constexpr std::array numbers_not_shown{
-    Usual{word("agate_turb"), 1}, Usual{word("control0"), 1},         Usual{word("control1"), 1},
-    Usual{word("size"), 1},       Usual{word("coords"), 0},           Usual{word("accuracy"), .02},
-    Usual{word("strength"), 1},   Usual{word("number_of_waves"), 10}, Usual{word("no_bump_scale"), 0}};
+constexpr std::array numbers_not_shown{Usual{word("agate_turb"), 1},   Usual{word("size"), 1},
+                                       Usual{word("coords"), 0},       Usual{word("accuracy"), .02},
+                                       Usual{word("strength"), 1},     Usual{word("number_of_waves"), 10},
+                                       Usual{word("no_bump_scale"), 0}};
 
 constexpr int most_iterations = 1'000'000;  // of a fractal
 
@@ -431,6 +431,10 @@ bool PovReader::read_modifier(Interpreter& in, Blend& blend, ValueKind level) {
             in.skip();
             blend.turbulence = in.read_vector();
             return true;
+        case word("control0"):
+            return number(blend.controls[0]);
+        case word("control1"):
+            return number(blend.controls[1]);
         case word("octaves"):
             return number(blend.octaves);
         case word("omega"):

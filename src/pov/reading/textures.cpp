@@ -206,13 +206,13 @@ void PovReader::read_interior(Interpreter& in, InteriorThing& interior) {
                 interior.ior = in.read_number();
                 break;
             case word("fade_distance"):
-            case word("fade_power"): {
-                const double value = in.read_number();
-                if (code == word("fade_power")) interior.fades = value != 0;
+                interior.fade_distance = in.read_number();
                 break;
-            }
+            case word("fade_power"):
+                interior.fade_power = in.read_number();
+                break;
             case word("fade_color"):
-                in.read_color();
+                interior.fade_color = color_of(in.read_color());
                 break;
             case word("caustics"):
                 interior.caustics = in.read_number() != 0;

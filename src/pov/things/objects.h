@@ -33,6 +33,7 @@ struct LightThing {
     std::optional<double> radius, falloff, tightness;
     double fade_distance = 0, fade_power = 0;
     std::optional<Area> area;
+    int adaptive = 100;
 };
 
 /// A texture, and what moved the body after it was given the texture.

@@ -40,6 +40,13 @@ struct MovedValues : SolidFunction {
     const SolidPattern values;
 };
 
+struct QuiltedValues : SolidFunction {
+    explicit QuiltedValues(std::array<double, 2> controls) : controls(controls) {}
+    double value_at(const DVec3& point) const override { return quilt_value(*bend_at(point)); }
+    std::optional<DVec3> bend_at(const DVec3& point) const override { return quilt(point, controls[0], controls[1]); }
+    const std::array<double, 2> controls;
+};
+
 // Complex numbers without the tests for infinities that std::complex has.
 struct Complex {
     double re = 0, im = 0;
@@ -401,6 +408,9 @@ std::shared_ptr<const SolidFunction> own_values_of(const Blend& blend, int gener
             if (blend.crackle == CrackleForm{}) return nullptr;
             return make_values(
                 [own = blend.crackle, generator](const DVec3& p) { return crackle_value(own, generator, p); });
+        case word("quilted"):
+            if (blend.controls == std::array{1., 1.}) return nullptr;
+            return std::make_shared<QuiltedValues>(blend.controls);
         case word("checker"):
             return listed(checker_at);
         case word("brick"):

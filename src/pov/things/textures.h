@@ -1,5 +1,6 @@
 // Textures as a POV-Ray scene declares them: pigments, normals, finishes and interiors.
 #pragma once
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -72,6 +73,7 @@ struct Blend {
     DVec3 brick_size{8, 3, 4.5};
     double mortar = .5;
     double arms = 0;  // of a spiral
+    std::array<double, 2> controls{1, 1};  // of quilted
     bool uv = false;
     std::optional<int> noise_generator;  // if it is not the scene's
     std::uint16_t ignored = end_code;    // a word that changes the pattern in a way that is not shown
@@ -121,8 +123,10 @@ struct FinishThing : Thing, FinishValues {
 
 struct InteriorThing : Thing {
     TextPlace place;
-    double ior = 1;
-    bool fades = false, media = false, dispersion = false, caustics = false;
+    double ior = 1, fade_distance = 0, fade_power = 0;
+    DVec3 fade_color{0};
+    bool media = false, dispersion = false, caustics = false;
+    bool fades() const { return fade_distance > 1e-10; }
 };
 
 /// A layer: a pigment, a normal and a finish; or a pattern of textures.

@@ -68,14 +68,17 @@ inline std::array<Parameter, 6> eye_parameters(EyeText& eye, std::string_view ot
 /// The parameters of a camera besides those.
 struct CameraText {
     EyeText eye;
-    std::optional<double> aspectratio, fisheye, ultra_wide_angle, spherical, cylinder;
+    std::optional<double> aspectratio, fisheye, ultra_wide_angle, spherical, cylinder, cylinder2, cylinder3, cylinder4;
     bool orthographic = false, panoramic = false;
 };
-inline std::array<Parameter, 13> camera_parameters(CameraText& camera) {
-    const std::array<Parameter, 7> more{
+inline std::array<Parameter, 16> camera_parameters(CameraText& camera) {
+    const std::array<Parameter, 10> more{
         {{"aspectratio", &camera.aspectratio, positive, "width / height of what the camera sees", "the picture's"},
-         {projection_words[1], &camera.orthographic, {},
-          "parallel rays: bodies are as large as in perspective at the distance of `look_at`", "perspective"},
+         {projection_words[1],
+          &camera.orthographic,
+          {},
+          "parallel rays: bodies are as large as in perspective at the distance of `look_at`",
+          "perspective"},
          {projection_words[2], &camera.panoramic, {}, "180 degrees wide, and as high, without end", "perspective"},
          {projection_words[3], &camera.fisheye, wide_angles,
           "in place of `angle`: its angle, the same along all lines through the middle, in a circle", "perspective"},
@@ -84,7 +87,13 @@ inline std::array<Parameter, 13> camera_parameters(CameraText& camera) {
          {projection_words[5], &camera.spherical, wide_angles,
           "in place of `angle`: its angle; columns are longitudes, rows latitudes", "perspective"},
          {projection_words[6], &camera.cylinder, wide_angles,
-          "in place of `angle`: its angle; columns are longitudes, rows heights on a cylinder", "perspective"}}};
+          "in place of `angle`: its angle; columns are longitudes, rows heights on a cylinder", "perspective"},
+         {projection_words[7], &camera.cylinder2, wide_angles,
+          "the same lying down, its angle that of the picture's height", "perspective"},
+         {projection_words[8], &camera.cylinder3, wide_angles,
+          "as `cylinder`, but rows look level, from heights on its axis, as if it had the radius 1", "perspective"},
+         {projection_words[9], &camera.cylinder4, wide_angles,
+          "the same lying down, its angle that of the picture's height", "perspective"}}};
     return joined(eye_parameters(camera.eye, required), more);
 }
 /// The time of a key: in seconds or, in place of that, in beats of the music.
@@ -119,9 +128,12 @@ inline std::array<Parameter, 5> motion_parameters(MotionKeyText& key) {
     return joined(time_parameters(key.when, "the time of the key in seconds"), place);
 }
 
-inline std::array<Parameter, 7> light_parameters(Light& light) {
+inline std::array<Parameter, 11> light_parameters(Light& light) {
     return {{{"position", &light.position, coordinates, "where the light is", required, "direction"},
              {"direction", &light.direction, directions, "the direction in which parallel light shines"},
+             {"from", &light.from, coordinates,
+              "a point of the plane from which parallel light comes: bodies behind it cast no shadow",
+              "infinitely far away"},
              {"color", &light.color, not_negative, "its colour and strength", required},
              {"shadowless", &light.shadowless, {}, "it shines through all bodies, without highlights", "shadows"},
              {"soft",
@@ -129,6 +141,11 @@ inline std::array<Parameter, 7> light_parameters(Light& light) {
               {},
               "it shines from its middle, and its `edges` only soften its shadows",
               "hard shadows"},
+             {"adaptive", &light.adaptive, grid_levels,
+              "how often the `grid` of a `soft` light is quartered before only quarters with shadow edges are",
+              "all its points shine"},
+             {"circular", &light.circular, {}, "makes that grid round", "it is square"},
+             {"orient", &light.orient, {}, "turns that grid towards each point that it lights", "it stays as it is"},
              {"fade_distance", &light.fade_distance, not_negative,
               "the distance at which it is as strong as `color`; 0: it does not fade"},
              {"fade_power", &light.fade_power, not_negative,

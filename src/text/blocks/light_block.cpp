@@ -1,5 +1,6 @@
 #include "text/blocks/light_block.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -89,12 +90,20 @@ Light read_light(BlockReader& reader, const TextLimits& limits, std::string_view
         if (light.direction) fault(edges_at, "parallel light cannot be a rectangle; give it a 'position'");
         if (light.spot && !light.soft)
             fault(spot_at, "a light with 'edges' cannot have a spot unless it is 'soft': it shines in all directions");
-        if (light.soft && grid_at.data()) fault(grid_at, "a soft light cannot be a grid of points");
     } else if (grid_at.data()) {
         fault(grid_at, "a grid of points needs 'edges'");
     } else if (light.soft) {
         reader.fault(block, word, "a soft light needs 'edges'");
     }
+    for (const Parameter& own : parameters)
+        if (own.given() && (own.name == "adaptive" || own.name == "circular" || own.name == "orient")) {
+            if (!light.soft || area.columns == 0)
+                fault(own.at, "'" + std::string(own.name) + "' is for soft lights with a 'grid'");
+            else if (own.name != "adaptive" && std::min(area.columns, area.rows) < 2)
+                fault(own.at, "this needs a grid of at least 2 by 2 points");
+        } else if (own.given() && own.name == "from" && !light.direction) {
+            fault(own.at, "only parallel light has 'from'; give it a 'direction'");
+        }
     if (light.direction && *light.direction == DVec3(0))
         fault(parameters[1].at, "invalid light: its 'direction' is 0");
     if (light.spot && light.direction)

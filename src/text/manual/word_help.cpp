@@ -35,7 +35,7 @@ constexpr std::array<std::pair<std::string_view, const char*>, 33> meanings{{
     {"track", "in place of a number: `track \"NAME\" 1` follows a track, and is 1 if that has no keys"},
     {"spot", "limits the light to a cone"},
     {"edges", "makes the light a rectangle around its position: `edges <u>, <v>`"},
-    {"grid", "replaces the rectangle of `edges` by points: `grid columns, rows`"},
+    {"grid", "replaces the rectangle of `edges` by points: `grid columns, rows`; of a `soft` light, for its shadows"},
     {"rotate", "turns by degrees about the x axis, then y, then z, counter-clockwise seen from the tip of the axis"},
     {"translate", "moves"},
     {"scale", "scales about the origin; a factor may be negative, which mirrors, but not 0"},

@@ -39,6 +39,7 @@ inline constexpr NumberRange depths{1, 256, "a whole number from 1 to 256", true
 inline constexpr NumberRange quarter_turns{0, 90, "from 0 to 90 degrees"};
 inline constexpr NumberRange octave_counts{1, 10, "a whole number from 1 to 10", true};
 inline constexpr NumberRange grid_sizes{1, 64, "a whole number from 1 to 64", true};
+inline constexpr NumberRange grid_levels{0, 100, "a whole number from 0 to 100", true};
 inline constexpr NumberRange row_counts{1, 256, "a whole number from 1 to 256", true};
 inline constexpr NumberRange gammas{1, 5, "from 1 to 5"};
 inline constexpr NumberRange directions{-largest_coordinate, largest_coordinate, "from -1e9 to 1e9, not all 0"};

@@ -15,7 +15,7 @@ CameraRays<T>::CameraRays(const Scene& scene, const View& view, const BuiltWorld
       built(built),
       placement(placement),
       frame(frame_of(view.camera, static_cast<double>(view.width) / view.height)) {
-    if (view.camera.projection != Projection::orthographic) return;
+    if (!starts_apart(view.camera.projection)) return;
     const DVec3 middle = view.camera.position;
     DVec3 reach;
     for (int i = 0; i < 3; ++i)

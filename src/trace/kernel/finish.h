@@ -1,5 +1,6 @@
 // Shades hits in worlds with POV-Ray's finishes: their light, by layers, and their rays, which carry colours.
 #pragma once
+#include "trace/kernel/faded_light.h"
 #include "trace/kernel/fog.h"
 #include "trace/kernel/footprint.h"
 #include "trace/kernel/illuminate.h"
@@ -36,6 +37,24 @@ void look_at_layers(const Shading<S, P>& shading, const Hit<S>& hit, const int* 
     note_colors(shading, filtering, color_of(layers), hit.pixel, pick(from.weight), pick.lanes);
 }
 
+/// Returns the share of light that is left of an area light, whose shadows alone are soft.
+template <class S, class P>
+Vec3<S> soft_share(const Shading<S, P>& shading, const Hit<S>& hit, int number, Mask<S> lanes, const S& strength,
+                   const Vec3<S>& reflected, const HitNotes<S, P>& notes, Visibility<S> visible) {
+    using T = Element<S>;
+    const auto& world = shading.world;
+    constexpr T error = T(1) / 510;
+    const Vec3<S>& flat = world.patterns.bends ? notes.flat : hit.normal;
+    const LitHits<S> hits{lanes,     hit.outside, hit.position, hit.normal, flat,
+                          reflected, hit.surface, hit.weight,   S(1),       S(0),
+                          S(1),      S(1),        hit.bin,      hit.medium, &mediums(shading.workspace)};
+    const AreaMeans<S> means = world.lights[number].columns > 0
+                                   ? AreaLightCalls<S>::grid_means(world, number, hits, strength, visible)
+                                   : AreaLightCalls<S>::means(world, number, hits, error, visible);
+    shading.counts.shadow += means.rays;
+    return means.share;
+}
+
 /// Adds the light of all lights to `sum`. An area light shines from its middle, and only its shadows are soft.
 template <class S, class P>
 void add_lights(const Shading<S, P>& shading, const Hit<S>& hit, const int* numbers, const LayeredHit<S>& layers,
@@ -44,6 +63,7 @@ void add_lights(const Shading<S, P>& shading, const Hit<S>& hit, const int* numb
     const auto& world = shading.world;
     const S zero(0);
     const Vec3<S> reflected = reflect(hit), nothing = splat<S>(Vec3<T>(0));
+    const Visibility<S> visible = world.finishes.fades ? faded_visibility<S> : visibility<S>;
     for (int i = 0; i < world.light_count; ++i) {
         const LightKernel<T>& light = world.lights[i];
         const Vec3<S> to_light = fma(S(-light.finite), hit.position, splat<S>(light.position));
@@ -56,25 +76,28 @@ void add_lights(const Shading<S, P>& shading, const Hit<S>& hit, const int* numb
             way.l = select(lost, near.l, way.l), way.cosine = select(lost, near.cosine, way.cosine);
             way.distance = select(lost, near.distance, way.distance);
         }
+        if (light.starts) way.distance = S(light.start) - dot(hit.position, way.l);
         Mask<S> faces = hit.active & (way.cosine > zero);
-        // As in POV-Ray a light without shadows also lights bent normals on the side away from it.
-        if (world.patterns.bends && !light.shadowless) faces = faces & (dot(notes.flat, way.l) > zero);
+        // As in POV-Ray a light without shadows also lights bent normals on the side away from it, and so do those
+        // points of a grid that face the surface.
+        if (world.patterns.bends && !light.shadowless && light.columns == 0)
+            faces = faces & (dot(notes.flat, way.l) > zero);
         S strength(1);
         if (light.spot) strength = spot_share(light, way.l);
-        if (light.fade_per > 0) strength = strength * FinishCalls<S>::faded(light, way.distance);
+        if (light.fade_per > 0) strength = strength * FinishCalls<S>::faded(light, max(way.distance, zero));
         faces = faces & (strength > zero);
         if (none(faces)) continue;
         Vec3<S> share = splat<S>(Vec3<T>(1));
-        if (light.area) {
-            constexpr T error = T(1) / 510;
-            const LitHits<S> hits{faces, hit.outside, hit.position, hit.normal,
-                                  world.patterns.bends ? notes.flat : hit.normal, reflected, hit.surface, hit.weight,
-                                  S(1), zero, S(1), S(1), hit.bin};
-            const AreaMeans<S> means = AreaLightCalls<S>::means(world, i, hits, error, visibility<S>);
-            share = means.share, shading.counts.shadow += means.rays;
-        } else if (!light.shadowless) {
-            share = visibility(world, Ray<S>{hit.position, way.l, hit.surface}, way.distance, faces,
-                               Start<S>{i, hit.bin, hit.outside});
+        // Behind the plane from which parallel light comes nothing is in its way.
+        const Mask<S> behind = light.starts ? faces & !(way.distance > zero) : first_lanes<S>(0);
+        if (light.shadowless || none(faces & !behind)) {
+        } else if (light.area) {
+            share = soft_share(shading, hit, i, faces, strength, reflected, notes, visible);
+        } else {
+            share = select(
+                behind, share,
+                visible(world, Ray<S>{hit.position, way.l, hit.surface}, way.distance, faces & !behind,
+                        Start<S>{i, hit.bin, hit.outside, ~BodySet(0), hit.medium, &mediums(shading.workspace)}));
             shading.counts.shadow += count(faces);
         }
         if (notes_sights(shading)) note_light(shading, hit, notes, i, share, S(dot(reflected, way.l)), faces);
@@ -88,31 +111,50 @@ void add_lights(const Shading<S, P>& shading, const Hit<S>& hit, const int* numb
     }
 }
 
-/// Queues a ray that goes on from hits, with its colour and its generation as POV-Ray counts them.
+/// Queues a ray that goes on from hits, with its colour, its generation as POV-Ray counts them, and whether it has been
+/// reflected.
 template <class S, class P>
 void push(const Shading<S, P>& shading, RayQueue<Element<S>>& to, const Hit<S>& hit, Branch<S, P> ray,
-          const Vec3<S>& tint, const S& level, const HitNotes<S, P>& notes) {
+          const Vec3<S>& tint, const S& level, const S& mirrored, const HitNotes<S, P>& notes) {
     ray.mask = ray.mask & (ray.weight >= S(shading.world.finishes.bailout));
     for (int c = 0; c < 3; ++c) compress(to.tint[c] + to.count, tint[c], ray.mask);
-    compress(to.level + to.count, level, ray.mask);
+    compress(to.level + to.count, level, ray.mask), compress(to.mirrored + to.count, mirrored, ray.mask);
     push(shading, to, hit, ray, notes);
 }
 
-/// Adds the light of hits to their pixels, and queues their rays. Nothing is pruned.
+/// Queues rays that go on straight through surfaces which are not there for them. Other surfaces may lie in the same
+/// place, so that these rays start a little before.
 template <class S, class P>
-[[gnu::noinline]] void shade_finish(const Shading<S, P>& shading, const Hit<S>& hit, const int* numbers,
-                                    const RayQueue<Element<S>>& from, const LaneIndices<S>& pick,
+void push_through(const Shading<S, P>& shading, Hit<S> hit, Mask<S> hidden, const Vec3<S>& tint,
+                  const RayQueue<Element<S>>& from, const LaneIndices<S>& pick, const HitNotes<S, P>& notes) {
+    const S one(1), s = -dot(hit.direction, hit.normal);
+    hit.position = fma(S(-4 * shading.world.rounding), hit.direction, hit.position);
+    Branch<S, P> on = branch<P>(hit, hidden, hit.direction, one, hit.medium);
+    P::refract(shading, hit, notes.own, hidden, first_lanes<S>(0), one, s, s * s, on);
+    push(shading, shading.refracted, hit, on, tint, pick(from.level), pick(from.mirrored), notes);
+}
+
+/// Adds the light of hits to their pixels, and queues their rays. Nothing is pruned. `t` is the length of the rays.
+template <class S, class P>
+[[gnu::noinline]] void shade_finish(const Shading<S, P>& shading, Hit<S> hit, const int* numbers,
+                                    const RayQueue<Element<S>>& from, const LaneIndices<S>& pick, const S& t,
                                     HitNotes<S, P>& notes) {
     using T = Element<S>;
     const auto& world = shading.world;
     const S zero(0), one(1);
+    constexpr int deepest = 256;  // also of rays that go straight on, whose level stays
     const Vec3<S> before = tint_of(from, pick);
     const Vec3<S> tint = world.fog.any ? before * tint_of_fog(world, S(hit.medium)) : before;
+    if (world.finishes.hides) {
+        const Mask<S> hidden = hit.active & FinishCalls<S>::hidden(world, numbers, pick(from.mirrored));
+        if (any(hidden) && shading.depth < deepest) push_through(shading, hit, hidden, tint, from, pick, notes);
+        hit.active = hit.active & !hidden;
+    }
     LayeredHit<S> layers;
     look_at_layers(shading, hit, numbers, from, pick, notes, layers);
     Vec3<S> light = layers.ambient;
     add_lights(shading, hit, numbers, layers, notes, light);
-    light = scale(hit.weight, light);
+    light = select(hit.active, scale(hit.weight, light), splat<S>(Vec3<T>(0)));
     if (world.fog.any)
         light =
             fma(pick(from.weight) - hit.weight, splat<S>(world.fog.color), light * tint_of_fog(world, S(hit.medium)));
@@ -120,13 +162,16 @@ template <class S, class P>
 
     const S level = pick(from.level);
     const Mask<S> deeper = hit.active & (level < S(static_cast<T>(shading.limits.depth)));
-    constexpr int deepest = 256;  // also of rays that go straight on, whose level stays
     if (none(deeper) || shading.depth >= deepest) return truncate(shading, hit);
     const Mask<S> glass = deeper & (largest(layers.through) > zero);
     const bool bends = world.patterns.bends;
     const Vec3<S> away = bends ? reflect_bent(hit, notes.flat) : reflect(hit);
-    Vec3<S> mirrored = layers.mirrored;
+    Vec3<S> mirrored = layers.mirrored, faded = splat<S>(Vec3<T>(1));
     Branch<S, P> refracted{};
+    Mask<S> total = first_lanes<S>(0);
+    if (world.finishes.fades && any(glass))
+        faded = FinishCalls<S>::faded_inside(
+            world, numbers, t, from_inside(world, &mediums(shading.workspace), hit.medium, hit.body, hit.outside));
     if (any(glass)) {
         S b = select(hit.outside, one / hit.material.ior, hit.material.ior), medium = hit.medium;
         if (world.nested) change_medium(shading, hit, glass, b, medium);
@@ -142,21 +187,24 @@ template <class S, class P>
             k = select(far, far_k, k), beyond = select(far, far_beyond, beyond);
         }
         beyond = select(straight, hit.direction, beyond);
-        const Mask<S> total = glass & (k < zero);
+        total = glass & (k < zero);
         const Vec3<S> all(layers.total, layers.total, layers.total);
         mirrored = select(total, all, mirrored);
         const S share = largest(layers.through);
         refracted = branch<P>(hit, glass & !total, beyond, share, medium);
         P::refract(shading, hit, notes.own, glass, far, b, s, k, refracted);
         const S counted = one - select(straight, layers.clear, zero);
-        push(shading, shading.refracted, hit, refracted, tint * scale(one / share, layers.through), level + counted,
-             notes);
+        push(shading, shading.refracted, hit, refracted, tint * faded * scale(one / share, layers.through),
+             level + counted, pick(from.mirrored), notes);
         shading.counts.refracted += count(refracted.mask);
     }
-    const S share = largest(mirrored);
-    Branch<S, P> reflected = branch<P>(hit, deeper & (share > zero), away, share, hit.medium);
+    // POV-Ray takes rays for as strong as light that grazes the surface, or that comes through it.
+    const S share = select(total, largest(layers.through), layers.most_mirrored);
+    const Mask<S> sends = deeper & (share > zero) & (largest(mirrored) > zero);
+    Branch<S, P> reflected = branch<P>(hit, sends, away, share, hit.medium);
     P::reflect(shading, hit, notes, share, reflected);
-    push(shading, shading.next.open, hit, reflected, tint * scale(one / share, mirrored), level + one, notes);
+    const Vec3<S> sent = tint * scale(one / share, mirrored);
+    push(shading, shading.next.open, hit, reflected, select(total, sent * faded, sent), level + one, one, notes);
     shading.counts.reflected += count(reflected.mask);
 }
 

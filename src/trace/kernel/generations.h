@@ -28,8 +28,8 @@ void generate_camera_rays(const Eye<T>& eye, const PixelBatch<T>& batch, bool fi
     }
     rays.count = batch.count;
     if (finished)
-        for (T* const array : {rays.tint[0], rays.tint[1], rays.tint[2], rays.level})
-            std::fill_n(array, batch.count, T(1));
+        for (T* const array : {rays.tint[0], rays.tint[1], rays.tint[2], rays.level, rays.mirrored})
+            std::fill_n(array, batch.count, T(array != rays.mirrored));
     if (eye.rays) [[unlikely]]
         make_camera_rays(*eye.rays, batch, workspace, rays);
 }

@@ -41,8 +41,9 @@ struct RayQueue {
     int count = 0;
     T* extra[4] = {};                       // values that the kernel's policy keeps, see plain.h
     Differentials<T*> differentials{};      // only where patterns are filtered
-    // In worlds with POV-Ray's finishes: the colour of its light beside `weight`, and its generation as POV-Ray counts.
-    T *tint[3] = {}, *level = nullptr;
+    // In worlds with POV-Ray's finishes: the colour of its light beside `weight`, its generation as POV-Ray counts, and
+    // 1 if it has been reflected on its way from the eye, else 0.
+    T *tint[3] = {}, *level = nullptr, *mirrored = nullptr;
 };
 
 /// Says which rays have an array: all; those inside an enclosed body; those of a policy that keeps more; those with
@@ -60,7 +61,7 @@ void each_array(const Visit& visit, Queues&... queues) {
     for (int i = 0; i < 4; ++i) visit(RayPart::extra, queues.extra[i]...);
     each_number([&](auto&... arrays) { visit(RayPart::beside, arrays...); }, queues.differentials...);
     for (int c = 0; c < 3; ++c) visit(RayPart::finish, queues.tint[c]...);
-    visit(RayPart::finish, queues.level...);
+    visit(RayPart::finish, queues.level...), visit(RayPart::finish, queues.mirrored...);
 }
 
 /// The rays of a generation: open ones, whose hits are searched, and those inside an enclosed body (see World), which

@@ -97,42 +97,6 @@ class HitMaterial {
     int number = -1;  // of the one that all lanes have, else -1
 };
 
-/// Returns the points where rays first meet the one item of a bin, at distance `t`. Functions that are called get
-/// copies, so that all else can stay in registers.
-template <class S>
-STRAHL_INLINE SurfaceHit<S> surface_at(const World<Element<S>>& world, const SortBin& bin, const Ray<S>& ray, S t) {
-    SurfaceHit<S> hit;
-    const auto inline_code = [&](const auto& group) __attribute__((always_inline)) {
-        using Item = typename std::remove_cvref_t<decltype(group)>::template ItemOf<S>;
-        hit = surface_hit(splat_item<Item, S>(group.items[bin.item]), ray, t, crossings_of<S, Item>);
-    };
-    if (!if_hot(world, bin.form, inline_code)) {
-        const Ray<S> copy = ray;
-        SurfaceHit<S> called;
-        calls<S>(bin.form).surface_at(world, bin.item, copy, S(t), called);
-        hit.point = called.point, hit.surface = called.surface, hit.body = called.body;
-    }
-    return hit;
-}
-/// Returns the points where rays first meet the items of their surfaces, all of one form, and the items' materials.
-template <class S>
-STRAHL_INLINE SurfaceHit<S> surfaces_at(const World<Element<S>>& world, int form, const Element<S>* surfaces,
-                                        const LaneIndices<S>& pick, const Ray<S>& ray, S t, int* materials) {
-    int items[width<S>];
-    for (int k = 0; k < width<S>; ++k) items[k] = world.references[static_cast<int>(surfaces[pick.index[k]])].item;
-    S faces(-1);
-    if (world.composites.leaf_faces) {
-        alignas(64) Element<S> known[width<S>];
-        for (int k = 0; k < width<S>; ++k)
-            known[k] = static_cast<Element<S>>(world.composites.leaf_faces[static_cast<int>(surfaces[pick.index[k]])]);
-        faces = load_lanes<S>(known);
-    }
-    const Ray<S> copy = ray;
-    SurfaceHit<S> called;
-    calls<S>(form).surfaces_at(world, items, copy, S(t), faces, called, materials);
-    return called;
-}
-
 template <class S, class P>
 STRAHL_INLINE Hit<S> make_hit(const Shading<S, P>& shading, int bin, const RayQueue<Element<S>>& from,
                               const LaneIndices<S>& pick, const Element<S>* t, HitMaterial<S>& material) {
@@ -215,7 +179,7 @@ bool shade_bin(const Shading<S, P>& shading, int bin) {
             }
         }
         if (world.finishes.list) [[unlikely]] {
-            shade_finish(shading, Hit<S>(hit), material.numbers, from, pick, notes);
+            shade_finish(shading, Hit<S>(hit), material.numbers, from, pick, pick(t), notes);
             continue;
         }
         Mask<S> dim = first_lanes<S>(0);

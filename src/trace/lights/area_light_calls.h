@@ -6,6 +6,10 @@
 #include "num/ray.h"
 #include "trace/world/world.h"
 
+namespace strahl {
+class MediumStacks;
+}  // namespace strahl
+
 namespace strahl::inline STRAHL_LEVEL {
 
 /// Tells where shadow rays to a light start: on which body, by its bin, and in which lanes on its outside. Only used if
@@ -15,6 +19,8 @@ struct Start {
     int light, bin;
     Mask<S> outside;
     BodySet only = ~BodySet(0);
+    S medium{0};  // the numbers of medium stacks, in nested worlds in whose bodies light fades
+    MediumStacks* mediums = nullptr;
 };
 
 /// Returns the share of light, per channel, that arrives from `distance` away along the ray: opaque bodies between
@@ -33,6 +39,8 @@ struct LitHits {
     Vec3<S> position, normal, flat, reflected;
     S surface, weight, diffuse, specular, pow, shines_from;
     int bin;
+    S medium{0};  // as in Start
+    MediumStacks* mediums = nullptr;
 };
 
 /// Means over a rectangle, per channel: of S (n.l), of S (h.l)^p, and of S itself where n.l > 0.
@@ -48,6 +56,10 @@ struct AreaLightCalls {
     /// Finds these means. `error` is what the light of the pixel may be off, as an estimate of the root mean square.
     static AreaMeans<S> means(const World<T>& world, int light, const LitHits<S>& hits, T error,
                               Visibility<S> visibility);
+    /// Finds the means of S over the points of a soft light's grid, as POV-Ray takes them. `strength` is the share of
+    /// the light that arrives where nothing is in its way.
+    static AreaMeans<S> grid_means(const World<T>& world, int light, const LitHits<S>& hits, const S& strength,
+                                   Visibility<S> visibility);
 };
 
 }  // namespace strahl::inline STRAHL_LEVEL

@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "num/lane_math.h"
 #include "trace/forms/items_kernel.h"
@@ -15,6 +17,15 @@
 #include "trace/lights/shaft_kernel.h"
 
 namespace strahl::inline STRAHL_LEVEL {
+
+/// Finds the bodies that may be in the way of a light, in a shaft that begins on a surface. Returns true if none are.
+template <class S, class T>
+bool nothing_in(const World<T>& world, const Shaft<T>& shaft, T surface, Start<S>& start) {
+    const ShaftStart<T> from{surface, start.light, start.bin, bool(bits(start.outside) & 1)};
+    if (!world.bin_per_item) return !anything_in<S>(world, shaft, from);
+    start.only = bodies_in<S>(world, shaft, from);
+    return start.only == 0;
+}
 
 /// Squares of a rectangle, given by their corners with the smallest coordinates, in units of the smallest squares.
 struct AreaCells {
@@ -35,10 +46,22 @@ class AreaSum {
 
   public:
     AreaSum(const World<T>& world, int number, const LitHits<S>& hits, int k, Visibility<S> visibility)
-        : world(world), visibility(visibility), position(at(hits.position, k)), normal(at(hits.normal, k)),
-          flat(at(hits.flat, k)), reflected(at(hits.reflected, k)), surface(lane(hits.surface, k)),
-          specular(lane(hits.specular, k)), pow(lane(hits.pow, k)), shines_from(lane(hits.shines_from, k)),
-          start{number, hits.bin, first_lanes<S>((bits(hits.outside) >> k & 1) ? width<S> : 0)} {
+        : world(world),
+          visibility(visibility),
+          position(at(hits.position, k)),
+          normal(at(hits.normal, k)),
+          flat(at(hits.flat, k)),
+          reflected(at(hits.reflected, k)),
+          surface(lane(hits.surface, k)),
+          specular(lane(hits.specular, k)),
+          pow(lane(hits.pow, k)),
+          shines_from(lane(hits.shines_from, k)),
+          start{number,
+                hits.bin,
+                first_lanes<S>((bits(hits.outside) >> k & 1) ? width<S> : 0),
+                ~BodySet(0),
+                S(lane(hits.medium, k)),
+                hits.mediums} {
         const LightKernel<T>& light = world.lights[number];
         u = light.u, v = light.v;
         middle = light.position - position;
@@ -51,7 +74,7 @@ class AreaSum {
         int faced = 0;
         for (const Vec3<T>& way : ways) faced += dot(normal, way) > T(0) && dot(flat, way) > T(0);
         if (faced == 0) return;
-        look_around(ways);
+        clear = nothing_in(world, Shaft<T>(position, ways, u, v, world.rounding), surface, start);
         glossy = may_shine(ways);
         if (clear && faced == 4 && !glossy) {
             const T mean = mean_cosine(normal, middle, u, v);
@@ -82,18 +105,6 @@ class AreaSum {
   private:
     static Vec3<T> at(const Vec3<S>& v, int k) { return {lane(v.x, k), lane(v.y, k), lane(v.z, k)}; }
     static T area(int size) { return T(size * size) / T(side * side); }
-
-    /// Finds the bodies that can be in the way, and `clear` if there are none.
-    void look_around(const Vec3<T> (&ways)[4]) {
-        const Shaft<T> shaft(position, ways, u, v, world.rounding);
-        const ShaftStart<T> from{surface, start.light, start.bin, bool(bits(start.outside) & 1)};
-        if (world.bin_per_item) {
-            start.only = bodies_in<S>(world, shaft, from);
-            clear = start.only == 0;
-        } else {
-            clear = !anything_in<S>(world, shaft, from);
-        }
-    }
 
     /// Returns true if the highlight of any point of the rectangle may be visible.
     bool may_shine(const Vec3<T> (&ways)[4]) const {
@@ -236,6 +247,153 @@ class AreaSum {
     std::array<std::uint8_t, row * row> known;  // by corner: 0 if not known, else on which side of the surface it is
     std::array<T, row * row> shares[3];         // by corner, of those on the side it faces: the share of light
 };
+
+/// Computes the mean over a grid for one hit after the other.
+template <class S>
+class GridSum {
+    using T = Element<S>;
+
+  public:
+    GridSum(const World<T>& world, int number, const LitHits<S>& hits, Visibility<S> visibility)
+        : world(world),
+          light(world.lights[number]),
+          number(number),
+          hits(hits),
+          visibility(visibility),
+          known(std::size_t(light.columns) * light.rows),
+          shares(known.size()) {}
+
+    /// Finds the mean for the hit of lane k, at which the light would have this colour.
+    Vec3<T> mean(int k, const Vec3<T>& color) {
+        const auto at = [k](const Vec3<S>& v) { return Vec3<T>(lane(v.x, k), lane(v.y, k), lane(v.z, k)); };
+        position = at(hits.position), flat = at(hits.flat), surface = lane(hits.surface, k);
+        middle = light.position - position, u = light.u, v = light.v;
+        outside = bits(hits.outside) >> k & 1;
+        if (light.orient) {
+            const Vec3<T> l = scale(T(1) / sqrt(dot(middle, middle)), middle);
+            const Vec3<T> across = cross(l, abs(abs(l.z) - T(1)) < T(.01) ? Vec3<T>(0, 1, 0) : Vec3<T>(0, 0, 1));
+            const T size = sqrt(dot(u, u));
+            u = scale(size / sqrt(dot(across, across)), across), v = cross(l, u);
+        }
+        start = {number,      hits.bin, first_lanes<S>(outside ? width<S> : 0), ~BodySet(0), S(lane(hits.medium, k)),
+                 hits.mediums};
+        if (nothing_before()) return Vec3<T>(1);
+        std::fill(known.begin(), known.end(), std::uint8_t(0));
+        Vec3<T> sum(0);
+        T weight(1);
+        parts.assign(1, {0, 0, light.columns - 1, light.rows - 1});
+        for (int level = 0; !parts.empty(); ++level, weight *= T(.25)) {
+            trace_corners();
+            quarters.clear();
+            for (const Quarter& part : parts)
+                if ((part.u2 - part.u1 > 1 || part.v2 - part.v1 > 1) && (level < light.adaptive || mixed(part, color)))
+                    divide(part);
+                else
+                    for (const int corner : corners_of(part)) sum = fma(weight * T(.25), shares[corner], sum);
+            parts.swap(quarters);
+        }
+        return sum;
+    }
+    std::int64_t rays = 0;
+
+  private:
+    /// Columns u1 to u2 and rows v1 to v2 of the grid.
+    struct Quarter {
+        int u1, v1, u2, v2;
+    };
+    std::array<int, 4> corners_of(const Quarter& part) const {
+        const auto at = [&](int column, int row) { return column * light.rows + row; };
+        return {at(part.u1, part.v1), at(part.u2, part.v1), at(part.u2, part.v2), at(part.u1, part.v2)};
+    }
+    void divide(const Quarter& part) {
+        const int u = part.u1 + part.u2, v = part.v1 + part.v2;
+        for (const auto& [u1, u2] : {std::pair(part.u1, u / 2), std::pair((u + 1) / 2, part.u2)})
+            for (const auto& [v1, v2] : {std::pair(part.v1, v / 2), std::pair((v + 1) / 2, part.v2)})
+                quarters.push_back({u1, v1, u2, v2});
+    }
+    /// Does the light of two corners beside each other differ by more than .1, the differences of channels added up?
+    bool mixed(const Quarter& part, const Vec3<T>& color) const {
+        const std::array<int, 4> corners = corners_of(part);
+        for (int i = 0; i < 4; ++i) {
+            const Vec3<T> off = (shares[corners[i]] - shares[corners[(i + 1) % 4]]) * color;
+            if (abs(off.x) + abs(off.y) + abs(off.z) > T(.1)) return true;
+        }
+        return false;
+    }
+    /// Returns true if all points of the grid are before the surface, and nothing can be in their way.
+    bool nothing_before() {
+        const T around = light.circular ? T(1.004) : T(1);  // circles are off their middle by .001
+        const Vec3<T> across = scale(around, u), down = scale(around, v), first = middle - scale(T(.5), across + down);
+        const Vec3<T> ways[4]{first, first + across, first + across + down, first + down};
+        for (const Vec3<T>& way : ways)
+            if (!(dot(flat, way) > T(0))) return false;
+        return nothing_in(world, Shaft<T>(position, ways, across, down, world.rounding), surface, start);
+    }
+    /// Traces shadow rays to the corners of parts that no earlier ones had.
+    void trace_corners() {
+        wanted.clear();
+        for (const Quarter& part : parts)
+            for (const int corner : corners_of(part))
+                if (!known[corner]) known[corner] = 1, wanted.push_back(corner);
+        const int all = static_cast<int>(wanted.size());
+        for (int i = 0; i < all; i += width<S>) trace_pack(wanted.data() + i, std::min(all - i, width<S>));
+    }
+    void trace_pack(const int* points, int lanes) {
+        alignas(64) T ways[3][width<S>] = {};
+        for (int k = 0; k < lanes; ++k) {
+            const Vec3<T> way = way_to(points[k] / light.rows, points[k] % light.rows);
+            for (int c = 0; c < 3; ++c) ways[c][k] = way[c];
+        }
+        const Vec3<S> way(load_lanes<S>(ways[0]), load_lanes<S>(ways[1]), load_lanes<S>(ways[2]));
+        const S distance = sqrt(dot(way, way));
+        const Mask<S> active = first_lanes<S>(lanes) & (distance > S(0));
+        // A body is in the way of light from behind its own surface.
+        Start<S> own = start;
+        own.outside = own.outside & (dot(splat<S>(flat), way) > S(0));
+        const Ray<S> ray{splat<S>(position), scale(S(1) / distance, way), S(surface)};
+        const Vec3<S> arrives = select(active, visibility(world, ray, distance, active, own), splat<S>(Vec3<T>(1)));
+        rays += strahl::count(active);
+        for (int k = 0; k < lanes; ++k)
+            shares[points[k]] = {lane(arrives.x, k), lane(arrives.y, k), lane(arrives.z, k)};
+    }
+    Vec3<T> way_to(int column, int row) const {
+        T a = light.columns > 1 ? T(column) / T(light.columns - 1) - T(.5) : T(0);
+        T b = light.rows > 1 ? T(row) / T(light.rows - 1) - T(.5) : T(0);
+        if (light.circular) {
+            a += T(.001), b += T(.001);
+            const T inwards = max(abs(a), abs(b)) / sqrt(a * a + b * b);
+            a *= inwards, b *= inwards;
+        }
+        return fma(a, u, fma(b, v, middle));
+    }
+
+    const World<T>& world;
+    const LightKernel<T>& light;
+    const int number;
+    const LitHits<S>& hits;
+    Visibility<S> visibility;
+    Vec3<T> position, flat, middle, u, v;  // middle: the way there
+    T surface = 0;
+    bool outside = false;
+    Start<S> start{};
+    std::vector<std::uint8_t> known;  // by point, column by column
+    std::vector<Vec3<T>> shares;
+    std::vector<int> wanted;
+    std::vector<Quarter> parts, quarters;
+};
+
+template <class S>
+AreaMeans<S> AreaLightCalls<S>::grid_means(const World<T>& world, int light, const LitHits<S>& hits, const S& strength,
+                                           Visibility<S> visibility) {
+    alignas(64) T lanes[3][width<S>] = {};
+    GridSum<S> sum(world, light, hits, visibility);
+    for (unsigned left = bits(hits.lanes); left; left &= left - 1) {
+        const int k = std::countr_zero(left);
+        const Vec3<T> share = sum.mean(k, scale(lane(strength, k), world.lights[light].color));
+        for (int c = 0; c < 3; ++c) lanes[c][k] = share[c];
+    }
+    return {.share = {load_lanes<S>(lanes[0]), load_lanes<S>(lanes[1]), load_lanes<S>(lanes[2])}, .rays = sum.rays};
+}
 
 template <class S>
 AreaMeans<S> AreaLightCalls<S>::means(const World<T>& world, int light, const LitHits<S>& hits, T error,

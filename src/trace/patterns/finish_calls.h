@@ -30,6 +30,7 @@ template <class S>
 struct LayeredHit {
     Vec3<S> ambient, through, mirrored;  // light of its own; shares of light that comes through, and is reflected
     S total, clear;                      // see FinishKernel; clear is 1 or 0
+    S most_mirrored;                     // the share of reflected light by which POV-Ray tells how weak a ray is
     Vec3<S> color[most_layers], above[most_layers];
     S opacity[most_layers];
 };
@@ -48,6 +49,12 @@ struct FinishCalls {
     static Vec3<S> through(const World<T>& world, int material, const Vec3<S>& position, const S& surface);
     /// Returns the share of a light that is left after a distance.
     static S faded(const LightKernel<T>& light, const S& distance);
+    /// Returns the share of light that is left after a way through a body of this material.
+    static Vec3<S> faded_inside(const World<T>& world, int material, const S& way);
+    /// Returns the same for the materials of a pack, one in each lane; 1 in lanes not `inside`.
+    static Vec3<S> faded_inside(const World<T>& world, const int* materials, const S& way, Mask<S> inside);
+    /// Returns the lanes whose rays go through a material as if it was not there; `mirrored` as in RayQueue.
+    static Mask<S> hidden(const World<T>& world, const int* materials, const S& mirrored);
 };
 
 }  // namespace strahl::inline STRAHL_LEVEL

@@ -71,11 +71,12 @@ Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, c
                                   const Footprint<S>* footprint, LayeredHit<S>& hit) {
     Filtering<S> all{S(0), S(-1)};
     const Vec3<S> none = splat<S>(Vec3<T>(0));
-    hit.ambient = hit.through = hit.mirrored = none, hit.total = hit.clear = S(0);
+    hit.ambient = hit.through = hit.mirrored = none, hit.total = hit.clear = hit.most_mirrored = S(0);
     for (int i = 0; i < most_layers; ++i) hit.color[i] = hit.above[i] = none, hit.opacity[i] = S(0);
     const S one(1), zero(0), cosine = min(max(-dot(seen.direction, seen.normal), zero), one);
     each_finish<S>(world, materials, [&](const FinishKernel<T>& finish, Mask<S> lanes) {
         Vec3<S> through = splat<S>(Vec3<T>(1)), ambient = splat<S>(Vec3<T>(0)), mirrored = ambient;
+        S most(0);
         const int layers = std::min(finish.layers, most_layers);
         for (int i = layers; i-- > 0;) {
             const LayerKernel<T>& layer = world.finishes.layers[finish.first_layer + i];
@@ -103,9 +104,14 @@ Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, c
                 else if (layer.facing != 1)
                     x = power_or_zero(one - cosine, layer.falloff);
                 const S share = fma(S(1 - layer.facing), x, S(layer.facing));
+                most = max(most, S(largest(layer.mirror)) * (layer.fresnel ? share : one));
                 Vec3<S> tint = splat<S>(Vec3<T>(1));
                 if (layer.gilding != 0) tint = tint_of(own.color, layer.gilding, cosine);
-                for (int c = 0; c < 3; ++c) mirrored[c] = fma(share * S(layer.mirror[c]), tint[c], mirrored[c]);
+                for (int c = 0; c < 3; ++c) {
+                    const S gray = share * S(layer.mirror[c]);
+                    mirrored[c] = fma(gray, tint[c], mirrored[c]);
+                    if (layer.conserves) through[c] = through[c] * max(one - gray * tint[c], zero);
+                }
             }
             const S more = own.transmit + S(i == 0 ? finish.refraction : T(0));
             for (int c = 0; c < 3; ++c) through[c] = through[c] * fma(own.filter, own.color[c], more);
@@ -113,6 +119,7 @@ Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, c
         hit.ambient = select(lanes, ambient, hit.ambient);
         hit.through = select(lanes, through, hit.through);
         hit.mirrored = select(lanes, mirrored, hit.mirrored);
+        hit.most_mirrored = select(lanes, most, hit.most_mirrored);
         hit.total = select(lanes, S(finish.total), hit.total);
         hit.clear = select(lanes, S(finish.clear ? 1 : 0), hit.clear);
     });
@@ -165,6 +172,43 @@ S FinishCalls<S>::faded(const LightKernel<T>& light, const S& distance) {
     store_lanes(values, distance * S(light.fade_per));
     for (T& value : values) value = 2 / (1 + std::pow(value, light.fade_power));
     return load_lanes<S>(values);
+}
+
+template <class S>
+Vec3<S> FinishCalls<S>::faded_inside(const World<T>& world, int material, const S& way) {
+    const FinishKernel<T>& finish = world.finishes.list[material];
+    if (finish.fade_per == 0) return splat<S>(Vec3<T>(1));
+    constexpr T exponential = 1000;  // powers from here on are no powers
+    alignas(64) T ways[width<S>], values[3][width<S>];
+    store_lanes(ways, way * S(finish.fade_per));
+    for (int k = 0; k < width<S>; ++k) {
+        const T left = finish.fade_power < exponential ? 1 / (1 + std::pow(ways[k], finish.fade_power)) : T(0);
+        for (int c = 0; c < 3; ++c) {
+            const T color = finish.fade_color[c], rest = 1 - color;
+            values[c][k] = finish.fade_power < exponential ? color + rest * left : std::exp(-rest * ways[k]);
+        }
+    }
+    return {load_lanes<S>(values[0]), load_lanes<S>(values[1]), load_lanes<S>(values[2])};
+}
+template <class S>
+Vec3<S> FinishCalls<S>::faded_inside(const World<T>& world, const int* materials, const S& way, Mask<S> inside) {
+    Vec3<S> share = splat<S>(Vec3<T>(1));
+    each_finish<S>(world, materials, [&](const FinishKernel<T>& finish, Mask<S> lanes) {
+        const Mask<S> own = lanes & inside;
+        if (finish.fade_per == 0 || none(own)) return;
+        share = select(own, faded_inside(world, static_cast<int>(&finish - world.finishes.list), way), share);
+    });
+    return share;
+}
+
+template <class S>
+Mask<S> FinishCalls<S>::hidden(const World<T>& world, const int* materials, const S& mirrored) {
+    Mask<S> all = first_lanes<S>(0);
+    each_finish<S>(world, materials, [&](const FinishKernel<T>& finish, Mask<S> lanes) {
+        if (!finish.seen) all = all | (lanes & !(mirrored > S(0)));
+        if (!finish.mirrored) all = all | (lanes & (mirrored > S(0)));
+    });
+    return all;
 }
 
 }  // namespace strahl::inline STRAHL_LEVEL

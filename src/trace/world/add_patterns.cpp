@@ -181,13 +181,18 @@ void WorldArrays<T>::add_finish(const Material& material, const Scene& scene, co
         layer.metallic = number(own.metallic), layer.gilding = number(own.gilding);
         layer.mirror = cast<T>(own.reflection * own.mirror);
         layer.facing = number(own.facing), layer.falloff = number(own.falloff), layer.fresnel = own.fresnel > 0;
+        layer.conserves = own.conserve > 0;
         finishes.layers.push_back(layer);
     };
     const bool clear = material.transmits() && material.rgb.clear();
     finishes.list.push_back({static_cast<std::int32_t>(finishes.layers.size()),
                              static_cast<std::int32_t>(1 + material.coats.size()), number(material.refraction),
                              number(material.ior), number(clear ? 1 : material.reflection + material.refraction), clear,
-                             material.shadow > 0});
+                             material.shadow > 0, material.seen > 0, material.mirrored > 0,
+                             number(material.fades() ? 1 / (material.fade_distance * placement.scale) : 0),
+                             number(material.fade_power), cast<T>(material.fade_color)});
+    world.finishes.fades |= material.fades();
+    world.finishes.hides |= !(material.seen > 0 && material.mirrored > 0);
     add_layer(material);
     for (const Material& coat : material.coats) add_layer(coat);
 }

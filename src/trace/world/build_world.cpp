@@ -65,6 +65,14 @@ LightKernel<T> light_kernel(const Light& light, const Placement& placement) {
         const DVec3 along = normalize(light.area->u);
         kernel.u = edge(light.area->u);
         kernel.v = edge(light.area->v - dot_product(light.area->v, along) * along);
+        kernel.columns = light.area->columns, kernel.rows = light.area->rows;
+        kernel.adaptive = static_cast<std::int32_t>(light.adaptive);
+        kernel.circular = light.circular, kernel.orient = light.orient;
+    }
+    if (light.direction && light.from) {
+        kernel.starts = true;
+        const DVec3 start = (*light.from - placement.origin) * placement.scale;
+        kernel.start = static_cast<T>(-dot_product(normalize(*light.direction), start));
     }
     if (light.spot) {
         const auto less_cosine = [](double degrees) {  // than 1, by how much

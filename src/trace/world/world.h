@@ -59,6 +59,10 @@ struct LightKernel {
     T fade_per = 0, fade_power = 0;  // fade_per: 1 over the distance; 0 if the light does not fade
     bool area = false;
     Vec3<T> u{0}, v{0};  // edges of a rectangle around its position
+    std::int32_t columns = 0, rows = 0, adaptive = 0;  // of a soft light with a grid, see Light
+    bool circular = false, orient = false;
+    bool starts = false;  // parallel light from the plane of the points p with position . p = start
+    T start = 0;
 };
 
 /// A body as seen from a point: around the direction `axis`, no further off than an angle with this cosine, and no
@@ -215,6 +219,8 @@ struct FinishTables {
     const FinishKernel<T>* list = nullptr;
     const LayerKernel<T>* layers = nullptr;
     T bailout = 0;  // rays of less weight are black
+    bool fades = false;  // light fades inside some body
+    bool hides = false;  // some body is not seen by all rays
 };
 
 /// Transparent bodies of nested worlds, by surface. Null in other worlds.

@@ -112,7 +112,7 @@ struct LayerKernel {
     T diffuse, phong, phong_size, blinn, blinn_size, metallic, brilliance;
     Vec3<T> mirror;  // Kr mirror
     T facing, falloff, gilding;
-    bool fresnel;
+    bool fresnel, conserves;
 };
 /// The layers of a material, the lowest first, and what they share.
 template <class T>
@@ -121,7 +121,9 @@ struct FinishKernel {
     T refraction, ior;  // Kt of the lowest layer
     T total;            // the share of light that is reflected totally
     bool clear;         // light comes through by the colours: it goes straight on without a new generation
-    bool shadow;
+    bool shadow, seen, mirrored;
+    T fade_per, fade_power;  // fade_per: 1 over the distance; 0 if light does not fade inside
+    Vec3<T> fade_color;
 };
 
 }  // namespace strahl

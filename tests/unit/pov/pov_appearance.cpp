@@ -57,7 +57,10 @@ TEST_CASE("POV-Ray: cameras of other projections") {
           Row{"spherical", Projection::spherical, 180 * degree, 90 * degree},
           Row{"spherical angle 90 30", Projection::spherical, 45 * degree, 15 * degree},
           Row{"panoramic angle 60", Projection::panoramic, .665, .5},
-          Row{"cylinder 1 angle 60 up 2*y", Projection::cylinder, 30 * degree, 1}}) {
+          Row{"cylinder 1 angle 60 up 2*y", Projection::cylinder, 30 * degree, 1},
+          Row{"cylinder 2 angle 60 right 3*x", Projection::cylinder2, 1.5, 30 * degree},
+          Row{"cylinder 3 angle 60 up 2*y", Projection::cylinder3, 30 * degree, 1},
+          Row{"cylinder 4 angle 60 right 3*x", Projection::cylinder4, 1.5, 30 * degree}}) {
         CAPTURE(row.text);
         const Camera camera = whole("camera { " + std::string(row.text) + " }", false).camera;
         const CameraFrame frame = frame_of(camera, 4. / 3);
@@ -108,6 +111,16 @@ TEST_CASE("POV-Ray: what only its finishes have") {
     CHECK(stained.rgb.transmit == .25);
     CHECK(stained.diffuse == .6);
     CHECK(stained.shadow == 0);
+    const Material frugal = of("pigment { rgbt <1, 1, 1, .5> } finish { reflection { .1, .9 } conserve_energy }");
+    CHECK((frugal.conserve == 1 && frugal.reflection == .9));
+    const Material deep =
+        of("pigment { rgbt 1 } interior { ior 1.5 fade_distance 2 fade_power 1001 fade_color <.5, 1, 0> } no_image "
+           "no_reflection");
+    CHECK((deep.fade_distance == 2 && deep.fade_power == 1001 && deep.fade_color == Color(.5, 1, 0)));
+    CHECK((deep.seen == 0 && deep.mirrored == 0 && deep.shadow == 1));
+    // Of two bodies in one place rays meet the first alone.
+    const pov::OpenedPov twins = opened("sphere { 0, 1 no_image } sphere { 0, 1 }");
+    CHECK((twins.scene.primitives.size() == 1 && material(twins.scene).seen == 1));
     const Material layered = of("texture { pigment { rgb <1, .5, .5> } } texture { pigment { rgbf <0, 0, 1, .5> } }");
     REQUIRE(layered.coats.size() == 1);
     CHECK(layered.rgb.color == Color(1, .5, .5));
@@ -166,6 +179,10 @@ TEST_CASE("POV-Ray: patterns that scenes have are exact") {
               return red.transmit = .5, red;
           }()});
     CHECK(whole("sky_sphere { pigment { rgb y } } background { rgb x }").background == Pigment(0, 1, 0));
+    const SolidPattern quilted = std::get<SolidPattern>(pattern("quilted control0 0 control1 .5").kind);
+    REQUIRE(quilted.function);
+    CHECK(quilted.function->value_at({.75, .5, .5}) == doctest::Approx((.015625 + .0703125) * 1.154700538 / 12));
+    CHECK(!std::get<SolidPattern>(pattern("quilted control0 1").kind).function);
     CHECK(std::holds_alternative<Marble>(pattern("marble").kind));
     CHECK(std::holds_alternative<Wood>(pattern("wood").kind));
 }
@@ -181,16 +198,26 @@ TEST_CASE("POV-Ray: lights") {
     CHECK(light("0 rgb 1 spotlight point_at y falloff 30 radius 40").spot == Spot{{0, 1, 0}, 40, 40, 0});
     CHECK(light("0 rgb 1 spotlight").spot == Spot{{0, 0, 1}, 30, 45, 0});
     CHECK(light("2*y rgb 1 parallel point_at x").direction == DVec3(1, -2, 0));
+    CHECK(!light("2*y rgb 1 parallel point_at x").from);
+    const auto from = [](const std::string& bodies) {
+        return whole("light_source { 2*y rgb 1 parallel point_at 0 } " + bodies).lights.at(0).from;
+    };
+    CHECK(from("plane { y, -1 }") == DVec3(0, 2, 0));
+    CHECK(from("sphere { 2*y, 1 }") == DVec3(0, 2, 0));
+    CHECK(!from("sphere { 0, 1 }"));
     CHECK(light("x rgb 1 translate y").position == DVec3(1, 1, 0));
     const auto soft = [](const std::string& more) {
         return opened("light_source { 2*y rgb 1 spotlight point_at 0 area_light x, z, " + more + " }")
             .scene.lights.at(0);
     };
     CHECK((soft("2, 3").soft && soft("2, 3").spot->look_at == DVec3(0)));
-    CHECK(soft("2, 3").area == Area{{1, 0, 0}, {0, 0, 1}});
+    CHECK(soft("2, 3").area == Area{{1, 0, 0}, {0, 0, 1}, 2, 3});
+    CHECK(soft("9, 9 adaptive 2 circular").adaptive == 2);
+    CHECK((soft("9, 9 circular").circular && !soft("9, 1 circular").circular));
+    CHECK((soft("2, 3 orient jitter").circular && soft("2, 3 orient jitter").orient));
     CHECK(soft("2, 3 jitter").area == Area{{2, 0, 0}, {0, 0, 1}});
     CHECK(length(soft("5, 1").area->v) < 1e-5);
-    CHECK(soft("1, 5").area->u == DVec3(0, 0, 1));
+    CHECK((soft("1, 5").area->u == DVec3(0, 0, 1) && soft("1, 5").area->columns == 5));
     CHECK(!soft("1, 1").area);
     CHECK(length(light("x rgb 1 spotlight point_at y rotate 90*z").spot->look_at - DVec3(-1, 0, 0)) < 1e-15);
     const Scene body = opened("light_source { x rgb 1 looks_like { sphere { 0, .1 } } translate y }").scene;
@@ -248,7 +275,7 @@ TEST_CASE("POV-Ray: what scenes cannot hold is told with its line, once") {
          "approximated: there is no fog inside a hollow body that light passes");
     told("global_settings { radiosity { count 9 } }", "approximated: radiosity");
     told("camera { omnimax }", "approximated: a camera of another projection");
-    told("camera { cylinder 3 angle 90 }", "approximated: a camera of another projection");
+    told("camera { omnimax angle 90 }", "approximated: a camera of another projection");
     told("camera { fisheye up 2*y }", "approximated: the circle of a fisheye");
     const std::string loop =
         "#declare B = sphere { 0, 1 pigment { pavement } } #for (I, 1, 50) object { B translate I*x } #end";

@@ -39,8 +39,17 @@ TEST_CASE("rectangles and grids") {
                 "parallel light cannot be a rectangle; give it a 'position'");
     check_light("position <1,2,3> edges <2,0,0>, <0,1,0> spot { look_at <0,0,0> }", "3:41",
                 "a light with 'edges' cannot have a spot unless it is 'soft': it shines in all directions");
-    check_light("position <1,2,3> edges <2,0,0>, <0,1,0> grid 2, 2 soft", "3:41",
-                "a soft light cannot be a grid of points");
+    const Light soft = light("position <1,2,3> edges <2,0,0>, <0,0,1> grid 3, 2 soft adaptive 1 circular orient");
+    CHECK((soft.soft && soft.area->columns == 3 && soft.adaptive == 1 && soft.circular && soft.orient));
+    CHECK(points_of(soft) == 1);
+    check_light("position <1,2,3> edges <2,0,0>, <0,1,0> soft adaptive 1", "3:46",
+                "'adaptive' is for soft lights with a 'grid'");
+    check_light("position <1,2,3> edges <2,0,0>, <0,1,0> grid 2, 2 orient", "3:51",
+                "'orient' is for soft lights with a 'grid'");
+    check_light("position <1,2,3> edges <2,0,0>, <0,1,0> grid 2, 1 soft circular", "3:56",
+                "this needs a grid of at least 2 by 2 points");
+    check_light("position <1,2,3> edges <2,0,0>, <0,1,0> grid 2, 2 soft adaptive 1.5", "3:65",
+                "'adaptive' of 'light' must be a whole number from 0 to 100, not '1.5'");
     check_light("position <1,2,3> soft", "2:1", "a soft light needs 'edges'");
 }
 
@@ -57,6 +66,8 @@ TEST_CASE("fog") {
 }
 
 TEST_CASE("mistakes in lights") {
+    CHECK(light("direction <0,0,1> from <1,2,3>").from == DVec3(1, 2, 3));
+    check_light("position <1,2,3> from <1,2,3>", "3:18", "only parallel light has 'from'; give it a 'direction'");
     check_fault("light { color <1,1,1> }", "2:1: 'light' lacks 'position' (or 'direction')");
     check_light("position <1,2,3> direction <0,0,1>", "3:18",
                 "'direction' repeats 'position' of line 3; give only one of them");

@@ -131,6 +131,9 @@ TEST_CASE("cameras of other projections than perspective") {
     const Camera parallel = parse(place + "orthographic fov 20 }").camera;
     CHECK((parallel.projection == Projection::orthographic && parallel.fov == 20));
     CHECK(frame_of(parallel, 2).tan_y == doctest::Approx(9 * std::tan(20 * 3.14159265358979323846 / 180) / 2));
+    const CameraFrame lying = frame_of(parse(place + "cylinder4 90 }").camera, 2);
+    CHECK(lying.tan_y == doctest::Approx(3.14159265358979323846 / 4));
+    CHECK(lying.tan_x == 2 * lying.tan_y);
     CHECK(faults(place + "orthographic }") == Faults{"x.rt:1:1: 'camera' lacks 'fov' (or 'angle')"});
     CHECK(faults(place + "fov 20 spherical 360 }") ==
           Faults{"x.rt:1:63: 'spherical' repeats 'fov' of line 1; give only one of them"});

@@ -66,10 +66,14 @@ class RandomScenes {
             if (own.spot->look_at == own.position) own.spot.reset();
         } else if (chance(3)) {
             own.area = Area{{length(), 0, 0}, {0, -length(), 0}, below(2) * below(9), 3};
-            if (own.area->columns == 0) own.area->rows = 0, own.soft = chance(2);
+            own.soft = chance(2);
+            if (own.area->columns == 0) own.area->rows = 0;
+            if (own.soft && own.area->columns > 0 && chance(2)) own.adaptive = below(4);
+            if (own.soft && own.area->columns > 1) own.circular = chance(2), own.orient = chance(2);
         } else if (chance(3)) {
             own.direction = position(), own.position = DVec3(0);
             if (*own.direction == DVec3(0)) own.direction = DVec3(0, 0, -1);
+            if (chance(2)) own.from = position();
         }
         if (chance(4)) own.motion = motion();
         own.shadowless = chance(6);
@@ -86,7 +90,7 @@ class RandomScenes {
             if constexpr (std::is_same_v<decltype(value), Pigment&>)
                 value = chance(3) ? Pigment(pattern()) : clear(color());
             else if constexpr (std::is_same_v<decltype(value), DVec3&>)
-                value = color();
+                value = field.range == Range::zero_to_one ? min(color(), Color(1)) : color();
             else if constexpr (std::is_same_v<decltype(value), Bump&>)
                 value = chance(2) ? Bump{} : bump();
             else if constexpr (std::is_same_v<decltype(value), NormalMap&>)

@@ -154,7 +154,8 @@ TEST_CASE("random scenes by cameras of other projections, of which orthographic 
     std::array<Tally, 3> tally;
     int seed = 0;
     for (const Projection projection : {Projection::orthographic, Projection::fisheye, Projection::spherical,
-                                        Projection::cylinder, Projection::orthographic, Projection::orthographic}) {
+                                        Projection::cylinder, Projection::orthographic, Projection::orthographic,
+                                        Projection::cylinder2, Projection::cylinder3, Projection::cylinder4}) {
         CAPTURE(seed);
         Scene scene = random_scene(8000 + seed, {.lights = seed % 2 == 0, .any_kind = .4});
         scene.camera.projection = projection;
