@@ -31,7 +31,7 @@ id=$(xdotool search --pid "$pid" | tail -n 1)
 RANDOM=$seed
 keys=(m m l o o ctrl+a ctrl+a ctrl+d ctrl+d ctrl+z w a s d q e f space p r c h i Tab comma period bracketleft bracketright 1 2 3 shift+1 shift+2 shift+3 F11 F12 ctrl+s
     shift+w shift+c n v t t x F2 Home End Left Right Prior Next Insert Delete ctrl+z ctrl+y ctrl+n shift+Right Return F4
-    g g shift+g plus minus 0)
+    g g shift+g plus minus 0 BackSpace F1 Down Up)
 change_file() {
     case $((RANDOM % 8)) in
         0) cp broken.rt new && mv new scene.rt ;;
@@ -66,7 +66,7 @@ for ((actions = 0; SECONDS < end; ++actions)); do
 done
 xdotool mouseup 1 mousemove --window "$id" 0 0
 # For a path that is not written, for stills that are not done, and to drop those.
-for ((i = 0; i < 5; ++i)); do
+for ((i = 0; i < 8; ++i)); do
     kill -0 "$pid" 2>/dev/null && xdotool key Escape
     sleep 0.5
 done
