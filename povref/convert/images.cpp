@@ -64,7 +64,7 @@ std::string image_text(const ImagePattern& image, const std::string& more, bool 
                              : linear ? "Floats()"
                                       : "gamma srgb") +
                             colors + " map_type " + std::to_string(static_cast<int>(image.map)) +
-                            (image.once ? " once" : "") + " interpolate 2" + of_all + " }";
+                            (image.once ? " once" : "") + (image.sharp ? "" : " interpolate 2") + of_all + " }";
     const bool flat = image.map == ImageMap::planar;
     // POV-Ray's poles are at -y and y, and it turns from x to z.
     const std::string poles = flat ? "" : " matrix <1,0,0, 0,0,1, 0,1,0, 0,0,0>";

@@ -36,8 +36,8 @@ inline constexpr std::array<std::string_view, 3> image_maps{"planar", "spherical
 /// normals.
 inline constexpr std::array<double, 3> brightness{.297, .589, .114};
 
-/// A picture as a pattern. Between the middles of four pixels colours change bilinearly. It is as in POV-Ray, except
-/// that its poles are at y and -y there.
+/// A picture as a pattern. Between the middles of four pixels colours change bilinearly, unless it is `sharp`. It is as
+/// in POV-Ray, except that its poles are at y and -y there.
 struct ImagePattern {
     std::string file;  // as the scene names it
     std::shared_ptr<const Pixels> pixels;
@@ -45,12 +45,13 @@ struct ImagePattern {
     /// The colour outside of the picture, where u or v is not from 0 to 1. Without it the picture repeats and its edges
     /// join, also at the poles: within half a pixel of a pole its top and its bottom mix.
     std::optional<Color> once;
+    bool sharp = false;  // each pixel is a rectangle of its colour
 
     static constexpr const char* name = "image";
-    static constexpr const char* help = "the colours of a .png, .bmp or .exr file";
+    static constexpr const char* help = "the colours of a .png, .jpg, .bmp or .exr file";
     static constexpr auto fields = std::make_tuple();
     bool operator==(const ImagePattern& other) const {
-        return file == other.file && map == other.map && once == other.once &&
+        return file == other.file && map == other.map && once == other.once && sharp == other.sharp &&
                (pixels == other.pixels || (pixels && other.pixels && *pixels == *other.pixels));
     }
 };

@@ -72,7 +72,11 @@ Vector<R> color_in(const ImagePattern& image, const Vector<R>& p) {
         const std::int64_t pixel = within(y, pixels.height) * pixels.width + within(x, pixels.width);
         return R(pixels.values[static_cast<std::size_t>(3 * pixel + c)]);
     };
-    const R x = u * pixels.width - R(.5), y = (1 - v) * pixels.height - R(.5);
+    const R half = image.sharp ? R(0) : R(.5), x = u * pixels.width - half, y = (1 - v) * pixels.height - half;
+    if (image.sharp) {
+        const auto i = static_cast<std::int64_t>(whole_below(x)), j = static_cast<std::int64_t>(whole_below(y));
+        return {at(i, j, 0), at(i, j, 1), at(i, j, 2)};
+    }
     const R left = whole_below(x), top = whole_below(y), right = x - left, down = y - top;
     Vector<R> color;
     for (int c = 0; c < 3; ++c) {

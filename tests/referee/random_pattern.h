@@ -74,7 +74,8 @@ inline PatternKind random_pattern_kind(Dice& dice) {
 inline Pattern random_pattern(Dice& dice) {
     Pattern pattern{random_pattern_kind(dice), {}, {}};
     const bool two = std::visit([]<class Kind>(const Kind&) { return two_colored<Kind>; }, pattern.kind);
-    const bool image = std::holds_alternative<ImagePattern>(pattern.kind);
+    auto* const image = std::get_if<ImagePattern>(&pattern.kind);
+    if (image) image->sharp = image->pixels->width % 4 == 0;
     const int stops = image ? 0 : two ? 2 : 1 + dice.upto(3);
     for (double at = two ? 0 : dice.in(0, .5); static_cast<int>(pattern.colors.size()) < stops;) {
         pattern.colors.push_back({at, dice.vector(0, 1)});
@@ -92,6 +93,7 @@ inline Bump random_bump(Dice& dice) {
     Pattern pattern = random_pattern(dice);
     const auto bends = []<class Kind>(const Kind&) { return can_bend<Kind>; };
     while (!std::visit(bends, pattern.kind)) pattern.kind = random_pattern_kind(dice);
+    if (auto* const image = std::get_if<ImagePattern>(&pattern.kind)) image->sharp = false;
     pattern.colors.clear();
     return {std::make_shared<const Pattern>(std::move(pattern)), dice.in(.01, .3)};
 }

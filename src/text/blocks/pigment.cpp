@@ -55,6 +55,7 @@ class PatternBlock {
                 if (use == Use::color && inner == "colors" && has_map<Kind>) return map(inner, colors_at, block), true;
                 if (inner == "map") return read_map(kind, inner, block), true;
                 if (inner == "once" && read_once(kind, inner, block)) return true;
+                if (use == Use::color && inner == "sharp" && read_sharp(kind, inner, block)) return true;
                 if (!contains(transformation_words, inner)) return false;
                 pattern.transformations.push_back(read_transformation(reader, inner, block));
                 last = inner;
@@ -82,7 +83,7 @@ class PatternBlock {
         else if constexpr (has_map<Kind>)
             return all("colors", "map");
         else if constexpr (image)
-            return all("map", "once");
+            return all("map", "once", "sharp");
         else
             return all("map");
     }
@@ -131,6 +132,14 @@ class PatternBlock {
             block.bad |= !reader.once(once_at, word);
             reader.read(kind.once.emplace(), colors, word, block);
             return true;
+        }
+        return false;
+    }
+    template <class Kind>
+    bool read_sharp(Kind& kind, std::string_view word, Block& block) {
+        if constexpr (requires { kind.sharp; }) {
+            block.bad |= !reader.once(sharp_at, word);
+            return kind.sharp = true;
         }
         return false;
     }
@@ -199,7 +208,7 @@ class PatternBlock {
     BlockReader& reader;
     const NumberRange& colors;
     Pattern pattern;
-    std::string_view map_at, once_at, height_at;
+    std::string_view map_at, once_at, sharp_at, height_at;
 };
 
 /// Has it been read without an error that leaves it without colours?
@@ -298,6 +307,8 @@ std::string block_text(const Pattern& pattern, const std::string& first) {
             put(map_text(own, by_uv));
             if constexpr (requires { own.once; })
                 if (own.once) put("once " + text_of(*own.once));
+            if constexpr (requires { own.sharp; })
+                if (own.sharp) put("sharp");
             put(first);
             const auto add = [&](const auto& field) {
                 if (own.*field.member != Kind().*field.member)

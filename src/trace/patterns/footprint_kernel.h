@@ -13,6 +13,7 @@
 #include <limits>
 
 #include "trace/patterns/image_kernel.h"
+#include "trace/patterns/pattern_calls.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
@@ -41,8 +42,11 @@ struct ImageLookups {
     const ImageKernel<T>& image;
     const MipMapKernel& map;
     T sum[3] = {};
+    T width[2] = {1, 1};  // along an axis, of the part that a lookup stands for, in pixels of a sharp picture; at most 1
+    bool exact = false, varies = true;  // the mean is; and it is of more than one pixel
 
-    /// Adds the colour at (u, v) to the sum, bilinear in a mip level.
+    /// Adds the colour at (u, v) to the sum, bilinear in a mip level. In a sharp picture itself a part as wide as a
+    /// pixel has that mean, and a narrower one changes from pixel to pixel as fast as it crosses their border.
     STRAHL_INLINE void add(int number, T u, T v, T share) {
         const MipLevel& level = map.levels[number];
         // At the poles only the picture itself continues with its opposite row: in smaller levels that would reach
@@ -56,8 +60,14 @@ struct ImageLookups {
             return from_middle - low;
         };
         std::int32_t columns[2], rows[2];
-        const T across = pair(u, level.width, image.once, columns);
-        const T down = pair(T(1) - v, level.height, image.once || ends_at_poles, rows);
+        const auto narrowed = [&](T share, T own) {
+            if (!exact) return share;
+            const T all = std::clamp(fma(share - T(.5), T(1) / own, T(.5)), T(0), T(1));
+            varies = varies || (all > 0 && all < 1);
+            return all;
+        };
+        const T across = narrowed(pair(u, level.width, image.once, columns), width[0]);
+        const T down = narrowed(pair(T(1) - v, level.height, image.once || ends_at_poles, rows), width[1]);
         for (int j = 0; j < 2; ++j)
             for (int i = 0; i < 2; ++i) {
                 const T own = share * (i ? across : T(1) - across) * (j ? down : T(1) - down);
@@ -80,6 +90,7 @@ struct ImageLookups {
         T along[2] = {half > 0 ? half + root : xy, half > 0 ? xy : root - half};
         const T length = std::sqrt(fma(along[0], along[0], along[1] * along[1]));
         for (T& share : along) share = length > 0 ? share / length : T(0);
+        if (image.sharp && !(length > 0)) along[0] = 1;  // of a circle any axis will do
         const T beside[2] = {-along[1] * shorter / size[0], along[0] * shorter / size[1]};
         for (int i = 0; i < 2; ++i) along[i] *= longer / size[i];
         // Parts shorter than half a pixel would see the same.
@@ -90,7 +101,13 @@ struct ImageLookups {
         // itself has 1/6, and the part adds 1/12 of its square. Variances of two levels mix as the levels do.
         const T squared = fma(part * part, T(1) / T(3), T(1));
         const int last = map.count - 1, level = std::min(std::ilogb(squared) / 2, last);
-        const T coarse = level < last ? (std::ldexp(squared, -2 * level) - T(1)) / T(3) : T(0);
+        T coarse = level < last ? (std::ldexp(squared, -2 * level) - T(1)) / T(3) : T(0);
+        if (image.sharp && part < 1) {
+            coarse = 0, exact = true, varies = parts > 1;
+            for (int i = 0; i < 2; ++i)
+                width[i] = std::clamp(size[i] * fma(std::abs(along[i]), per, std::abs(beside[i]) / T(lookups_beside)),
+                                      std::numeric_limits<T>::epsilon(), T(1));
+        }
         const T share = per / T(lookups_beside);
         for (int i = 0; i < static_cast<int>(parts); ++i)
             for (int j = 0; j < lookups_beside; ++j) {
@@ -112,9 +129,10 @@ struct ImageLookups {
 };
 
 /// Finds the colours of a picture at points of the pattern's space; `across` and `down` lead to the points of rays
-/// beside. Returns how many of the picture's pixels long footprints are, 0 outside of it.
+/// beside. Returns how many of the picture's pixels long footprints are, 0 outside of it, and how loose the filter is.
+/// A sharp picture's footprints count as a pixel long at least, because its colours are as abrupt as those of checks.
 template <class S>
-[[gnu::noinline]] S filtered_color(const ImageKernel<Element<S>>& image, const MipMapKernel& map, const Vec3<S>& p,
+[[gnu::noinline]] Filtering<S> filtered_color(const ImageKernel<Element<S>>& image, const MipMapKernel& map, const Vec3<S>& p,
                                    const Vec3<S>& across, const Vec3<S>& down, Mask<S> lanes, Vec3<S>& color) {
     using T = Element<S>;
     const auto [u, v] = place_in_image(image, p);
@@ -123,17 +141,20 @@ template <class S>
     const auto limited = [](T way) { return way < T(1000) ? std::max(way, T(-1000)) : T(1000); };
     const S low(-image.border), high(1 - image.border);
     const Mask<S> around = (u < low) | !(u < high) | (v < low) | !(v < high);
-    alignas(64) T values[3][width<S>], lengths[width<S>] = {};
+    alignas(64) T values[3][width<S>], lengths[width<S>] = {}, looseness[width<S>];
+    store_lanes(looseness, S(T(image_loose)));
     for (int c = 0; c < 3; ++c) store_lanes(values[c], S(image.around[c]));
     for (unsigned left = bits(image.once ? lanes & !around : lanes); left != 0; left &= left - 1) {
         const int k = std::countr_zero(left);
         ImageLookups<T> lookups{image, map};
         const auto way = [&](int i, int j) { return limited(lane(ways[i][j], k)); };
         lengths[k] = lookups.filter(lane(u, k), lane(v, k), {way(0, 0), way(0, 1)}, {way(1, 0), way(1, 1)});
+        if (lookups.exact) looseness[k] = T(lookups.varies ? 0 : -1);
+        if (image.sharp) lengths[k] = std::max(lengths[k], T(1));
         for (int c = 0; c < 3; ++c) values[c][k] = lookups.sum[c];
     }
     for (int c = 0; c < 3; ++c) color[c] = load_lanes<S>(values[c]);
-    return load_lanes<S>(lengths);
+    return {load_lanes<S>(lengths), load_lanes<S>(looseness)};
 }
 
 }  // namespace strahl::inline STRAHL_LEVEL

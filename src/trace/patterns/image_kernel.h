@@ -31,13 +31,15 @@ STRAHL_INLINE S turns(const S& x, const S& y) {
 }
 
 /// Two pixels next to each other along an axis of `size` pixels: their numbers, and how far from the first to the
-/// second a place is, from 0 to 1. Places are in pixels; the middle of the first pixel is at 1/2.
+/// second a place is, from 0 to 1. Places are in pixels; the middle of the first pixel is at 1/2. In a sharp picture
+/// the first is the one in which the place lies.
 template <class S>
 struct PixelPair {
     alignas(64) Element<S> numbers[2][width<S>];
     S share;
-    PixelPair(const S& place, const S& size, bool once) {
-        const S from_middle = place - S(Element<S>(.5)), low = floor(from_middle), last = size - S(1);
+    PixelPair(const S& place, const S& size, bool once, bool sharp) {
+        const S last = size - S(1), from_middle = sharp ? min(floor(place), last) : place - S(Element<S>(.5));
+        const S low = floor(from_middle);
         const S high = low + S(1);
         share = from_middle - low;
         store_lanes(numbers[0], select(low < S(0), once ? S(0) : last, low));
@@ -69,8 +71,8 @@ template <class S>
         return select((own >= S(0)) & (own <= S(1)), own, S(0));
     };
     const S across(T(image.width)), down(T(image.height));
-    const PixelPair<S> column(in_picture(u) * across, across, image.once);
-    const PixelPair<S> row((S(1) - in_picture(v)) * down, down, image.once);
+    const PixelPair<S> column(in_picture(u) * across, across, image.once, image.sharp);
+    const PixelPair<S> row((S(1) - in_picture(v)) * down, down, image.once, image.sharp);
     alignas(64) T values[2][2][3][width<S>];
     for (int j = 0; j < 2; ++j)
         for (int i = 0; i < 2; ++i)

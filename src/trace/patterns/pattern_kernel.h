@@ -290,7 +290,7 @@ Filtering<S> filtered_at(const World<Element<S>>& world, const PatternKernel<Ele
     across = turned(across), down = turned(down);
     if (pattern.form == PatternForm::image) {
         const MipMapKernel& map = world.patterns.mip_maps[pattern.image.number];
-        return {filtered_color(pattern.image, map, p, across, down, lanes, color), S(T(image_loose))};
+        return filtered_color(pattern.image, map, p, across, down, lanes, color);
     }
     // Where footprints are not known, or go beyond the horizon, colours are those of points.
     const S longest = dot(across, across) + dot(down, down);

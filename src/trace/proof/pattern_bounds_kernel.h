@@ -170,6 +170,7 @@ template <class S>
     constexpr T u = unit_error<S>;
     const ImageKernel<T>& image = pattern.image;
     const auto& [p, off] = place;
+    if (image.sharp) return S(std::numeric_limits<T>::infinity());
     const auto turns_error = [&](const S& radius, const S& wrong) {
         return select(radius > S(4) * wrong, S(T(.163)) * wrong / radius, S(1)) + S(8 * u);
     };

@@ -64,6 +64,7 @@ struct KernelSpace {
                         image.pixels->height,
                         image.map,
                         image.once.has_value(),
+                        image.sharp,
                         cast<T>(image.once.value_or(Color(0))),
                         static_cast<T>(border<T>),
                         0};

@@ -28,7 +28,7 @@ struct ImageKernel {
     const float* pixels;
     std::int32_t width, height;
     ImageMap map;
-    bool once;
+    bool once, sharp;
     Vec3<T> around;       // the colour outside, if it is there once
     T border;             // and how much before 0 and 1 it begins and ends
     std::int32_t number;  // among the world's mip maps

@@ -49,7 +49,7 @@ TEST_CASE("images, and what can be wrong with them") {
     };
     const auto scene = [&](const std::string& text) { return parse_scene(eye + text, "folder/x.rt", {}, grey); };
     const Scene two = scene(sphere("image { \"wood.png\" }") +
-                            sphere("image { \"wood.png\" once <0,1,0> map cylindrical rotate <90,0,0> }"));
+                            sphere("image { \"wood.png\" once <0,1,0> map cylindrical sharp rotate <90,0,0> }"));
     CHECK(read == 1);
     const Pigment plain = two.materials[0].rgb, changed = two.materials[1].rgb;
     CHECK(plain.color == Color(.6f));
@@ -57,7 +57,7 @@ TEST_CASE("images, and what can be wrong with them") {
     const auto& image = std::get<ImagePattern>(plain.pattern->kind);
     CHECK(image.map == ImageMap::planar);
     CHECK(!image.once);
-    CHECK(*changed.pattern == Pattern{ImagePattern{"wood.png", image.pixels, ImageMap::cylindrical, Color(0, 1, 0)},
+    CHECK(*changed.pattern == Pattern{ImagePattern{"wood.png", image.pixels, ImageMap::cylindrical, Color(0, 1, 0), true},
                                       {},
                                       {Rotate{{90, 0, 0}}}});
     CHECK(plain != changed);
@@ -70,9 +70,10 @@ TEST_CASE("images, and what can be wrong with them") {
     check("image { \"wood.png\" map 3 }", "2:59: a word such as 'uv' expected after 'map'");
     check("image { \"wood.png\" map planar map planar }", "2:66: a second 'map'; the first is in line 2");
     check("image { \"wood.png\" once <1,1,1> once <1,1,1> }", "2:68: a second 'once'");
+    check("image { \"wood.png\" sharp sharp }", "a second 'sharp'");
     check("image { \"wood.png\" once <1,1,-1> }", "'once' of 'image' must be from 0 to 1e9, not '-1'");
     check("image { \"wood.png\" colors { 0 <1,1,1> } }",
-          "unknown word 'colors' in 'image'; known here: map, once, rotate");
+          "unknown word 'colors' in 'image'; known here: map, once, sharp, rotate");
     check_fault(sphere("image { \"wood.png\" }"), "2:45: cannot read 'wood.png': pictures are not read here");
 }
 

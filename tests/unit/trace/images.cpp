@@ -74,6 +74,10 @@ TEST_CASE("where images are") {
         plane("", .5, .75, {.5, .5, 0});
         plane("", 0, .75, {.5, .5, 0});  // edges join
         plane("scale <2, 1, 1> ", .5, .75, {1, 0, 0});
+        for (const double x : {.01, .49, -.51}) plane("sharp ", x, .51, {1, 0, 0}), plane("sharp ", x, .49, {0, 0, 1});
+        plane("sharp ", -.01, .75, {0, 1, 0});
+        plane("sharp once <.1, .2, .3> ", .99, .99, {0, 1, 0});
+        plane("sharp once <.1, .2, .3> ", 1.01, .99, {.1, .2, .3});
         plane("once <.1, .2, .3> ", .1, .9, {1, 0, 0});  // and do not
         plane("once <.1, .2, .3> ", -.01, .9, {.1, .2, .3});
         plane("once <.1, .2, .3> ", .9, 1.01, {.1, .2, .3});
