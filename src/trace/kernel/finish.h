@@ -123,12 +123,13 @@ void push(const Shading<S, P>& shading, RayQueue<Element<S>>& to, const Hit<S>& 
 }
 
 /// Queues rays that go on straight through surfaces which are not there for them. Other surfaces may lie in the same
-/// place, so that these rays start a little before.
+/// place, so that these rays start a little before. Rays as short as that start a little behind, or two such surfaces
+/// in one place would meet them in turn. `t` is their length.
 template <class S, class P>
-void push_through(const Shading<S, P>& shading, Hit<S> hit, Mask<S> hidden, const Vec3<S>& tint,
+void push_through(const Shading<S, P>& shading, Hit<S> hit, Mask<S> hidden, const S& t, const Vec3<S>& tint,
                   const RayQueue<Element<S>>& from, const LaneIndices<S>& pick, const HitNotes<S, P>& notes) {
-    const S one(1), s = -dot(hit.direction, hit.normal);
-    hit.position = fma(S(-4 * shading.world.rounding), hit.direction, hit.position);
+    const S one(1), s = -dot(hit.direction, hit.normal), step(4 * shading.world.rounding);
+    hit.position = fma(select(t > S(2) * step, -step, step), hit.direction, hit.position);
     Branch<S, P> on = branch<P>(hit, hidden, hit.direction, one, hit.medium);
     P::refract(shading, hit, notes.own, hidden, first_lanes<S>(0), one, s, s * s, on);
     push(shading, shading.refracted, hit, on, tint, pick(from.level), pick(from.mirrored), notes);
@@ -147,7 +148,7 @@ template <class S, class P>
     const Vec3<S> tint = world.fog.any ? before * tint_of_fog(world, S(hit.medium)) : before;
     if (world.finishes.hides) {
         const Mask<S> hidden = hit.active & FinishCalls<S>::hidden(world, numbers, pick(from.mirrored));
-        if (any(hidden) && shading.depth < deepest) push_through(shading, hit, hidden, tint, from, pick, notes);
+        if (any(hidden) && shading.depth < deepest) push_through(shading, hit, hidden, t, tint, from, pick, notes);
         hit.active = hit.active & !hidden;
     }
     LayeredHit<S> layers;

@@ -213,3 +213,19 @@ TEST_CASE("senseless numbers leave every pixel a number") {
                 CHECK(std::ranges::all_of(frame.rgb, [](double v) { return v >= 0 && v <= 1; }));
             }
 }
+
+TEST_CASE("the eye looks through several surfaces in one place that it does not see") {
+    const std::string eye =
+        "camera { position <0, 0, 9>  look_at <0, 0, 0>  sky <0, 1, 0>  fov 10 }\n"
+        "light { position <3, 4, 30>  color <1, 1, 1> }\n";
+    const std::string wall =
+        "plane { <0, 0, -1>, <1, 0, -1>, <0, 1, -1> material { rgb <.9, .5, .2>  reflection 0 } }\n";
+    const std::string unseen = " material { rgb <1, 1, 1>  seen 0  shadow 0 } }\n";
+    const std::string bodies = "box { <-1, -1, 0>, <1, 1, 1>" + unseen + "box { <-1, -1, 1>, <1, 1, 2>" + unseen +
+                               "box { <-2, -2, 1>, <2, 2, 2>" + unseen;
+    for (const Precision precision : {Precision::float32, Precision::float64, Precision::extended}) {
+        const Frame with = picture(parse_scene(eye + wall + bodies, "unseen"), precision);
+        const Frame without = picture(parse_scene(eye + wall, "wall"), precision);
+        CHECK(different(with, without, 1e-4) == 0);
+    }
+}
