@@ -183,6 +183,10 @@ void Interpreter::end_block() {
     expect('}');
     --state->depth;
 }
+void Interpreter::count_bytes(std::size_t bytes, TextPlace at) {
+    *state->bytes += bytes;
+    if (*state->bytes > state->options.limits.bytes) fail(at, "the scene's bodies need too much memory");
+}
 void Interpreter::skip_block() {
     const TextPlace start = place();
     expect('{');

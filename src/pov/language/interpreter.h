@@ -64,6 +64,8 @@ class Interpreter {
     /// Take '{' and '}', and limit how deep blocks are nested.
     void begin_block();
     void end_block();
+    /// Counts memory that a thing at this place needs. Fails if the scene needs too much.
+    void count_bytes(std::size_t bytes, TextPlace at);
     /// Reads over a whole block, from '{' to its '}'.
     void skip_block();
 

@@ -5,7 +5,6 @@
 #include "num/vec_math.h"
 #include "pov/meaning/scene_maker.h"
 #include "scene/leaves.h"
-#include "scene/overlap.h"
 #include "text/reading/parameter.h"
 
 namespace strahl::pov {
@@ -164,6 +163,7 @@ std::optional<SceneMaker::Part> SceneMaker::build(const ObjectThing& object, con
     tell_notes(object);
     std::optional<Part> part;
     if (object.kind == ObjectKind::shape) {
+        in.count_bytes(4 * sizeof(Primitive), object.place);  // unions of unions make many bodies of few words
         Shape shape = *object.shape;
         if (object.surface) {
             const bool known = object.surface->made != nullptr;
@@ -362,19 +362,8 @@ void SceneMaker::drop_shadow_copies() {
         Seen& own = shown[i];
         if (gone[i] || !(own.no_image || own.no_reflection)) continue;
         const Primitive bare = without_materials(scene.primitives[i]);
-        const Box box = world_bounds(scene.primitives[i]);
         std::size_t same = 0;
-        bool meets = false;
-        for (std::size_t n = 0; n < shown.size(); ++n) {
-            same += without_materials(scene.primitives[n]) == bare;
-            if (n == i || gone[n] || !(shown[n].no_image || shown[n].no_reflection)) continue;
-            const Box other = world_bounds(scene.primitives[n]);
-            bool touches = true;
-            for (int c = 0; c < 3; ++c) touches &= box.low[c] <= other.high[c] && other.low[c] <= box.high[c];
-            meets |= touches;
-        }
-        // Rays do not get past two surfaces in one place that they do not see.
-        if (meets) notes.approximated(own.place, "bodies that not all rays see may be black where they meet");
+        for (const Primitive& other : scene.primitives) same += without_materials(other) == bare;
         if (same == 1) continue;
         // Of bodies in one place rays meet the first alone.
         notes.left_out(own.place, "a body that not all rays see, in the place of another");

@@ -212,6 +212,7 @@ std::shared_ptr<const ObjectThing> PovReader::read_object(Interpreter& in) {
     in.skip();
     auto object = std::make_shared<ObjectThing>();
     const TextPlace place = in.last_place();
+    in.count_bytes(2 * sizeof(ObjectThing), place);  // with its shape, and where it is placed
     object->place = place;
     in.begin_block();
     if (const auto known = in.accept_thing<ObjectThing>(ValueKind::object)) {

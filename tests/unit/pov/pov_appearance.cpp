@@ -1,9 +1,11 @@
 // Textures, lights, cameras and settings of POV-Ray's scenes, and what is told about those that scenes cannot hold.
 #include <cmath>
 
+#include "files/output_file.h"
 #include "num/vec_math.h"
 #include "scene/camera.h"
 #include "tests/unit/pov/opened.h"
+#include "tests/unit/scratch.h"
 
 using namespace strahl;
 
@@ -283,6 +285,33 @@ TEST_CASE("POV-Ray: what scenes cannot hold is told with its line, once") {
     CHECK(opened("sphere { 0, 1 }").summary() == "opens whole");
     CHECK(opened("julia_fractal { 0 } sphere { 0, 1 pigment { pavement } }").summary() ==
           "approximated in 1 place, left out in 1 place");
+}
+
+TEST_CASE("POV-Ray: pictures are sharp unless they are interpolated") {
+    const Scratch folder;
+    write_file(folder / "a.png", "");
+    pov::InterpreterOptions options;
+    options.file = folder / "x.pov";
+    const auto read = [](const std::string&) { return Pixels{1, 1, false, {0, 0, 0}, Color(1)}; };
+    const auto sharp = [&](const std::string& more) {
+        const std::string text = "sphere { 0, 1 pigment { image_map { png \"a.png\"" + more + " } } }";
+        return std::get<ImagePattern>(material(open_pov(text, options, read).scene).rgb.pattern->kind).sharp;
+    };
+    CHECK(sharp(""));
+    CHECK(sharp(" interpolate 0"));
+    CHECK(!sharp(" interpolate 2"));
+}
+
+TEST_CASE("POV-Ray: a scene of too many bodies ends") {
+    pov::InterpreterOptions options;
+    options.file = "x.pov", options.limits.bytes = 10 << 20;
+    const auto read = [](const std::string&) { return Pixels(); };
+    const auto fault = [&](const std::string& text) { return fault_of([&] { open_pov(text, options, read); }); };
+    CHECK(says(fault("#macro A(N) #if (N>0) A(N-1) A(N-1) #end sphere { 0, 1 } #end A(60)"), "too much memory"));
+    CHECK(fault("#for (I, 1, 1000) sphere { 0, 1 } #end") == "");
+    CHECK(says(fault("#declare A = sphere { 0, 1 } #for (I, 1, 40) #declare A = union { object { A } object { A } } #end "
+                     "object { A }"),
+               "bodies need too much memory"));
 }
 
 TEST_CASE("POV-Ray: errors have their place") {
