@@ -278,10 +278,14 @@ TEST_CASE("cameras of all projections show what POV-Ray's show, there and back")
         CHECK(again.scene.camera.projection == scene.camera.projection);
         const CameraFrame a = frame_of(scene.camera, 1), b = frame_of(again.scene.camera, 1);
         // The text has other units of length.
-        const bool parallel = scene.camera.projection == Projection::orthographic;
-        const double unit = parallel ? again.scene.camera.position.x / scene.camera.position.x : 1;
-        CHECK(b.tan_x == doctest::Approx(unit * a.tan_x).epsilon(1e-12));
-        CHECK(b.tan_y == doctest::Approx(unit * a.tan_y).epsilon(1e-11));
+        const Projection own = scene.camera.projection;
+        const auto unit = [&](Projection along) {  // 1 for angles
+            return own == Projection::orthographic || own == along
+                       ? again.scene.camera.position.x / scene.camera.position.x
+                       : 1;
+        };
+        CHECK(b.tan_x == doctest::Approx(unit(Projection::cylinder4) * a.tan_x).epsilon(1e-12));
+        CHECK(b.tan_y == doctest::Approx(unit(Projection::cylinder3) * a.tan_y).epsilon(1e-11));
         CHECK(length(a.down - b.down) < 1e-9);
     }
 }
