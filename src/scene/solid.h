@@ -80,7 +80,7 @@ double smoothed_value(const SolidPattern& pattern, const DVec3& point, double st
 /// `bumps`, `dents`, `wrinkles`, `ripples` and `waves`, for all others the slope of the values.
 DVec3 bend_at(const SolidPattern& pattern, const DVec3& point);
 /// Returns the way from the middle of a cell of `quilted`, which is longer the nearer its border is, as a curve with
-/// these slopes at both says; and the value at such a way.
+/// these slopes at both ends; and the value at such a way.
 DVec3 quilt(const DVec3& point, double middle = 1, double border = 1);
 double quilt_value(const DVec3& way);
 /// Returns three numbers from 0 to 1 for a cell, from POV-Ray's table of random numbers.
