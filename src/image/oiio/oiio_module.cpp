@@ -132,7 +132,7 @@ bool decode(const strahl::Wanted& wanted, strahl::Picture& picture, std::string&
         whole = read_values<float>(*input, spec, channels, 1, picture);
     }
     if (!whole || input->has_error()) reason = input->geterror();
-    // Of a .jpg that is cut off the library makes the rest grey.
+    // Refuses a .jpg that is cut off, whose missing rest the library makes grey without an error.
     return whole && reason.find("Premature end") == std::string::npos;
 }
 

@@ -365,7 +365,7 @@ void SceneMaker::drop_shadow_copies() {
         std::size_t same = 0;
         for (const Primitive& other : scene.primitives) same += without_materials(other) == bare;
         if (same == 1) continue;
-        // Of bodies in one place rays meet the first alone.
+        // Leaves it out: rays meet only the first of several bodies in one place.
         notes.left_out(own.place, "a body that not all rays see, in the place of another");
         gone[i] = own.no_image, own.no_reflection = false;
     }

@@ -63,8 +63,8 @@ struct Command {
     bool operator==(const Command&) const = default;
 };
 
-/// What the help says in one line. What has no word is not a command but says what else there is; without a meaning it
-/// is a heading.
+/// Describes a command in one line of the help. A line without a word tells of something that is no command, such as
+/// the mouse; one without a meaning as well is a heading.
 struct CommandHelp {
     const char *word, *keys, *meaning;  // keys as in the user's file of keys, see key_file.h
     Command command{};

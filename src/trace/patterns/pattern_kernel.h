@@ -203,7 +203,7 @@ std::array<S, 2> shift_of(const NestedMeans<S>& means, int stop, Mask<S> lanes) 
 }
 
 /// Finds mean colours of a pattern that has patterns among its colours: the means of these by the weights of its stops.
-/// Where both have edges in the footprint, it is divided; in its parts each stop is taken to be seen around one place.
+/// Divides footprints in which both have edges; in each part a stop counts as seen around one place.
 template <class S>
 [[gnu::noinline]] Filtering<S> mean_of_nested(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
                                               const Vec3<S>& position, const S& surface, const Footprint<S>& footprint,
