@@ -57,18 +57,17 @@ inline std::string sentence(const Mesh& mesh) {
     return far ? text + " translate " + text_of(middle) : text;
 }
 
-/// Returns a prism without its closing brace: if any of its lines is curved, all as the cubic curves of Bezier's that
-/// they are. POV-Ray's lies over its plane of x and z, so that it is turned.
-inline std::string sentence(const Prism& prism) {
+/// Returns the kind of spline, and the points, of contours: straight lines, or if `curved` all lines as the cubic
+/// curves of Bezier's that they are. Those of prisms are `closed`. `point` writes a point.
+template <class PointText>
+std::string spline_of(const ContourData& data, bool curved, bool closed, const std::string& between,
+                      const PointText& point) {
     using Point = Contour::Point;
     const auto mix = [](const Point& p, const Point& q, double share) {
         return Point{p[0] + share * (q[0] - p[0]), p[1] + share * (q[1] - p[1])};
     };
-    bool curved = false;
-    for (const Contour& own : prism.data->contours)
-        for (const Contour::Stroke& step : own.strokes) curved |= !step.straight();
     std::vector<Point> points;
-    for (const Contour& own : prism.data->contours) {
+    for (const Contour& own : data.contours) {
         Point from = own.start;
         const auto add = [&](const Contour::Stroke& step) {
             points.push_back(from);
@@ -82,14 +81,31 @@ inline std::string sentence(const Prism& prism) {
             from = end;
         };
         for (const Contour::Stroke& step : own.strokes) add(step);
-        if (from != own.start) add({own.start, own.start});
-        if (!curved) points.push_back(own.start);
+        if (closed && from != own.start) add({own.start, own.start});
+        if (!curved) points.push_back(closed ? own.start : from);
     }
-    std::string text = curved ? "prism { bezier_spline " : "prism { linear_spline ";
-    text += text_of(std::min(prism.base, prism.top)) + ", " + text_of(std::max(prism.base, prism.top)) + ", " +
-            std::to_string(points.size());
-    for (const Point& p : points) text += ", <" + text_of(p[0]) + ", " + text_of(0 - p[1]) + ">";
-    return text + " rotate 90*x";
+    std::string text = (curved ? "bezier_spline " : "linear_spline ") + between + std::to_string(points.size());
+    for (const Point& p : points) text += ", " + point(p);
+    return text;
+}
+inline bool any_curve(const ContourData& data) {
+    bool curved = false;
+    for (const Contour& own : data.contours)
+        for (const Contour::Stroke& step : own.strokes) curved |= !step.straight();
+    return curved;
+}
+/// Returns a prism without its closing brace. POV-Ray's lies over its plane of x and z, so that it is turned.
+inline std::string sentence(const Prism& prism) {
+    const std::string heights =
+        text_of(std::min(prism.base, prism.top)) + ", " + text_of(std::max(prism.base, prism.top)) + ", ";
+    const auto point = [](const auto& p) { return "<" + text_of(p[0]) + ", " + text_of(0 - p[1]) + ">"; };
+    return "prism { " + spline_of(*prism.data, any_curve(*prism.data), true, heights, point) + " rotate 90*x";
+}
+/// The same of a lathe. Only curves of Bezier's need not follow each other.
+inline std::string sentence(const Lathe& lathe) {
+    const auto point = [](const auto& p) { return "<" + text_of(p[0]) + ", " + text_of(p[1]) + ">"; };
+    const bool curved = any_curve(*lathe.data) || lathe.data->contours.size() > 1;
+    return "lathe { " + spline_of(*lathe.data, curved, false, "", point) + " sturm";
 }
 
 /// Returns a simple body without its closing brace, in the shape's own space.
@@ -110,7 +126,7 @@ inline std::string sentence(const Shape& shape) {
     };
     return std::visit(
         [&]<class Kind>(const Kind& kind) {
-            if constexpr (std::is_same_v<Kind, Mesh> || std::is_same_v<Kind, Prism>)
+            if constexpr (std::is_same_v<Kind, Mesh> || has_contours<Kind>)
                 return sentence(kind);
             else if constexpr (is_composite<Kind>)
                 return std::string();

@@ -52,7 +52,7 @@ const char* Composite<operation>::fault() const {
     for (const Primitive& part : *parts) {
         if (!std::visit([]<class Kind>(const Kind&) { return can_be_part<Kind>; }, part.shape))
             return "a part is not a closed body; discs and triangles cannot be parts";
-        if (!fits_composite(part.shape)) return "a mesh among its parts is open and has no inside";
+        if (!fits_composite(part.shape)) return "a mesh or a lathe among its parts is open and has no inside";
         leaves += leaves_of(part.shape);
     }
     return leaves > most_parts ? "it consists of more than 100000 bodies" : nullptr;

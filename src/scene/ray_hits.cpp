@@ -86,11 +86,11 @@ void add_crossings(std::vector<RayHit>& all, const Primitive& leaf, int number, 
                 const glm::dmat4 back = glm::inverse(to_world);
                 const Ray<double> own{transform_point(back, ray.origin), glm::dmat3(back) * ray.direction, {}};
                 met_by(kind, own, trees).template emit<double>(there, look);
-            } else if constexpr (std::is_same_v<Kind, Prism>) {
-                kind.template emit<double>(there, [&](const PrismKernel<double>& kernel) {
+            } else if constexpr (has_contours<Kind>) {
+                kind.template emit<double>(there, [&](const auto& kernel) {
                     const ContourPiece<double>* const pieces = kind.data->pieces.data();
                     const auto piece_of = [&](double face) {
-                        return pieces[face < 2 ? 0 : static_cast<int>(face) - 2];
+                        return pieces[std::max(static_cast<int>(face) - kernel.caps, 0)];
                     };
                     kernel.each_crossing(pieces, piece_of, ray, -1., true, [&](bool, double t, double face) {
                         if (t > from && std::isfinite(t))

@@ -28,7 +28,9 @@ constexpr auto words_in = shape_words;
 template <>
 constexpr auto words_in<Mesh> = joined(mesh_words, shape_words);
 template <>
-constexpr auto words_in<Prism> = joined(prism_words, shape_words);
+constexpr auto words_in<Prism> = joined(figure_words, shape_words);
+template <>
+constexpr auto words_in<Lathe> = words_in<Prism>;
 template <Operation operation>
 constexpr auto words_in<Composite<operation>> = composite_words;
 
@@ -264,14 +266,15 @@ void Parser::shape(std::string_view word, std::vector<Primitive>& bodies, Block&
         block, words_in<Kind>, [&] { read_arguments(reader, kind, block); },
         [&](std::string_view inner) {
             if (is_mesh && mesh->part(inner, block)) return true;
-            if (std::is_same_v<Kind, Prism> && inner == prism_words[0])
+            if (has_contours<Kind> && inner == figure_words[0])
                 return contours.push_back(read_contour(reader, inner, block)), true;
             if (is_composite<Kind> && (body(inner, parts, block, depth + 1) || use(inner, parts, block, depth + 1)))
                 return true;
             return finish(inner, primitive, block, ending);
         });
     if constexpr (is_mesh) kind = mesh->take(word, block);
-    if constexpr (std::is_same_v<Kind, Prism>) kind.data = std::make_shared<const ContourData>(std::move(contours));
+    if constexpr (has_contours<Kind>)
+        kind.data = std::make_shared<const ContourData>(std::move(contours), std::is_same_v<Kind, Lathe>);
     if constexpr (is_composite<Kind>) kind.parts = std::make_shared<const std::vector<Primitive>>(std::move(parts));
     if (block.good()) check(kind, primitive, block, word, ending, depth);
     outer.absorb(block);

@@ -63,10 +63,10 @@ std::string places_text(const MeshData& mesh, std::size_t triangle) {
     }
     return text;
 }
-std::string shape_text(const Prism& prism) {
+std::string contours_text(const ContourData& data) {
     const auto point = [](const Contour::Point& p) { return "<" + text_of(p[0]) + ", " + text_of(p[1]) + ">"; };
-    std::string text = std::string(Prism::name) + " { " + text_of(prism.base) + ", " + text_of(prism.top);
-    for (const Contour& own : prism.data->contours) {
+    std::string text;
+    for (const Contour& own : data.contours) {
         text += "\n  contour { " + point(own.start);
         for (const Contour::Stroke& step : own.strokes) {
             text += step.straight() ? "  line " : "  curve " + point(step.control) + ", ";
@@ -77,6 +77,11 @@ std::string shape_text(const Prism& prism) {
     }
     return text;
 }
+std::string shape_text(const Prism& prism) {
+    return std::string(Prism::name) + " { " + text_of(prism.base) + ", " + text_of(prism.top) +
+           contours_text(*prism.data);
+}
+std::string shape_text(const Lathe& lathe) { return std::string(Lathe::name) + " {" + contours_text(*lathe.data); }
 std::string shape_text(const Mesh& mesh) {
     if (!mesh.file.empty()) return std::string(Mesh::name) + " { file \"" + mesh.file + "\"";
     std::string text(Mesh::name);

@@ -48,10 +48,12 @@ TEST_CASE("what proofs do not know is undecided") {
     CHECK(share_bounded(scene) < .9);  // the body and its shadow
     CHECK(share_bounded(scene) > .3);
     scene = plain;
-    scene.primitives.push_back({Prism{}, 0, {Translate{{-.6, -1.5, -.5}}}});
-    CHECK(share_bounded(scene) < .9);
-    CHECK(share_bounded(scene) > .3);
-    scene = plain;
+    for (const Shape& shape : {Shape(Prism{}), Shape(Lathe{})}) {
+        scene.primitives.push_back({shape, 0, {Translate{{-.6, -1.5, -.5}}}});
+        CHECK(share_bounded(scene) < .9);
+        CHECK(share_bounded(scene) > .3);
+        scene = plain;
+    }
     scene.lights[0].area = Area{{1, 0, 0}, {0, 1, 0}};
     CHECK(share_bounded(scene) < .3);
     scene = plain;  // twice in the same place, by its numbers in double

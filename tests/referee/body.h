@@ -9,6 +9,7 @@
 #include "tests/referee/box.h"
 #include "tests/referee/cone.h"
 #include "tests/referee/disc.h"
+#include "tests/referee/lathe.h"
 #include "tests/referee/pattern.h"
 #include "tests/referee/prism.h"
 #include "tests/referee/torus.h"
@@ -103,10 +104,11 @@ struct Body {
         for_each_leaf_placed(primitive, [&](const Primitive& leaf, const LeafMatrices& matrices) {
             leaves.emplace_back(leaf.shape, materials[leaf.material], faces, matrices);
             const Mesh* const mesh = std::get_if<Mesh>(&leaf.shape);
-            const Prism* const prism = std::get_if<Prism>(&leaf.shape);
-            faces += mesh    ? static_cast<int>(mesh->data->triangles.size())
-                     : prism ? faces_of(*prism)
-                             : std::visit([](const auto& kind) { return kind.faces; }, leaf.shape);
+            const auto faces_of_kind = []<class Kind>(const Kind& kind) {
+                if constexpr (has_contours<Kind>) return faces_of(kind);
+                return kind.faces;
+            };
+            faces += mesh ? static_cast<int>(mesh->data->triangles.size()) : std::visit(faces_of_kind, leaf.shape);
         });
         const auto glass = [](const Leaf<R>& leaf) { return leaf.material.refraction > 0; };
         const auto first = std::find_if(leaves.begin(), leaves.end(), glass);

@@ -7,14 +7,28 @@
 
 namespace strahl::referee {
 
-/// Calls visit(number, t, x, y, dx, dy) where a line through <ox, oy> along <ux, uy> crosses the curves of a prism's
-/// contours, with the way along the curve there. The last line of a contour is straight and may have no length.
+/// Returns a polynomial's value, or that of its derivative.
+template <class R>
+R value_of(const std::vector<R>& c, const R& t) {
+    R sum = 0;
+    for (std::size_t i = c.size(); i-- > 0;) sum = sum * t + c[i];
+    return sum;
+}
+template <class R>
+R slope_of(const std::vector<R>& c, const R& t) {
+    R sum = 0;
+    for (std::size_t i = c.size(); i-- > 1;) sum = sum * t + R(static_cast<int>(i)) * c[i];
+    return sum;
+}
+
+/// Calls visit(number, x, y) for the curves of contours: two polynomials. The last line of a contour that is closed is
+/// straight and may have no length.
 template <class R, class Visit>
-void cross_curves(const Prism& prism, const R& ox, const R& oy, const R& ux, const R& uy, const Visit& visit) {
+void each_curve(const ContourData& data, bool closed, const Visit& visit) {
     int number = 0;
-    for (const Contour& contour : prism.data->contours) {
+    for (const Contour& contour : data.contours) {
         std::vector<Contour::Stroke> steps = contour.strokes;
-        steps.push_back({contour.start, contour.start});
+        if (closed) steps.push_back({contour.start, contour.start});
         Contour::Point from = contour.start;
         for (const auto& [control, end, second] : steps) {
             const bool straight = control == end && !second;
@@ -26,33 +40,33 @@ void cross_curves(const Prism& prism, const R& ox, const R& oy, const R& ux, con
                 }
                 return straight ? std::vector<R>{a, c - a} : std::vector<R>{a, 2 * (b - a), a - 2 * b + c};
             };
-            const std::vector<R> x = coefficients(0), y = coefficients(1);
-            std::vector<R> across;
-            for (std::size_t i = 0; i < x.size(); ++i) across.push_back(ux * y[i] - uy * x[i]);
-            across[0] -= ux * oy - uy * ox;
-            const auto at = [](const std::vector<R>& c, R t) {
-                R sum = 0;
-                for (std::size_t i = c.size(); i-- > 0;) sum = sum * t + c[i];
-                return sum;
-            };
-            const auto slope = [&](const std::vector<R>& c, R t) {
-                std::vector<R> derivative;
-                for (std::size_t i = 1; i < c.size(); ++i) derivative.push_back(R(static_cast<int>(i)) * c[i]);
-                return at(derivative, t);
-            };
-            for (const R t : roots_between(across, R(0), R(1)))
-                visit(number, t, at(x, t), at(y, t), slope(x, t), slope(y, t));
+            visit(number, coefficients(0), coefficients(1));
             from = end, ++number;
         }
     }
 }
 
+/// Calls visit(number, t, x, y, dx, dy) where a line through <ox, oy> along <ux, uy> crosses the curves of contours,
+/// with the way along the curve there.
+template <class R, class Visit>
+void cross_curves(const ContourData& data, bool closed, const R& ox, const R& oy, const R& ux, const R& uy,
+                  const Visit& visit) {
+    each_curve<R>(data, closed, [&](int number, const std::vector<R>& x, const std::vector<R>& y) {
+        std::vector<R> across;
+        for (std::size_t i = 0; i < x.size(); ++i) across.push_back(ux * y[i] - uy * x[i]);
+        across[0] -= ux * oy - uy * ox;
+        for (const R t : roots_between(across, R(0), R(1)))
+            visit(number, t, value_of(x, t), value_of(y, t), slope_of(x, t), slope_of(y, t));
+    });
+}
+
 template <class R>
 bool in_figure(const Prism& prism, const Vector<R>& p) {
     int ahead = 0;
-    cross_curves(prism, p.x, p.y, R(.6), R(.8), [&](int, const R&, const R& x, const R& y, const R&, const R&) {
-        ahead += (x - p.x) * R(.6) + (y - p.y) * R(.8) > 0;
-    });
+    cross_curves(*prism.data, true, p.x, p.y, R(.6), R(.8),
+                 [&](int, const R&, const R& x, const R& y, const R&, const R&) {
+                     ahead += (x - p.x) * R(.6) + (y - p.y) * R(.8) > 0;
+                 });
     return ahead % 2 == 1;
 }
 template <class R>
@@ -86,7 +100,7 @@ LineCrossings<R> crossings(const Prism& prism, const Line<R>& line, int source) 
         if (2 + number != source || (starts && size(found.list.back().t) > size(found.list[start].t))) return;
         start = found.list.size() - 1, starts = true;
     };
-    if (across > 0) cross_curves(prism, o.x, o.y, d.x, d.y, add);
+    if (across > 0) cross_curves(*prism.data, true, o.x, o.y, d.x, d.y, add);
     if (starts) found.list.erase(found.list.begin() + static_cast<std::ptrdiff_t>(start));
     std::erase_if(found.list, [&](const Crossing<R>& crossing) {
         const R z = o.z + crossing.t * d.z;

@@ -74,6 +74,7 @@ Shape any_kind(Dice& dice, std::type_identity<std::variant<Kinds...>>) {
     const auto make = [&]<class Kind>(Kind body) -> Shape {
         if constexpr (std::is_same_v<Kind, Mesh>) return mesh(dice);
         if constexpr (std::is_same_v<Kind, Prism>) return random_prism(dice);
+        if constexpr (std::is_same_v<Kind, Lathe>) return random_lathe(dice);
         const auto fill = [&](auto& value) {
             if constexpr (std::is_same_v<decltype(value), DVec3&>)
                 value = dice.vector(-1.6, 1.6);
@@ -151,9 +152,12 @@ void furnish(Shape& shape, int material, int levels, Scene& scene, Dice& dice, c
 
 }  // namespace
 
-Prism random_prism(Dice& dice) {
+namespace {
+
+/// Contours of points that `point` makes.
+template <class Point>
+std::vector<Contour> random_contours(Dice& dice, const Point& point) {
     std::vector<Contour> contours(1 + static_cast<std::size_t>(dice.upto(2)));
-    const auto point = [&] { return Contour::Point{dice.in(-1.4, 1.4), dice.in(-1.4, 1.4)}; };
     for (Contour& own : contours) {
         own.start = point();
         for (int i = 2 + dice.upto(4); i > 0; --i) {
@@ -162,8 +166,32 @@ Prism random_prism(Dice& dice) {
             if (dice.chance(.4)) own.strokes.back().second = point();
         }
     }
+    return contours;
+}
+
+}  // namespace
+
+Prism random_prism(Dice& dice) {
+    std::vector<Contour> contours = random_contours(dice, [&] {
+        return Contour::Point{dice.in(-1.4, 1.4), dice.in(-1.4, 1.4)};
+    });
     const double base = dice.in(-1, .3);
     return {base, base + dice.in(.2, 1.2), std::make_shared<const ContourData>(std::move(contours))};
+}
+
+Lathe random_lathe(Dice& dice) {
+    std::vector<Contour> contours = random_contours(dice, [&] {
+        return Contour::Point{dice.in(0, 1.4), dice.in(-1.2, 1.2)};
+    });
+    for (Contour& own : contours) {
+        Contour::Stroke& last = own.strokes.back();
+        if (dice.chance(.6))
+            own.start[0] = last.end[0] = 0;
+        else
+            last.end = own.start;
+        if (dice.chance(.3)) last.control = last.end, last.second.reset();
+    }
+    return {std::make_shared<const ContourData>(std::move(contours), true)};
 }
 
 Scene random_scene(std::uint64_t seed, const RandomScene& what) {

@@ -25,5 +25,7 @@ Scene random_scene(std::uint64_t seed, const RandomScene& what = {});
 
 /// A prism whose contours are curves, straight lines and both; they may cross each other.
 Prism random_prism(Dice& dice);
+/// A lathe that is closed, of such contours.
+Lathe random_lathe(Dice& dice);
 
 }  // namespace strahl

@@ -104,8 +104,20 @@ const Primitive& first_leaf(const Primitive& primitive) {
     return *first;
 }
 
-/// Makes a body fit to be a part: a disc becomes the half-space behind it. Returns false if it cannot be one.
+/// Makes a body fit to be a part: a disc becomes the half-space behind it, and a lathe that is open has what lies
+/// between it and its axis inside. Returns false if it cannot be one.
 bool close(Shape& shape) {
+    if (const auto* const lathe = std::get_if<Lathe>(&shape); lathe && lathe->open()) {
+        std::vector<Contour> contours = lathe->data->contours;
+        for (Contour& own : contours) {
+            const Contour::Point from = own.start, to = own.strokes.back().end;
+            if (from == to) continue;
+            own.start[0] = 0;
+            own.strokes.insert(own.strokes.begin(), {from, from});
+            own.strokes.push_back({{0, to[1]}, {0, to[1]}});
+        }
+        shape = Lathe{std::make_shared<const ContourData>(std::move(contours), true)};
+    }
     if (const auto* const disc = std::get_if<Disc>(&shape)) {
         const DVec3 n = normalize(disc->normal);
         const DVec3 u = normalize(cross_product(std::fabs(n.x) < .5 ? DVec3(1, 0, 0) : DVec3(0, 1, 0), n));

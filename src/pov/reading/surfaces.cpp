@@ -152,41 +152,15 @@ bool PovReader::read_surface(Interpreter& in, std::uint16_t code, ObjectThing& o
     switch (code) {
         case word("lathe"): {
             const SplineKind kind = read_spline_kind(in);
-            set_mesh(object, turned(lines_of(kind, read_points(in))));
-            object.approximated("'lathe" + mesh);
+            object.kind = ObjectKind::shape;
+            object.shape = Lathe{std::make_shared<const ContourData>(contours_of(kind, read_points(in), true), true)};
             return true;
         }
         case word("sor"): {
             const std::vector<Point2> points = read_points(in);
-            std::vector<std::vector<Point2>> lines;
-            for (std::size_t i = 1; i + 2 < points.size(); ++i) {
-                // r^2 is the cubic in h through both ends with the slopes that their neighbours give.
-                const auto slope = [&](std::size_t n) {
-                    return 2 * points[n][0] * (points[n + 1][0] - points[n - 1][0]) /
-                           (points[n + 1][1] - points[n - 1][1]);
-                };
-                const Point2 &p = points[i], &q = points[i + 1];
-                const double h = q[1] - p[1], m = slope(i) * h, n = slope(i + 1) * h;
-                std::vector<Point2> line;
-                for (int k = 0; k <= curve_pieces; ++k) {
-                    const double t = double(k) / curve_pieces, s = 1 - t;
-                    const double square =
-                        p[0] * p[0] * s * s * (1 + 2 * t) + q[0] * q[0] * t * t * (3 - 2 * t) + (m * s - n * t) * s * t;
-                    line.push_back({k == 0              ? p[0]
-                                    : k == curve_pieces ? q[0]
-                                                        : std::sqrt(std::max(square, 0.)),
-                                    p[1] + h * t});
-                }
-                line.back()[1] = q[1];
-                lines.push_back(std::move(line));
-            }
-            if (!lines.empty() && !in.accept("open")) {
-                const Point2 low = lines.front().front(), high = lines.back().back();
-                lines.insert(lines.begin(), {{0, low[1]}, low});
-                lines.push_back({high, {0, high[1]}});
-            }
-            set_mesh(object, turned(lines));
-            object.approximated("'sor" + mesh);
+            const std::vector<Contour> contours{contour_of_sor(points, in.accept("open"))};
+            object.kind = ObjectKind::shape;
+            object.shape = Lathe{std::make_shared<const ContourData>(contours, true)};
             return true;
         }
         case word("prism"): {

@@ -27,7 +27,7 @@ Contour::Stroke simplest(std::span<const Point2, 4> p) {
 
 }  // namespace
 
-std::vector<Contour> contours_of(SplineKind kind, std::span<const Point2> points) {
+std::vector<Contour> contours_of(SplineKind kind, std::span<const Point2> points, bool turned) {
     std::vector<Contour> contours;
     const std::size_t count = points.size();
     bool begins = true;
@@ -40,6 +40,7 @@ std::vector<Contour> contours_of(SplineKind kind, std::span<const Point2> points
         Contour::Stroke& last = contours.back().strokes.back();
         if (last.straight()) last.control = contours.back().start;
         last.end = contours.back().start;
+        begins = !turned;
     };
     switch (kind) {
         case SplineKind::linear:
@@ -68,6 +69,61 @@ std::vector<Contour> contours_of(SplineKind kind, std::span<const Point2> points
             break;
     }
     return contours;
+}
+
+Contour contour_of_sor(std::span<const Point2> points, bool open) {
+    Contour contour;
+    double largest = 0;
+    for (const Point2& p : points) largest = std::max(largest, p[0]);
+    for (std::size_t i = 1; i + 2 < points.size(); ++i) {
+        const Point2 &p = points[i], &q = points[i + 1];
+        // The square's slopes at both ends are those that their neighbours give.
+        const auto slope = [&](std::size_t n) {
+            return 2 * points[n][0] * (points[n + 1][0] - points[n - 1][0]) / (points[n + 1][1] - points[n - 1][1]);
+        };
+        const double height = q[1] - p[1], m = slope(i) * height, n = slope(i + 1) * height;
+        if (!std::isfinite(m) || !std::isfinite(n) || height == 0) return {};
+        const double first = p[0] * p[0], rise = q[0] * q[0] - first;
+        const double c = 3 * rise - 2 * m - n, d = m + n - 2 * rise;
+        const auto square = [&](double t) { return first + t * (m + t * (c + t * d)); };
+        const auto at = [&](double t) {
+            const double radius = t == 0 ? p[0] : t == 1 ? q[0] : std::sqrt(std::max(square(t), 0.));
+            return Point2{radius, t == 1 ? q[1] : p[1] + t * height};
+        };
+        if (i == 1) {
+            contour.start = open ? p : Point2{0, p[1]};
+            if (!open) contour.strokes.push_back({p, p});
+        }
+        const auto add = [&](const auto& self, double low, double high, int halvings) -> void {
+            const Point2 from = at(low), to = at(high);
+            const double own = (high - low) / 3;
+            const auto control = [&](double t, const Point2& end, double step) {
+                const double by = (m + t * (2 * c + t * 3 * d)) / (2 * end[0]);
+                return Point2{end[0] + step * by, end[1] + step * height};
+            };
+            Contour::Stroke step{control(low, from, own), to, control(high, to, -own)};
+            Point2 middle{(from[0] + to[0] + 3 * (step.control[0] + (*step.second)[0])) / 8, 0};
+            // Where a radius is 0 the curve is a parabola about the axis, or nearly.
+            if (from[0] == 0 || to[0] == 0) {
+                const bool begins = from[0] == 0;
+                const Point2 end = begins ? to : from;
+                Point2 corner = end[0] == 0 ? to : control(begins ? high : low, end, begins ? -3 * own : 3 * own);
+                corner[1] = begins ? from[1] : to[1];
+                step = {corner, to};
+                middle[0] = (from[0] + to[0] + 2 * corner[0]) / 4;
+            }
+            const double off = std::fabs(middle[0] - at((low + high) / 2)[0]);
+            if (halvings > 8 || off <= 2e-7 * largest) return contour.strokes.push_back(step);
+            const double half = (low + high) / 2;
+            self(self, low, half, halvings + 1), self(self, half, high, halvings + 1);
+        };
+        add(add, 0, 1, 0);
+    }
+    if (!open && !contour.strokes.empty()) {
+        const Point2 end{0, contour.strokes.back().end[1]};
+        contour.strokes.push_back({end, end});
+    }
+    return contour;
 }
 
 }  // namespace strahl::pov

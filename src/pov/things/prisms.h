@@ -1,4 +1,4 @@
-// Contours of prisms.
+// Contours of prisms and lathes.
 #pragma once
 #include <span>
 #include <vector>
@@ -8,7 +8,10 @@
 
 namespace strahl::pov {
 
-/// Returns the contours that the splines of a prism are.
-std::vector<Contour> contours_of(SplineKind kind, std::span<const Point2> points);
+/// Returns the contours that the splines of a prism are, or that of a lathe, which goes on where it is closed.
+std::vector<Contour> contours_of(SplineKind kind, std::span<const Point2> points, bool turned = false);
+/// Returns the contour of a sor, whose squared radius is a cubic of the height between points, as cubic curves: these
+/// are off by no more than 2e-7 of the largest radius. It is empty if heights of points are equal.
+Contour contour_of_sor(std::span<const Point2> points, bool open);
 
 }  // namespace strahl::pov

@@ -76,31 +76,6 @@ std::vector<std::vector<Point2>> lines_of(SplineKind kind, std::span<const Point
     return lines;
 }
 
-MeshData turned(std::span<const std::vector<Point2>> lines) {
-    std::array<Point2, turn_pieces + 1> turn;
-    for (int i = 0; i < turn_pieces; ++i)
-        turn[std::size_t(i)] = {std::cos(2 * std::numbers::pi * i / turn_pieces),
-                                std::sin(2 * std::numbers::pi * i / turn_pieces)};
-    turn[turn_pieces] = turn[0];
-    MeshBuilder mesh;
-    for (const std::vector<Point2>& line : lines) {
-        const auto normal = [&](std::size_t i) {
-            const Point2 &p = line[i > 0 ? i - 1 : i], &q = line[std::min(i + 1, line.size() - 1)];
-            return Point2{q[1] - p[1], p[0] - q[0]};
-        };
-        const auto at = [](const Point2& p, const Point2& turned) {
-            return DVec3(p[0] * turned[0], p[1], p[0] * turned[1]);
-        };
-        for (std::size_t i = 0; i + 1 < line.size(); ++i)
-            for (std::size_t k = 0; k < turn_pieces; ++k) {
-                const Point2 &a = turn[k], &b = turn[k + 1], n = normal(i), m = normal(i + 1);
-                mesh.add_square({at(line[i], a), at(line[i + 1], a), at(line[i + 1], b), at(line[i], b)},
-                                {at(n, a), at(m, a), at(m, b), at(n, b)});
-            }
-    }
-    return mesh.finish();
-}
-
 MeshData swept(std::vector<Outline> outlines, const Sweep& sweep) {
     const auto& [low, high, conic, caps, smooth] = sweep;
     MeshBuilder mesh;

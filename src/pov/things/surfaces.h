@@ -13,15 +13,13 @@ namespace strahl::pov {
 void join_points(MeshData& mesh);
 
 enum class SplineKind { linear, quadratic, cubic, bezier };
-/// How many straight pieces approximate each piece of a curve, and a whole turn.
-inline constexpr int curve_pieces = 16, turn_pieces = 96;
+/// How many straight pieces approximate each piece of a curve.
+inline constexpr int curve_pieces = 16;
 
-/// Returns the curves of a lathe or a prism as straight lines, one for each piece of the spline; a linear one is one
+/// Returns the curves of a prism as straight lines, one for each piece of the spline; a linear one is one
 /// line.
 std::vector<std::vector<Point2>> lines_of(SplineKind kind, std::span<const Point2> points);
 
-/// Returns the surface that a line of radii and heights makes when it turns about the y axis.
-MeshData turned(std::span<const std::vector<Point2>> lines);
 /// How outlines in x and z become a solid: over y from `low` to `high`.
 struct Sweep {
     double low = 0, high = 1;

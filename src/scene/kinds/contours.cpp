@@ -122,7 +122,7 @@ struct PieceMaker {
 
 }  // namespace
 
-ContourData::ContourData(std::vector<Contour> all) : contours(std::move(all)) {
+ContourData::ContourData(std::vector<Contour> all, bool turned) : contours(std::move(all)) {
     PieceMaker maker;
     for (const Contour& own : contours) {
         Point from = own.start;
@@ -130,16 +130,18 @@ ContourData::ContourData(std::vector<Contour> all) : contours(std::move(all)) {
             maker.add(second ? Curve{{from, control, *second, end}, 3} : Curve{{from, control, end}, 2});
             from = end;
         }
-        maker.add({{from, own.start}, 1});
+        if (!turned) maker.add({{from, own.start}, 1});
     }
     if (maker.curves.empty()) return;
+    if (turned) maker.high[0] = std::max(-maker.low[0], maker.high[0]), maker.low[0] = -maker.high[0];
     for (std::size_t i = 0; i < 2; ++i) {
         centre[i] = maker.low[i] / 2 + maker.high[i] / 2;
         half[i] = maker.high[i] / 2 - maker.low[i] / 2;
     }
     unit = std::max(half[0], half[1]);
-    if (!(half[0] > 0 && half[1] > 0)) return;  // all is on a line
+    if (!(half[0] > 0 && (turned || half[1] > 0))) return;  // all is on a line
     for (const Curve& curve : maker.curves) {
+        if (turned && curve.degree == 1 && curve.p[0][0] == 0 && curve.p[1][0] == 0) continue;  // on the axis
         const auto place = [&](const Point& p, std::size_t i) { return (p[i] - centre[i]) / unit; };
         const Point &a = curve.p[0], &c = curve.p[curve.degree];
         const auto [h, e, d] = curve.coefficients();

@@ -17,7 +17,8 @@ STRAHL_INLINE M either(const M& a, const M& b) {
     return (a & !b) | (b & !a);
 }
 
-/// A closed line in a plane. Where its last stroke does not end at its start, a straight line leads there.
+/// A line in a plane. As a part of a figure's edge it is closed: where its last stroke does not end at its start, a
+/// straight line leads there.
 struct Contour {
     using Point = std::array<double, 2>;
     /// A curve of Bezier's from where the stroke before ends: quadratic, or cubic if it has a second control point. It
@@ -93,17 +94,24 @@ struct ContourPiece {
     }
 };
 
-/// Contours, and their pieces in a space of their own, in which the figure lies between -1 and 1: there <x, y> is at
-/// (<x, y> - centre) / unit. Points are inside that an odd number of contours surround.
+/// Contours, and their pieces in a space of their own, in which they lie between -1 and 1: there <x, y> is at (<x, y> -
+/// centre) / unit. Points are inside that an odd number of contours surround.
 struct ContourData {
     std::vector<Contour> contours;
     std::vector<ContourPiece<double>> pieces;
-    Contour::Point centre{}, half{};  // the middle of the figure's box, and half of its size
+    Contour::Point centre{}, half{};  // the middle of the box around them, and half of its size
     double unit = 1;
 
-    explicit ContourData(std::vector<Contour> all);
+    /// Contours that turn about the y axis are not closed, and the box around them has it in its middle.
+    explicit ContourData(std::vector<Contour> all, bool turned = false);
     /// The disc of radius 1, or nearly, with a square hole.
     static std::shared_ptr<const ContourData> usual();
+};
+
+/// Has a kind of bodies contours?
+template <class Kind>
+inline constexpr bool has_contours = requires(const Kind kind) {
+    kind.data->pieces;
 };
 
 /// A line in the plane: a point of it, from which on places along it are counted, and its direction, of length 1.

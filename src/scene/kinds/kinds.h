@@ -9,6 +9,7 @@
 #include "scene/kinds/cylinder.h"
 #include "scene/kinds/disc.h"
 #include "scene/kinds/kind.h"
+#include "scene/kinds/lathe.h"
 #include "scene/kinds/mesh.h"
 #include "scene/kinds/plane.h"
 #include "scene/kinds/prism.h"
@@ -19,11 +20,20 @@
 
 namespace strahl {
 
-using Shape = std::variant<Sphere, Plane, Cylinder, Cone, Cuboid, Disc, Torus, Prism, Triangle, SmoothTriangle, Mesh,
-                           Union, Intersection, Difference>;
+using Shape = std::variant<Sphere, Plane, Cylinder, Cone, Cuboid, Disc, Torus, Prism, Lathe, Triangle, SmoothTriangle,
+                           Mesh, Union, Intersection, Difference>;
 
 /// Can it be a part of a composite? Meshes can if they are closed.
 bool fits_composite(const Shape& shape);
+/// The contours of a shape; null if it is of a kind without contours.
+inline const ContourData* contours_of(const Shape& shape) {
+    return std::visit(
+        []<class Kind>(const Kind& kind) -> const ContourData* {
+            if constexpr (has_contours<Kind>) return kind.data.get();
+            return nullptr;
+        },
+        shape);
+}
 /// The number of simple bodies that a shape consists of.
 int leaves_of(const Shape& shape);
 

@@ -11,19 +11,49 @@
 
 namespace strahl {
 
-/// A prism in a space of its own: own = rows * (world - centre). There its figure is that of its pieces, and it reaches
-/// in z from -1 to 1. The world holds the pieces of all prisms, and those of this one are `count` from number `first`
-/// on. Face 0 is the lower cap, face 1 the upper one, and 2 + i is the wall over piece i.
+/// A body with contours, in a space of its own: own = rows * (world - centre). The world holds the pieces of all such
+/// bodies, and those of this one are `count` from number `first` on.
 template <class T>
-struct PrismKernel {
+struct ContourKernel {
     Vec3<T> centre, row_x, row_y, row_z;
     HitBox<T> box;
     T first, count;
 
-    template <class S>
-    STRAHL_INLINE Vec3<S> turn(const Vec3<S>& v) const {
-        return {dot(splat<S>(row_x), v), dot(splat<S>(row_y), v), dot(splat<S>(row_z), v)};
+    template <class V>
+    STRAHL_INLINE Vec3<V> turn(const Vec3<V>& v) const {
+        return {dot(splat<V>(row_x), v), dot(splat<V>(row_y), v), dot(splat<V>(row_z), v)};
     }
+    /// Returns a normal in the world, of length 1.
+    template <class S>
+    STRAHL_INLINE Vec3<S> normal(const S& x, const S& y, const S& z) const {
+        // Normals are transformed by the transposed inverse, whose rows these are.
+        const Vec3<S> n = fma(x, splat<S>(row_x), fma(y, splat<S>(row_y), scale(z, splat<S>(row_z))));
+        return scale(S(1) / sqrt(max(dot(n, n), S(std::numeric_limits<Element<S>>::min()))), n);
+    }
+    /// The kernel of a body whose own space has its origin at `centre` and units of `size`.
+    static ContourKernel of(const DVec3& centre, const DVec3& size, const Box& bounds, std::size_t pieces,
+                            const WorldTransform& to_world) {
+        const glm::dmat3 inverse = glm::inverse(glm::dmat3(to_world.matrix));
+        const auto row = [&](int i) {
+            return cast<T>(DVec3(inverse[0][i], inverse[1][i], inverse[2][i]) / (size[i] * to_world.scale));
+        };
+        return {cast<T>(to_world.point(centre)),
+                row(0),
+                row(1),
+                row(2),
+                HitBox<T>::of(transformed(bounds, to_world.matrix), bounds, to_world),
+                T(0),
+                static_cast<T>(pieces)};
+    }
+};
+
+/// A prism, whose figure is that of its pieces in its own space, where it reaches in z from -1 to 1. Face 0 is the
+/// lower cap, face 1 the upper one, and 2 + i is the wall over piece i.
+template <class T>
+struct PrismKernel : ContourKernel<T> {
+    static constexpr int caps = 2;  // its faces before those of pieces
+    using Base = ContourKernel<T>;
+    using Base::box, Base::centre, Base::count, Base::row_x, Base::row_y, Base::turn;
 
     /// Calls crossed(lanes, t, face) for each crossing of rays with the surface, in any order; those at the start are
     /// at 0 or left out. What is inside along a ray follows from one list of crossings with the contours: walls and
@@ -90,9 +120,7 @@ struct PrismKernel {
         const auto [way_x, way_y] = piece.way_at(s);
         const S x = select(cap, zero, way_y), y = select(cap, zero, -way_x);
         const S z = select(cap, select(face == zero, S(-1), one), zero);
-        // Normals are transformed by the transposed inverse, whose rows these are.
-        const Vec3<S> n = fma(x, splat<S>(row_x), fma(y, splat<S>(row_y), scale(z, splat<S>(row_z))));
-        return {position, scale(one / sqrt(max(dot(n, n), S(std::numeric_limits<Element<S>>::min()))), n)};
+        return {position, this->normal(x, y, z)};
     }
 
   private:
@@ -157,15 +185,9 @@ struct Prism {
     using Kernels = std::tuple<PrismKernel<T>>;
     template <class T, class Emit>
     void emit(const WorldTransform& to_world, const Emit& emit) const {
-        const Contour::Point& middle = data->centre;
-        const double size[3]{data->unit, data->unit, std::abs(top - base) / 2};
-        const glm::dmat3 inverse = glm::inverse(glm::dmat3(to_world.matrix));
-        const auto row = [&](int i) {
-            return cast<T>(DVec3(inverse[0][i], inverse[1][i], inverse[2][i]) / (size[i] * to_world.scale));
-        };
-        emit(PrismKernel<T>{cast<T>(to_world.point({middle[0], middle[1], base / 2 + top / 2})), row(0), row(1), row(2),
-                            HitBox<T>::of(transformed(bounds(), to_world.matrix), bounds(), to_world), T(0),
-                            static_cast<T>(data->pieces.size())});
+        const auto& [x, y] = data->centre;
+        const DVec3 middle(x, y, base / 2 + top / 2), size(data->unit, data->unit, std::abs(top - base) / 2);
+        emit(PrismKernel<T>{ContourKernel<T>::of(middle, size, bounds(), data->pieces.size(), to_world)});
     }
 };
 

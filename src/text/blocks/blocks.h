@@ -28,8 +28,8 @@ inline constexpr std::array<std::string_view, 3> mesh_words{"file", Triangle::na
 /// The words that may follow the corners of a triangle in a mesh.
 inline constexpr std::array<std::string_view, 1> triangle_words{"uv_vectors"};
 
-/// The word that may stand in a prism besides those, and the words that may follow the start of a contour.
-inline constexpr std::array<std::string_view, 1> prism_words{"contour"};
+/// The word that may stand in a prism or a lathe besides those, and the words that may follow the start of a contour.
+inline constexpr std::array<std::string_view, 1> figure_words{"contour"};
 inline constexpr std::array<std::string_view, 2> contour_words{"line", "curve"};
 
 /// The words that open the block of a body.

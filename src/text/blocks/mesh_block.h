@@ -1,4 +1,4 @@
-// Reads the contents of a `mesh` block: triangles, or the name of a file; and the contours of a `prism`.
+// Reads the contents of a `mesh` block: triangles, or the name of a file; and the contours of a `prism` or a `lathe`.
 #pragma once
 #include <array>
 #include <memory>
@@ -6,8 +6,8 @@
 
 #include "mesh/join.h"
 #include "scene/kinds/composite.h"
+#include "scene/kinds/lathe.h"
 #include "scene/kinds/mesh.h"
-#include "scene/kinds/prism.h"
 #include "text/reading/reader.h"
 
 namespace strahl {
@@ -61,6 +61,10 @@ std::string fault_as_part(const Kind& kind, std::string_view word) {
     if (!can_be_part<Kind>) return "a " + std::string(word) + " cannot be part of a body: only closed bodies can";
     if constexpr (std::is_same_v<Kind, Mesh>)
         return open_mesh_fault(kind);
+    else if constexpr (std::is_same_v<Kind, Lathe>)
+        return kind.open()
+                   ? "this lathe cannot be part of a body: a contour neither is closed nor has both ends on the axis"
+                   : "";
     else
         return "";
 }

@@ -18,7 +18,7 @@ using Rows = std::vector<WordHelp>;
 std::string code(std::string_view word) { return std::string("`").append(word).append("`"); }
 
 /// Describes words that no list of parameters does, or not alone.
-constexpr std::array<std::pair<std::string_view, const char*>, 33> meanings{{
+constexpr std::array<std::pair<std::string_view, const char*>, 34> meanings{{
     {"camera", "where the eye is, and how it looks; a scene has exactly one"},
     {"light", "a point, a spotlight, parallel light or a rectangle of light"},
     {"material", "changes the parameters that it names of the material in force; `material NAME` is one by `define`"},
@@ -42,7 +42,9 @@ constexpr std::array<std::pair<std::string_view, const char*>, 33> meanings{{
     {"height", "by how much white, or a value of 1, raises the surface"},
     {"uv_vectors", "places of the corners in a picture: `uv_vectors <0, 0>, <1, 0>, <0, 1>`"},
     {"prism", "what lies between two heights over a figure in the plane of x and y"},
-    {"contour", "a closed line around the figure, or a hole: `contour { <0, 0>  line <2, 0>  curve <2, 2>, <0, 2> }`"},
+    {"lathe", "what contours in the plane of x and y make when they turn about the y axis"},
+    {"contour",
+     "a line around the figure of a prism, or one that turns: `contour { <0, 0>  line <2, 0>  curve <2, 2>, <0, 2> }`"},
     {"line", "goes on along a straight line: `line <end>`"},
     {"curve", "goes on along a curve of Bezier's, which has one or two control points: `curve <control point>, <end>`"},
     {"mesh", "a body made of triangles"},
@@ -99,9 +101,9 @@ Rows body_rows() {
                             argument_range(field.range).words, field.help});
         };
         std::apply([&](const auto&... field) { (add(field), ...); }, Kind::fields);
-        if constexpr (std::is_same_v<Kind, Prism>)
-            rows.push_back({"contour", "", "blocks of a start, then `line`s and `curve`s",
-                            "the contours of its figure, one or more"});
+        if constexpr (has_contours<Kind>)
+            rows.push_back(
+                {"contour", "", "blocks of a start, then `line`s and `curve`s", "its contours, one or more"});
         return rows;
     }
 }
@@ -182,8 +184,8 @@ std::vector<std::string> words_in(std::string_view block, std::string_view outer
     if (block == "light") add(light_words);
     if (own_block(block, outer) == "material") words.emplace_back("coat");
     if (block == Mesh::name) add(mesh_words);
-    if (block == Prism::name) add(prism_words);
-    if (block == prism_words[0]) return add(contour_words), words;
+    if (block == Prism::name || block == Lathe::name) add(figure_words);
+    if (block == figure_words[0]) return add(contour_words), words;
     if (outer == Mesh::name) return add(triangle_words), words;
     if (pattern && contains(bump_words, block)) words.emplace_back("height");
     if (pattern) add(transformation_words);

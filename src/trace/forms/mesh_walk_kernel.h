@@ -1,12 +1,12 @@
-// Finds where rays cross a mesh or a prism that is part of a composite.
+// Finds where rays cross a mesh or a body with contours that is part of a composite.
 #pragma once
 #include "trace/forms/form_kernel.h"
 #include "trace/hierarchy/traverse.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// Lists the nearest places beyond `place` where rays cross faces of a mesh or a prism, up to `limit`; further ones may
-/// be missing. In the lanes of `all` every face beyond `place` is counted, whatever the limit.
+/// Lists the nearest places beyond `place` where rays cross such faces, up to `limit`; further ones may be missing.
+/// In the lanes of `all` every face beyond `place` is counted, whatever the limit.
 template <class S>
 [[gnu::noinline]] void list_mesh_crossings(const World<Element<S>>& world, const CompositeLeaf& mesh, const Ray<S>& ray,
                                            Mask<S> lanes, const S& place, const S& limit, Mask<S> all,

@@ -46,7 +46,7 @@ function(strahl_kernel level elements)
       list(APPEND sources ${folder}/proving_${name}.cpp)
     endif()
   endforeach()
-  strahl_instances(${folder}/kinds.cpp "forms/kind_kernel.h;forms/composite_kernel.h;forms/prism_kernel.h" "${strahl_kind_calls}" "${elements}")
+  strahl_instances(${folder}/kinds.cpp "forms/kind_kernel.h;forms/composite_kernel.h;forms/contour_kernel.h" "${strahl_kind_calls}" "${elements}")
   strahl_instances(${folder}/features.cpp "lights/area_light_kernel.h;lights/light_buffer_kernel.h;patterns/finish_kernel.h;patterns/pattern_kernel.h"
                    "AreaLightCalls<;LightBufferCalls<;FinishCalls<;PatternCalls<" "${elements}")
   list(APPEND sources ${folder}/kinds.cpp ${folder}/features.cpp)

@@ -14,11 +14,11 @@ namespace strahl {
 namespace {
 
 template <class Kind>
-int faces_of_leaf(const Kind&) {
+int faces_of_leaf(const Kind& kind) {
+    if constexpr (has_contours<Kind>) return kind.face_count();
     return Kind::faces;
 }
 int faces_of_leaf(const Mesh& mesh) { return static_cast<int>(mesh.data->triangles.size()); }
-int faces_of_leaf(const Prism& prism) { return prism.face_count(); }
 
 /// Adds the leaves of one composite.
 template <class T>
@@ -93,7 +93,7 @@ class CompositeBuilder {
             constexpr std::size_t fields = sizeof(Own) / sizeof(T);
             const auto surface = static_cast<T>(next_surface + static_cast<int>(boxes.size()));
             Own item{kernel, surface, static_cast<T>(material)};
-            if constexpr (std::is_same_v<Kind, Prism>) item.shape.first = arrays.first_piece_of(shape);
+            if constexpr (has_contours<Kind>) item.shape.first = arrays.first_piece_of(shape);
             std::vector<T>& numbers = leaf_numbers[form];
             if (leaf.form < 0) leaf.item = arrays.forms[form].count + static_cast<int>(numbers.size() / fields);
             leaf.form = form;
@@ -107,10 +107,11 @@ class CompositeBuilder {
             meshes.push_back({shape.data.get(), m, tables.leaves.size()});
             return add_mesh(leaf, boxes);
         }
-        if constexpr (std::is_same_v<Kind, Prism>) {
-            prisms.push_back({{shape.base, shape.top}, m, tables.leaves.size()});
+        if constexpr (has_contours<Kind>) {
+            if constexpr (std::is_same_v<Kind, Prism>)
+                prisms.push_back({{shape.base, shape.top}, m, tables.leaves.size()});
             const Box box = transformed(shape.bounds(), to_world.matrix);
-            return add_prism(leaf, {to_world.place(box.low), to_world.place(box.high)});
+            return add_with_contours(leaf, {to_world.place(box.low), to_world.place(box.high)});
         }
         leaf.first_key = most_planes + 8 * equal_leaf(leaf);
         for (int face = 0; face < Kind::faces; ++face) {
@@ -161,7 +162,7 @@ class CompositeBuilder {
         tables.mesh_hierarchies.push_back(std::move(own));
         add_listed(leaf);
     }
-    void add_prism(CompositeLeaf& leaf, const Box& box) {
+    void add_with_contours(CompositeLeaf& leaf, const Box& box) {
         leaf.listed = true;
         double reach = 0;
         for (int c = 0; c < 3; ++c) reach = std::max({reach, std::abs(box.low[c]), std::abs(box.high[c])});
@@ -181,7 +182,8 @@ class CompositeBuilder {
         tables.leaves.push_back(leaf);
         tables.steps.push_back(CompositeStep::leaf);
     }
-    /// Returns the key of the first face of a mesh or a prism: that of the first one with the same numbers.
+    /// Returns the key of the first face of a mesh or a body with contours: that of the first one with the same
+    /// numbers.
     std::int32_t first_key(const CompositeLeaf& own) const {
         const int equal = equal_leaf(own);
         const std::size_t count = tables.leaves.size() - info.first_leaf;
@@ -283,11 +285,11 @@ int faces_of(const Shape& shape) {
     return sum_of_leaves(shape, [&](const auto& kind) { return item ? Mesh::faces : faces_of_leaf(kind); });
 }
 
-/// Adds the leaves of all composites, which follow the items of their forms, and notes where the faces of prisms are.
+/// Adds the leaves of all composites, which follow the items of their forms, and notes where the faces of bodies with
+/// contours are.
 template <class T>
 void WorldArrays<T>::add_composites(const Scene& scene, const Placement& placement, ThreadPool& pool, bool proves) {
-    constexpr int prism_form = place_of<PrismForm>(Forms{});
-    if (forms[place_of<CompositeForm>(Forms{})].count == 0 && forms[prism_form].count == 0) return;
+    if (forms[place_of<CompositeForm>(Forms{})].count == 0 && first_pieces.empty()) return;
     std::array<std::vector<T>, Forms::size> leaf_numbers;
     ItemCounts before;
     for (std::size_t i = 0; i < scene.primitives.size(); ++i) {
@@ -318,10 +320,14 @@ void WorldArrays<T>::add_composites(const Scene& scene, const Placement& placeme
         references[1 + surface] = {item, form};  // each form has one bin
         leaf_faces[surface] = face;
     };
-    const auto* const all = reinterpret_cast<const Item<PrismForm, T>*>(forms[prism_form].numbers.get());
-    for (int i = 0; i < forms[prism_form].count; ++i)
-        for (int face = 0; face < static_cast<int>(all[i].shape.count) + 2; ++face)
-            refer_to(prism_form, static_cast<int>(all[i].surface) + face, i, face);
+    const auto refer_to_all = [&]<class Own>(std::type_identity<Own>) {
+        constexpr int form = place_of<Own>(Forms{});
+        const auto* const all = reinterpret_cast<const Item<Own, T>*>(forms[form].numbers.get());
+        for (int i = 0; i < forms[form].count; ++i)
+            for (int face = 0; face < static_cast<int>(all[i].shape.count) + all[i].shape.caps; ++face)
+                refer_to(form, static_cast<int>(all[i].surface) + face, i, face);
+    };
+    refer_to_all(std::type_identity<Form<Prism, 0>>()), refer_to_all(std::type_identity<Form<Lathe, 0>>());
     for (const CompositeLeaf& leaf : leaves) {
         const auto refer = [&](std::int32_t surface, std::int32_t item, int face) {
             refer_to(leaf.form, surface, item, face);

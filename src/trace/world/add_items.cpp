@@ -40,14 +40,14 @@ struct PutItems {
 
 }  // namespace
 
-/// Adds the pieces of prisms, those that prisms share once.
+/// Adds the pieces of contours, those that bodies share once.
 template <class T>
 void WorldArrays<T>::add_contours(const Scene& scene) {
     for (const Primitive& primitive : scene.primitives)
         for_each_leaf(primitive, [&](const Primitive& leaf, const glm::dmat4&) {
-            const auto* const prism = std::get_if<Prism>(&leaf.shape);
-            if (!prism || !first_pieces.try_emplace(prism->data.get(), T(contour_pieces.size())).second) return;
-            for (const auto& [ax, ay, cx, cy, hx, hy, ex, ey, dx, dy] : prism->data->pieces)
+            const ContourData* const own = contours_of(leaf.shape);
+            if (!own || !first_pieces.try_emplace(own, T(contour_pieces.size())).second) return;
+            for (const auto& [ax, ay, cx, cy, hx, hy, ex, ey, dx, dy] : own->pieces)
                 contour_pieces.push_back({T(ax), T(ay), T(cx), T(cy), T(hx), T(hy), T(ex), T(ey), T(dx), T(dy)});
         });
     world.contour_pieces = contour_pieces.data();

@@ -176,8 +176,7 @@ void WorldArrays<T>::arrange_items(ThreadPool& pool) {
         own.count = remove_items(own, fields, duplicates(own.numbers.get(), own.count, fields, fields - 2, pool));
         items += own.count;
     }
-    const auto any = [&](int form) { return forms[form].count > 0; };
-    const bool listed = any(place_of<CompositeForm>(Forms{})) || any(place_of<PrismForm>(Forms{}));
+    const bool listed = forms[place_of<CompositeForm>(Forms{})].count > 0 || !first_pieces.empty();
     world.bin_per_item = items <= most_item_bins && !listed;
     if (!world.bin_per_item) make_hierarchy(pool);
     number_bins(pool);

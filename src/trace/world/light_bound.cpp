@@ -20,7 +20,7 @@ double most_crossings(const Shape& shape) {
             if constexpr (requires { kind.data->triangles; })
                 return static_cast<double>(kind.data->triangles.size());
             else if constexpr (requires { kind.data->pieces; })
-                return 2. * kind.face_count();
+                return (std::is_same_v<Kind, Lathe> ? 6. : 2.) * kind.face_count();
             else
                 return std::max(2, Kind::max_crossings);
         },

@@ -107,8 +107,6 @@ struct Group {
 
 /// The form of all composites.
 using CompositeForm = Form<Union, 0>;
-/// The form of all prisms.
-using PrismForm = Form<Prism, 0>;
 
 /// A plane that faces of a composite's parts lie in: normal . x = distance.
 template <class T>
@@ -127,7 +125,7 @@ struct CompositeLeaf {
     std::int32_t form, item, material;
     std::int32_t surface, faces;  // the number of its first face, and how many it has
     std::int32_t half_space;      // of a half-space 1 if it is behind its plane's normal, -1 if before it; else 0
-    bool listed = false;          // a mesh or a prism, which rays cross any number of times: these crossings are listed
+    bool listed = false;          // rays cross it any number of times, as a mesh, and these crossings are listed
     const Node* nodes = nullptr;  // of a mesh: the hierarchy of its triangles, which are the items from `item` on
     std::int32_t first_key = 0;   // of its first face; if listed, if that has one of its own
     bool in_planes = false;       // if listed: some of its faces have the keys of planes
@@ -192,7 +190,7 @@ struct CompositeTables {
     const CompositeStep* steps = nullptr;
     const CompositePlane<T>* planes = nullptr;
     const std::int32_t* face_keys = nullptr;
-    // By surface: which face of its leaf, or of a prism, it is; -1 if it is of none. Also in worlds with prisms alone.
+    // By surface: which face of its leaf, or of a body with contours, it is; else -1. Also without composites.
     const std::int32_t* leaf_faces = nullptr;
 };
 
@@ -265,7 +263,7 @@ struct World {
 
     FewBodies<T> few;
     CompositeTables<T> composites;
-    const ContourPiece<T>* contour_pieces = nullptr;  // of all prisms
+    const ContourPiece<T>* contour_pieces = nullptr;  // of all contours
     PatternTables<T> patterns;
     MediumTables<T> media;
     FinishTables<T> finishes;

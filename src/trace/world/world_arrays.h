@@ -157,7 +157,7 @@ struct WorldArrays {
     std::vector<LightKernel<T>> lights;
     FewBodiesArrays<T> few;
     CompositeArrays<T> composites;
-    std::vector<ContourPiece<T>> contour_pieces;  // of all prisms, and where those of each figure begin
+    std::vector<ContourPiece<T>> contour_pieces;  // of all contours, and where those of each figure begin
     std::unordered_map<const ContourData*, T> first_pieces;
     PatternArrays<T> patterns;
     MediumArrays<T> media;
@@ -175,10 +175,10 @@ struct WorldArrays {
     static double rounding(double furthest) { return 32 * culling_unit<T> * furthest; }
     // add_items.cpp
     void add_contours(const Scene& scene);
-    /// Returns the number of a prism's first piece.
+    /// Returns the number of the first piece of a body with contours.
     T first_piece_of(const Shape& shape) const {
-        const auto* const prism = std::get_if<Prism>(&shape);
-        return prism ? first_pieces.at(prism->data.get()) : T(0);
+        const ContourData* const own = contours_of(shape);
+        return own ? first_pieces.at(own) : T(0);
     }
     void add_items(const Scene& scene, const Placement& placement, ThreadPool& pool, bool proves);
     // arrange_items.cpp

@@ -21,7 +21,7 @@ class DegenerateBodies {
     explicit DegenerateBodies(Dice& dice) : dice(dice) {}
 
     Shape any(int levels = 1) {
-        switch (dice.upto(levels > 0 ? 12 : 6)) {
+        switch (dice.upto(levels > 0 ? 13 : 6)) {
             case 0:
                 return make(Sphere{});
             case 1:
@@ -45,6 +45,8 @@ class DegenerateBodies {
                 return make(Mesh{});
             case 11:
                 return make(Prism{});
+            case 12:
+                return make(Lathe{});
             default:
                 return composite();
         }
@@ -109,24 +111,34 @@ class DegenerateBodies {
         const DVec3 first = normal(), second = dice.chance(.2) ? -first : normal(), third = normal();
         return SmoothTriangle{a, b, c, first, second, third};
     }
+    /// A contour whose lines may be tiny or lead back.
+    Contour contour() {
+        Contour contour{{dice.in(-1, 1), dice.in(-1, 1)}, {}};
+        Contour::Point from = contour.start;
+        for (int i = 1 + dice.upto(3); i >= 0; --i) {
+            const auto near = [&](const Contour::Point& p) {
+                const double size = length();
+                return Contour::Point{p[0] + size * dice.in(-1, 1), p[1] + size * dice.in(-1, 1)};
+            };
+            const Contour::Point end = near(from);
+            contour.strokes.push_back({dice.chance(.3) ? end : near(dice.chance(.5) ? end : from), end});
+            if (dice.chance(.4)) contour.strokes.back().second = near(dice.chance(.5) ? end : from);
+            from = end;
+        }
+        return contour;
+    }
     Shape make(const Prism&) {
         Prism prism;
         do {
-            Contour contour{{dice.in(-1, 1), dice.in(-1, 1)}, {}};
-            Contour::Point from = contour.start;
-            for (int i = 1 + dice.upto(3); i >= 0; --i) {
-                const auto near = [&](const Contour::Point& p) {
-                    const double size = length();
-                    return Contour::Point{p[0] + size * dice.in(-1, 1), p[1] + size * dice.in(-1, 1)};
-                };
-                const Contour::Point end = near(from);
-                contour.strokes.push_back({dice.chance(.3) ? end : near(dice.chance(.5) ? end : from), end});
-                if (dice.chance(.4)) contour.strokes.back().second = near(dice.chance(.5) ? end : from);
-                from = end;
-            }
-            prism = {0, length(), std::make_shared<const ContourData>(std::vector{contour})};
+            prism = {0, length(), std::make_shared<const ContourData>(std::vector{contour()})};
         } while (prism.fault());
         return prism;
+    }
+    Shape make(const Lathe&) {
+        Contour own = contour();
+        if (dice.chance(.4)) own.strokes.push_back({own.start, own.start});
+        if (dice.chance(.3)) own.start[0] = 0;
+        return Lathe{std::make_shared<const ContourData>(std::vector{own}, true)};
     }
     Shape make(const Mesh&) {
         MeshData data = *Mesh::tetrahedron();

@@ -190,8 +190,7 @@ TEST_CASE("POV-Ray: a box that is flat is a rectangle") {
 
 TEST_CASE("POV-Ray: curved bodies become closed meshes") {
     for (const std::string& text :
-         {"superellipsoid { <.5, .5> }", "sor { 5, <.5, -.5>, <.5, 0>, <.8, .5>, <.3, 1>, <.2, 1.5> }",
-          "lathe { 3, <0, 0>, <1, .5>, <0, 1> }", "prism { conic_sweep 0, 1, 4, <0, 0>, <1, 0>, <0, 1>, <0, 0> }"}) {
+         {"superellipsoid { <.5, .5> }", "prism { conic_sweep 0, 1, 4, <0, 0>, <1, 0>, <0, 1>, <0, 0> }"}) {
         const Scene scene = opened("difference { " + text + " sphere { 9, .1 } }").scene;
         CAPTURE(text);
         REQUIRE(scene.primitives.size() == 1);
@@ -265,6 +264,51 @@ TEST_CASE("POV-Ray: prisms have holes, and what is within these") {
     CHECK(says(notes_of("\nprism { cubic_spline conic_sweep 0, 1, 6, <0, -1>, <1, 0>, <0, 1>, <-1, 0>, <1, 0>, "
                         "<0, 3> }"),
                "approximated: 'prism' is a mesh of flat pieces"));
+}
+
+TEST_CASE("POV-Ray: lathes are contours that turn, and have inside what POV-Ray has") {
+    const auto lathe = [](const std::string& words) { return shape<Lathe>(whole("lathe { " + words + " }")); };
+    using Points = std::vector<Contour>;
+    CHECK(lathe("3, <0, 0>, <1, .5>, <0, 1>").data->contours ==
+          Points{{{0, 0}, {{{1, .5}, {1, .5}}, {{0, 1}, {0, 1}}}}});
+    // Closed lines go on.
+    CHECK(lathe("linear_spline 5, <1, 0>, <2, 0>, <2, 1>, <1, 0>, <0, 0>").data->contours.at(0).strokes.size() == 4);
+    const Lathe quadratic = lathe("quadratic_spline 4, <0, -1>, <0, 0>, <1, .5>, <0, 1>");
+    CHECK(quadratic.data->contours == Points{{{0, 0}, {{{.25, .375}, {1, .5}}, {{1, .75}, {0, 1}}}}});
+    CHECK(quadratic.contains({0, .6, .7}));
+    const Lathe cubic = lathe("cubic_spline 5, <0, -1>, <0, 0>, <1, .5>, <0, 1>, <0, 2>");
+    CHECK(cubic.data->contours.at(0).strokes.size() == 2);
+    CHECK_FALSE(cubic.open());
+    const Lathe two = lathe("bezier_spline 8, <0, 0>, <1, 0>, <2, 0>, <3, 0>, <0, 2>, <1, 2>, <2, 2>, <3, 1>");
+    CHECK(two.data->contours.size() == 2);
+    CHECK(two.data->contours[0] == Contour{{0, 0}, {{{3, 0}, {3, 0}}}});
+    // An open one as a part is solid up to its axis.
+    const Scene cut = opened("difference { lathe { 2, <1, 0>, <1, 1> } sphere { 9, .1 } }").scene;
+    const Shape& part = shape<Difference>(cut).parts->at(0).shape;
+    CHECK_FALSE(std::get<Lathe>(part).open());
+    CHECK(std::get<Lathe>(part).contains({.5, .5, 0}));
+    CHECK(says(notes_of("\nlathe { 2, <0, 0>, <0, 1> }"), "left out: a body without extent: it has no surface"));
+}
+
+TEST_CASE("POV-Ray: a sor is a lathe whose squared radius is a cubic of the height") {
+    const auto sor = [](const std::string& words) { return shape<Lathe>(whole("sor { " + words + " }")); };
+    const Lathe vase = sor("6, <.5, -.5>, <.5, 0>, <.8, .5>, <.3, 1>, <0, 1.3>, <0, 1.5>");
+    CHECK_FALSE(vase.open());
+    // POV-Ray's cubic over the heights from .5 to 1, and from 1 to the axis.
+    const auto square = [](double t, double from, double to, double m, double n) {
+        return from + t * (m + t * (3 * (to - from) - 2 * m - n + t * (m + n - 2 * (to - from))));
+    };
+    for (double t = .003; t < 1; t += .007) {
+        const double lower = std::sqrt(square(t, .64, .09, .5 * 1.6 * -.2, .5 * .6 * -1));
+        const double upper = std::sqrt(square(t, .09, 0, .3 * .6 * -1, 0));
+        for (const auto& [radius, y] : {std::pair(lower, .5 + .5 * t), std::pair(upper, 1 + .3 * t)}) {
+            CHECK(vase.contains({radius - 2e-7, y, 0}));
+            CHECK_FALSE(vase.contains({0, y, radius + 2e-7}));
+        }
+    }
+    CHECK(sor("5, <.5, -.5>, <.5, 0>, <.8, .5>, <.3, 1>, <.2, 1.5> open").open());
+    CHECK(says(notes_of("\nsor { 4, <.5, 0>, <.5, 0>, <.8, 0>, <.3, 1> }"),
+               "left out: a body without extent: it has no surface"));
 }
 
 TEST_CASE("POV-Ray: height fields of functions") {
@@ -352,9 +396,10 @@ TEST_CASE("POV-Ray: blobs, polynomials and isosurfaces become meshes near their 
     is(distances("blob { threshold .5 sphere { x, 1, 2 translate -x } }"), std::sqrt(.5));
     is(distances("quadric { <1, 1, 1>, <0, 0, .0001>, 0, -1 }"), 1);
     // The torus of radii 3 and 1: (x^2 + y^2 + z^2 + 8)^2 = 36 (x^2 + z^2).
-    is(distances("quartic { <1, 0, 0, 0, 2, 0, 0, 2, 0, -20, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 2, 0, 16, 0, 0, 0, 0,"
-                 "1, 0, -20, 0, 64> }",
-                 3),
+    is(distances(
+           "quartic { <1, 0, 0, 0, 2, 0, 0, 2, 0, -20, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 2, 0, 16, 0, 0, 0, 0,"
+           "1, 0, -20, 0, 64> }",
+           3),
        1);
     is(distances("isosurface { function { x*x + y*y + z*z } threshold 4 contained_by { box { -3, 3 } } }"), 2);
     CHECK(opened("isosurface { function { 1 } }").scene.primitives.empty());

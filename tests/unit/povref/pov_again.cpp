@@ -66,13 +66,13 @@ bool same_body(const Shape& a, const Shape& b) {
         const Box m = p->bounds(), n = std::get<Cuboid>(b).bounds();
         return m.low == n.low && m.high == n.high;
     }
-    if (const auto* const p = std::get_if<Prism>(&a)) {
-        const Prism& q = std::get<Prism>(b);
-        const auto &own = p->data->pieces, &other = q.data->pieces;
-        return std::minmax(p->base, p->top) == std::minmax(q.base, q.top) &&
-               std::ranges::equal(own, other, [](const auto& piece, const auto& again) {
-                   return std::hypot(piece.ax - again.ax, piece.ay - again.ay, piece.hx - again.hx) < 1e-9;
-               });
+    if (const ContourData* const data = contours_of(a)) {
+        const auto* const p = std::get_if<Prism>(&a);
+        const auto* const q = std::get_if<Prism>(&b);
+        if (p && std::minmax(p->base, p->top) != std::minmax(q->base, q->top)) return false;
+        return std::ranges::equal(data->pieces, contours_of(b)->pieces, [](const auto& piece, const auto& again) {
+            return std::hypot(piece.ax - again.ax, piece.ay - again.ay, piece.hx - again.hx) < 1e-9;
+        });
     }
     if (const auto* const p = std::get_if<Mesh>(&a))
         return p->data->triangles.size() == std::get<Mesh>(b).data->triangles.size();

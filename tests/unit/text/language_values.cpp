@@ -79,6 +79,21 @@ TEST_CASE("contours of prisms are closed lines of straight ones and curves") {
     CHECK(faults(eye + "prism { 0, 1 contour { <0,0> curv <1,1> <2,1> } }").at(0).find("'curve'") != std::string::npos);
 }
 
+TEST_CASE("contours of lathes are closed or open") {
+    const Scene scene = parse(eye +
+                              "lathe { contour { <1,0> line <2,0> curve <2,2>, <0,2> } contour { <0,0> line <1,1> "
+                              "line <0,1> } rotate <90,0,0> }");
+    const auto& lathe = std::get<Lathe>(scene.primitives.at(0).shape);
+    CHECK(lathe.data->pieces.size() == 4);
+    CHECK(lathe.open());
+    CHECK(parse(write_scene(scene)) == scene);
+    check_fault("lathe { }", "2:1: invalid lathe: it has no surface");
+    check_fault("lathe { contour { <0,0> line <0,1> } }", "2:1: invalid lathe: it has no surface");
+    check_fault("union { lathe { contour { <1,0> line <1,1> } } }",
+                "2:9: this lathe cannot be part of a body: a contour neither is closed nor has both ends on the axis");
+    CHECK(parse(eye + "union { lathe { contour { <0,0> line <1,1> line <0,2> } } }").primitives.size() == 1);
+}
+
 TEST_CASE("directions are turned and stretched with their bodies, and not moved") {
     const Scene scene = parse(eye + "disc { <0,0,0>, <0,0,1e-9>, 4 translate <0,0,1e8> }");
     CHECK(scene.primitives.size() == 1);

@@ -113,7 +113,7 @@ void hold(const Scene& scene, int depth, std::array<Tally, 3>& tally) {
             if (too_coarse) continue;
             const Verdict verdict = judge(frame, referee, truth, allowed);
             CHECK_MESSAGE(verdict.wrong == 0, verdict.wrong << " pixels, the first: " << verdict.first);
-            CHECK(verdict.excused <= std::max(8., (precision == Precision::extended ? .12 : .1) * columns * rows));
+            CHECK(verdict.excused <= std::max(8., (precision == Precision::extended ? .13 : .1) * columns * rows));
             tally[int(precision)].pixels += columns * rows, tally[int(precision)].excused += verdict.excused;
         }
     }

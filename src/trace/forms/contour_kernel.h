@@ -1,11 +1,12 @@
-// Ray queries on prisms, whose faces are as many as the pieces of their contours.
+// Ray queries on bodies with contours, which have faces for each of their pieces.
 #pragma once
 #include "trace/forms/form_kernel.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
-template <class S>
-struct FormFunctions<PrismForm, S> {
+template <class OwnForm, class S>
+requires has_contours<typename OwnForm::Kind>
+struct FormFunctions<OwnForm, S> {
     using T = Element<S>;
     static void intersect(const World<T>& world, int first, int count, const Ray<S>& ray, Mask<S> mask,
                           Nearest<S>& best) {
@@ -52,7 +53,7 @@ struct FormFunctions<PrismForm, S> {
     static void surfaces_at(const World<T>& world, const int* numbers, const Ray<S>& ray, const S& t, const S& faces,
                             SurfaceHit<S>& hit, int* materials) {
         for (int k = 0; k < width<S>; ++k) materials[k] = static_cast<int>(items(world)[numbers[k]].material);
-        const auto own = gather_items<Item<PrismForm, S>, S>(items(world), numbers);
+        const auto own = gather_items<Item<OwnForm, S>, S>(items(world), numbers);
         const S first = own.shape.first;
         hit = {own.shape.at(pieces_of(world.contour_pieces, first, faces), ray, t, faces), own.surface + faces,
                own.surface};
@@ -67,13 +68,12 @@ struct FormFunctions<PrismForm, S> {
     }
 
   private:
-    static const Item<PrismForm, T>* items(const World<T>& world) {
-        return world.groups.template get<PrismForm>().items;
-    }
-    /// Returns the pieces of walls, of prisms with these first pieces; for caps the first piece.
+    static const Item<OwnForm, T>* items(const World<T>& world) { return world.groups.template get<OwnForm>().items; }
+    static constexpr int caps = OwnForm::template Kernel<T>::caps;
+    /// Returns the pieces of faces, of bodies with these first pieces; for caps the first piece.
     static ContourPiece<S> pieces_of(const ContourPiece<T>* pieces, const S& first, const S& face) {
         alignas(64) T numbers[width<S>];
-        store_lanes(numbers, first + max(face - S(2), S(0)));
+        store_lanes(numbers, first + max(face - S(T(caps)), S(0)));
         int index[width<S>];
         for (int k = 0; k < width<S>; ++k) index[k] = static_cast<int>(numbers[k]);
         return gather_items<ContourPiece<S>, S>(pieces, index);
@@ -83,17 +83,18 @@ struct FormFunctions<PrismForm, S> {
     static void each_crossing(const World<T>& world, int i, const Ray<S>& ray, Mask<S> mask, const Visit& visit) {
         const auto& item = items(world)[i];
         const ContourPiece<T>* const pieces = world.contour_pieces + static_cast<int>(item.shape.first);
-        const S last(item.shape.count + T(1)), surface(item.surface);
+        const S last(item.shape.count + T(caps - 1)), surface(item.surface);
         const auto piece_of = [&](const S& face) { return pieces_of(pieces, S(0), S(min(face, last))); };
         item.shape.each_crossing(pieces, piece_of, ray, S(ray.source - surface), mask,
                                  [&](Mask<S> lanes, const S& t, const S& face) { visit(lanes, t, S(surface + face)); });
     }
 };
 
-/// Prisms are never alone in a bin, so that the other functions are not needed.
-template <class S>
-const std::array<FormCalls<S>, 1> KindCalls<Prism, S>::calls = [] {
-    using Own = FormFunctions<PrismForm, S>;
+/// These bodies are never alone in a bin, so that the other functions are not needed.
+template <class Kind, class S>
+requires has_contours<Kind>
+const std::array<FormCalls<S>, 1> KindCalls<Kind, S>::calls = [] {
+    using Own = FormFunctions<Form<Kind, 0>, S>;
     FormCalls<S> calls{&Own::intersect, &Own::intersect_single, &Own::occlude, &Own::occlude_single};
     calls.surfaces_at = &Own::surfaces_at, calls.cross_beyond = &Own::cross_beyond;
     return std::array{calls};
