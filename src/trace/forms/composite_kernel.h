@@ -375,6 +375,7 @@ class CompositeWalk {
         end.near[0] = end.far[0] = S(inf), end.far[1] = S(0);
         // A triangle in a plane of other faces may be crossed a little further on than that.
         end.near[1] = select(lanes, own.in_planes ? S(0) : enters, S(inf));
+        within = within & lanes;
         if (any(within)) cross_next(own, within, within, end);
     }
     /// Looks for the next crossing of a mesh, and in the lanes of `all` for whether rays start inside.

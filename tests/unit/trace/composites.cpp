@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "tests/unit/levels.h"
 #include "text/parse.h"
 #include "trace/tracer.h"
 
@@ -39,6 +40,22 @@ Scene pierced(const std::vector<Primitive>& holes) {
 }
 
 }  // namespace
+
+TEST_CASE("rays that start in a prism, but do not reach what it cuts there, do not take it for endless") {
+    const Scene scene = parse_scene(R"(
+        camera { position <0, 1, -3> look_at <0, 0, 0> up <0, 0, 1> fov 45 }
+        background { color <.35, .26, .1> }
+        box { <-1.25, 0, -1.5>, <1.95, 2, 2> }
+        difference {
+          sphere { <-1.4, 2, -2>, 1.43 rotate <270, 0, 90> }
+          prism { -2.14, .25  contour { <1, 0> curve <1, 1>, <0, 1> curve <-1, 1>, <-1, 0> curve <-1, -1>, <0, -1>
+                                        curve <1, -1>, <1, 0> } }
+        })",
+                                    "text");
+    const View view{.camera = scene.camera, .width = 280, .height = 180, .depth = 2};
+    const Frame scalar = render(scene, view, Precision::float64, 1, Simd::scalar);
+    for (const Simd simd : fused_levels()) CHECK(render(scene, view, Precision::float64, 1, simd) == scalar);
+}
 
 TEST_CASE("a ray that starts in the plane of another part's face, beside it, does not meet that part") {
     // The underside of a mirror on a pillar, seen beside the pillar: the mirrored rays pass that.
