@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <utility>
 
+#include "num/noise_lanes.h"
+
 namespace strahl::lattice {
 namespace {
 
@@ -19,63 +21,6 @@ unsigned checksum(double value) {
         for (int bit = 0; bit < 8; ++bit) crc = crc & 1 ? (crc >> 1) ^ 0xA001 : crc >> 1;
     }
     return crc;
-}
-
-double smooth(double u) { return u * u * (3 - 2 * u); }
-
-/// A cell of the lattice along one axis: its number, and the fraction within it.
-struct LatticePlace {
-    int cell;
-    double fraction;
-};
-LatticePlace lattice_place(double x) {
-    const auto limited = std::clamp(x, -1e9, 1e9);  // beyond, POV-Ray's integers overflow
-    const int k = limited >= 0 ? static_cast<int>(limited) : static_cast<int>(limited - (1 - 1e-10));
-    return {(k + 10000) & 4095, x - k};
-}
-
-/// Calls `add(index of the table, weight, offset to the corner)` for the corners of a cell, in this order.
-template <class Add>
-void each_corner(const DVec3& p, const std::array<int, 8>& order, const Add& add) {
-    const auto& hash = noise_tables().hash;
-    const auto [ix, x] = lattice_place(p.x);
-    const auto [iy, y] = lattice_place(p.y);
-    const auto [iz, z] = lattice_place(p.z);
-    const double sx = smooth(x), sy = smooth(y), sz = smooth(z), tx = 1 - sx, ty = 1 - sy, tz = 1 - sz;
-    for (const int corner : order) {
-        const int i = corner & 1, j = corner >> 1 & 1, k = corner >> 2;
-        const int column = hash[hash[ix + i] ^ (iy + j)];
-        add(hash[column ^ (iz + k)] & 255, (i ? sx : tx) * (j ? sy : ty) * (k ? sz : tz), x - i, y - j, z - k);
-    }
-}
-
-double corner_value(int m, double weight, double x, double y, double z) {
-    const auto& random = noise_tables().random;
-    return weight * (random[m] * .5 + random[m + 1] * x + random[m + 2] * y + random[m + 3] * z);
-}
-
-/// Generator 3: gradients on a lattice of 2048 cells.
-double gradient_noise(const DVec3& point) {
-    const NoiseTables& tables = noise_tables();
-    int low[3], high[3];
-    double r0[3], s[3];
-    for (int a = 0; a < 3; ++a) {
-        const double t = std::clamp(point[a], -1e9, 1e9) + 10000000.023157213, whole = std::floor(t);
-        low[a] = static_cast<int>(static_cast<std::int64_t>(whole) & 2047);
-        high[a] = (low[a] + 1) & 2047;
-        r0[a] = t - whole;
-        s[a] = smooth(r0[a]);
-    }
-    const auto mix = [](double t, double a, double b) { return a + t * (b - a); };
-    const auto at = [&](int i, int j, int k) {
-        const int column = tables.order[tables.order[i ? high[0] : low[0]] + (j ? high[1] : low[1])];
-        const DVec3& g = tables.gradients[column + (k ? high[2] : low[2])];
-        return (r0[0] - i) * g.x + (r0[1] - j) * g.y + (r0[2] - k) * g.z;
-    };
-    double planes[2];
-    for (int k = 0; k < 2; ++k)
-        planes[k] = mix(s[1], mix(s[0], at(0, 0, k), at(1, 0, k)), mix(s[0], at(0, 1, k), at(1, 1, k)));
-    return mix(s[2], planes[0], planes[1]);
 }
 
 }  // namespace
@@ -127,41 +72,16 @@ const NoiseTables& noise_tables() {
     return tables;
 }
 
-double noise(const DVec3& point, int generator) {
-    if (generator == 3) return std::clamp(.5 * (1.59 * gradient_noise(point) + .985), 0., 1.);
-    double sum = 0;
-    each_corner(point, {0, 1, 2, 3, 4, 5, 6, 7},
-                [&](int m, double w, double x, double y, double z) { sum += corner_value(m, w, x, y, z); });
-    return std::clamp(generator == 1 ? sum + .5 : (sum + 1.05242) * .48985582, 0., 1.);
-}
+double noise(const DVec3& point, int generator) { return lattice_noise(point, generator); }
 
-DVec3 vector_noise(const DVec3& point) {
-    DVec3 sum(0);
-    each_corner(point, {0, 1, 3, 2, 6, 7, 5, 4}, [&](int m, double w, double x, double y, double z) {
-        for (int a = 0; a < 3; ++a) sum[a] += corner_value(m + 4 * a, w, x, y, z);
-    });
-    return sum;
-}
+DVec3 vector_noise(const DVec3& point) { return lattice_vector_noise(point); }
 
 double turbulence(const DVec3& point, int octaves, float omega, float lambda, int generator, double step) {
-    const auto at = [&](const DVec3& p, double fine) {
-        return faded(fine * step, .5,
-                     [&] { return generator > 1 ? 2 * noise(p, generator) - .5 : noise(p, generator); });
-    };
-    double sum = at(point, 1), l = lambda, o = omega;
-    if (generator > 1) sum = std::clamp(sum, 0., 1.);
-    for (int i = 2; i <= octaves; ++i, l *= lambda, o *= omega) sum += o * at(point * l, l);
-    return sum;
+    return lattice_turbulence(point, octaves, omega, lambda, generator, step);
 }
 
 DVec3 vector_turbulence(const DVec3& point, int octaves, float omega, float lambda, double step) {
-    DVec3 sum = left_of_noise(step) * vector_noise(point);
-    double l = lambda, o = omega;
-    for (int i = 2; i <= octaves; ++i, l *= lambda, o *= omega) {
-        const double left = left_of_noise(l * step);
-        if (left > 0) sum += vector_noise(point * l) * (o * left);
-    }
-    return sum;
+    return lattice_vector_turbulence(point, octaves, omega, lambda, step);
 }
 
 }  // namespace strahl::lattice

@@ -33,10 +33,10 @@ DVec3 vector_turbulence(const DVec3& point, int octaves, float omega, float lamb
 /// 1999, chapter 12, on frequency clamping).
 inline double left_of_noise(double step) { return std::clamp(1.5 - step, 0., 1.); }
 /// Fades a value to its mean; `value` is not called if nothing of it is left.
-template <class Value>
-double faded(double step, double mean, const Value& value) {
+template <class S, class Value>
+S faded(double step, const S& mean, const Value& value) {
     const double left = left_of_noise(step);
-    return left == 1 ? value() : left > 0 ? mean + left * (value() - mean) : mean;
+    return left == 1 ? value() : left > 0 ? mean + S(left) * (value() - mean) : mean;
 }
 
 }  // namespace strahl::lattice

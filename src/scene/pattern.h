@@ -12,7 +12,7 @@
 #include "scene/image_pattern.h"
 #include "scene/kinds/field.h"
 #include "scene/motion/transformation.h"
-#include "scene/solid.h"
+#include "scene/solid/solid.h"
 
 namespace strahl {
 

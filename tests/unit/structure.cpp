@@ -28,7 +28,7 @@ struct Module {
 };
 const std::map<std::string, Module> modules{
     {"num", {{}}},
-    {"scene", {{"num"}, {"kinds", "motion", ""}}},
+    {"scene", {{"num"}, {"kinds", "motion", "solid", ""}}},
     {"files", {{"num", "scene"}}},
     {"mesh", {{"num", "scene", "files"}}},
     {"text", {{"num", "scene", "files", "mesh"}, {"reading", "blocks", "manual", ""}}},

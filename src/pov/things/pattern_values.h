@@ -4,7 +4,7 @@
 
 #include "pov/language/user_function.h"
 #include "pov/things/textures.h"
-#include "scene/solid.h"
+#include "scene/solid/solid.h"
 
 namespace strahl::pov {
 

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "pov/things/textures.h"
-#include "scene/solid.h"
+#include "scene/solid/solid.h"
 
 namespace strahl::pov {
 

@@ -9,7 +9,7 @@
 #include "pov/language/interpreter.h"
 #include "pov/language/user_function.h"
 #include "pov/things/warps.h"
-#include "scene/solid.h"
+#include "scene/solid/solid.h"
 
 namespace strahl::pov {
 

@@ -8,7 +8,7 @@
 
 #include "num/lattice_noise.h"
 #include "num/vec_math.h"
-#include "scene/solid.h"
+#include "scene/solid/solid.h"
 
 namespace strahl {
 namespace {

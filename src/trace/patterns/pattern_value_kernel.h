@@ -1,6 +1,6 @@
 // Values of patterns. scene/pattern.h defines the patterns.
 #pragma once
-#include "scene/solid.h"
+#include "scene/solid/solid_lanes.h"
 #include "trace/patterns/image_kernel.h"
 #include "trace/patterns/mesh_places_kernel.h"
 
@@ -151,6 +151,25 @@ STRAHL_INLINE S wave(const S& x) {
     return S(1) - abs(fma(S(2), fraction(x), S(-1)));
 }
 
+/// Returns the first `count` components of find(points), which computes in double, as many lanes at once as it can.
+template <int count, class S, class Find>
+STRAHL_INLINE Vec3<S> in_double(const Vec3<S>& points, const Find& find) {
+    using T = Element<S>;
+    using D = Widest<double>;
+    alignas(64) T at[3][width<S>];
+    for (int c = 0; c < 3; ++c) store_lanes(at[c], points[c]);
+    for (int k = 0; k < width<S>; k += width<D>) {
+        const Vec3<D> found =
+            find(Vec3<D>(load_converted<D>(at[0] + k), load_converted<D>(at[1] + k), load_converted<D>(at[2] + k)));
+        for (int c = 0; c < count; ++c) {
+            alignas(64) double own[width<D>];
+            store_lanes(own, found[c]);
+            for (int i = 0; i < width<D>; ++i) at[c][k + i] = static_cast<T>(own[i]);
+        }
+    }
+    return {load_lanes<S>(at[0]), load_lanes<S>(at[1]), load_lanes<S>(at[2])};
+}
+
 /// Returns the value of a pattern at a point of its space, from 0 to 1, or an image's brightness; 0 where coordinates
 /// are too large for the number type.
 template <class S>
@@ -183,13 +202,9 @@ template <class S>
             const Vec3<S> color = image_color(pattern.image, p);
             return fma(S(T(brightness[0])), color.x, fma(S(T(brightness[1])), color.y, S(T(brightness[2])) * color.z));
         }
-        case PatternForm::solid: {
-            alignas(64) T at[3][width<S>], values[width<S>];
-            for (int c = 0; c < 3; ++c) store_lanes(at[c], p[c]);
-            for (int k = 0; k < width<S>; ++k)
-                values[k] = static_cast<T>(strahl::value_at(*pattern.solid, DVec3(at[0][k], at[1][k], at[2][k])));
-            return load_lanes<S>(values);
-        }
+        case PatternForm::solid:
+            return in_double<1>(p, [&]<class D>(const Vec3<D>& at) { return Vec3<D>(solid_value(*pattern.solid, at)); })
+                .x;
         case PatternForm::constant:
             break;
     }

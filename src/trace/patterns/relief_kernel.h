@@ -21,14 +21,8 @@ template <class S>
     Vec3<S> sum = splat<S>(Vec3<Element<S>>(0)), own;
     for (int c = 0; c < 3; ++c) own[c] = dot(splat<S>(bump.columns[c]), normal);
     if (bump.by_vectors) {
-        using T = Element<S>;
-        alignas(64) T at[3][width<S>];
-        for (int c = 0; c < 3; ++c) store_lanes(at[c], p[c]);
-        for (int k = 0; k < width<S>; ++k) {
-            const DVec3 bend = bend_at(*bump.pattern.solid, DVec3(at[0][k], at[1][k], at[2][k]));
-            for (int c = 0; c < 3; ++c) at[c][k] = static_cast<T>(bend[c]);
-        }
-        for (int c = 0; c < 3; ++c) sum = fma(load_lanes<S>(at[c]), splat<S>(bump.bends[c]), sum);
+        const Vec3<S> bend = in_double<3>(p, [&](const auto& at) { return solid_bend(*bump.pattern.solid, at); });
+        for (int c = 0; c < 3; ++c) sum = fma(bend[c], splat<S>(bump.bends[c]), sum);
         return unit_or(fma(sqrt(dot(own, own)), sum, normal), normal);
     }
     for (int i = 0; i < 4; ++i)

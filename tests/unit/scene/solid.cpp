@@ -1,6 +1,6 @@
 // Solid patterns beside POV-Ray 3.7.0.10, which prints these values by #debug str(F(...), 0, 12) for
 // #declare F = function { pattern { NAME ... } }.
-#include "scene/solid.h"
+#include "scene/solid/solid.h"
 
 #include <doctest/doctest.h>
 

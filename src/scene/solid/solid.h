@@ -28,7 +28,7 @@ struct SolidFunction {
     /// Returns the value at a point, before frequency, phase and wave. Several threads may call it at once.
     virtual double value_at(const DVec3& point) const = 0;
     /// Returns what is added to the normal at a point; nothing if that is the slope of the values.
-    virtual std::optional<DVec3> bend_at(const DVec3&) const { return {}; }
+    virtual std::optional<DVec3> bend_at(const DVec3& point) const;
 };
 
 /// A pattern of POV-Ray 3.7: what its manual calls the pattern's value goes through `frequency` and `phase`, repeats

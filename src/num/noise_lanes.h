@@ -1,0 +1,202 @@
+// POV-Ray's noise for a double or a pack of doubles: each lane has the bits that lattice_noise.h has for its point.
+#pragma once
+#include "num/lattice_noise.h"
+#include "num/memory.h"
+
+namespace strahl::inline STRAHL_LEVEL {
+
+template <int count>
+struct WholeLanes {
+    using Type [[gnu::vector_size(4 * count)]] = int;
+};
+template <>
+struct WholeLanes<1> {
+    using Type = int;
+};
+/// Whole numbers in lanes, with + & and ^ as integers have them.
+template <class S>
+using Whole = typename WholeLanes<width<S>>::Type;
+
+/// Drops the digits behind the point.
+template <class S>
+STRAHL_INLINE Whole<S> whole_part(const S& x) {
+    if constexpr (width<S> == 1)
+        return static_cast<int>(x);
+    else
+        return __builtin_convertvector(x.v, Whole<S>);
+}
+template <class S>
+STRAHL_INLINE S number_of(const Whole<S>& k) {
+    if constexpr (width<S> == 1)
+        return static_cast<S>(k);
+    else
+        return S(__builtin_convertvector(k, typename S::Register));
+}
+
+/// Loads table[at] into every lane; may read, but not use, the two bytes behind the table.
+template <class S>
+STRAHL_INLINE Whole<S> look_up(const std::uint16_t* table, const Whole<S>& at) {
+    if constexpr (width<S> == 1) {
+        return table[at];
+    } else {
+#if defined(__AVX2__)
+        const auto* const base = reinterpret_cast<const int*>(table);
+        if constexpr (width<S> == 8)
+            return reinterpret_cast<Whole<S>>(_mm256_i32gather_epi32(base, reinterpret_cast<__m256i>(at), 2)) & 0xffff;
+        else
+            return reinterpret_cast<Whole<S>>(_mm_i32gather_epi32(base, reinterpret_cast<__m128i>(at), 2)) & 0xffff;
+#else
+        Whole<S> found;
+        for (int k = 0; k < width<S>; ++k) found[k] = table[at[k]];
+        return found;
+#endif
+    }
+}
+/// Loads the four numbers from table[at] on into every lane of to[0] to to[3].
+template <class S>
+STRAHL_INLINE void look_up_four(const double* table, const Whole<S>& at, S (&to)[4]) {
+    if constexpr (width<S> == 1) {
+        for (int f = 0; f < 4; ++f) to[f] = table[at + f];
+    } else if constexpr (fields_at_once<S> == 4) {
+        const double* from[width<S>];
+        for (int k = 0; k < width<S>; ++k) from[k] = table + at[k];
+        load_fields(from, to);
+    } else {
+        for (int f = 0; f < 4; ++f)
+            for (int k = 0; k < width<S>; ++k) to[f].v[k] = table[at[k] + f];
+    }
+}
+
+template <class S>
+STRAHL_INLINE S clamped(const S& x, double least, double most) {
+    return select(x < S(least), S(least), select(x > S(most), S(most), x));
+}
+/// Limits coordinates to where a lattice has cells, and the numbers of cells are integers; not a number becomes -1e9.
+template <class S>
+STRAHL_INLINE S within_lattice(const S& x) {
+    return min(max(S(-1e9), x), S(1e9));
+}
+template <class S>
+STRAHL_INLINE S smooth(const S& u) {
+    return u * u * (S(3) - S(2) * u);
+}
+
+/// The corners of the cell of a lattice that a point is in; the last index says which of two along an axis.
+template <class S>
+struct LatticeCorners {
+    Whole<S> columns[2][2], z[2];
+    S weights[3][2], offsets[3][2];
+
+    STRAHL_INLINE LatticeCorners(const std::uint16_t* hash, const Vec3<S>& p) {
+        Whole<S> cells[3];
+        for (int c = 0; c < 3; ++c) {
+            const S x = within_lattice(p[c]);
+            const Whole<S> k = whole_part(select(x >= S(0), x, x - S(1 - 1e-10)));
+            cells[c] = (k + 10000) & 4095;
+            const S fraction = p[c] - number_of<S>(k);
+            offsets[c][0] = fraction, offsets[c][1] = fraction - S(1);
+            weights[c][1] = smooth(fraction), weights[c][0] = S(1) - weights[c][1];
+        }
+        for (int i = 0; i < 2; ++i) {
+            const Whole<S> row = look_up<S>(hash, cells[0] + i);
+            for (int j = 0; j < 2; ++j) columns[i][j] = look_up<S>(hash, row ^ (cells[1] + j));
+        }
+        for (int k = 0; k < 2; ++k) z[k] = cells[2] + k;
+    }
+    /// Calls add(index of the table, weight, offset to the corner): bit 0 of a corner is for x, 1 for y, 2 for z.
+    template <class Add>
+    STRAHL_INLINE void visit(const std::uint16_t* hash, int corner, const Add& add) const {
+        const int i = corner & 1, j = corner >> 1 & 1, k = corner >> 2;
+        add(look_up<S>(hash, columns[i][j] ^ z[k]) & 255, weights[0][i] * weights[1][j] * weights[2][k],
+            Vec3<S>(offsets[0][i], offsets[1][j], offsets[2][k]));
+    }
+};
+/// Returns what a corner adds to noise.
+template <class S>
+STRAHL_INLINE S corner_value(const double* table, const Whole<S>& at, const S& weight, const Vec3<S>& offset) {
+    S numbers[4];
+    look_up_four<S>(table, at, numbers);
+    return weight * (numbers[0] * S(.5) + numbers[1] * offset.x + numbers[2] * offset.y + numbers[3] * offset.z);
+}
+
+/// Generator 3: gradients on a lattice of 2048 cells.
+template <class S>
+[[gnu::noinline]] S gradient_noise(const Vec3<S>& point) {
+    const lattice::NoiseTables& tables = lattice::noise_tables();
+    Whole<S> cells[3][2];
+    S offsets[3], shares[3];
+    for (int c = 0; c < 3; ++c) {
+        const S t = within_lattice(point[c]) + S(10000000.023157213), low = floor(t);
+        cells[c][0] = whole_part(low) & 2047, cells[c][1] = (cells[c][0] + 1) & 2047;
+        offsets[c] = t - low, shares[c] = smooth(offsets[c]);
+    }
+    const auto mix = [](const S& t, const S& a, const S& b) { return a + t * (b - a); };
+    const auto at = [&](int i, int j, int k) {
+        const Whole<S> row = look_up<S>(tables.order.data(), cells[0][i]);
+        const Whole<S> column = look_up<S>(tables.order.data(), row + cells[1][j]);
+        S gradient[4];
+        look_up_four<S>(&tables.gradients[0].x, 3 * (column + cells[2][k]), gradient);
+        return (offsets[0] - S(i)) * gradient[0] + (offsets[1] - S(j)) * gradient[1] +
+               (offsets[2] - S(k)) * gradient[2];
+    };
+    S planes[2];
+    for (int k = 0; k < 2; ++k)
+        planes[k] = mix(shares[1], mix(shares[0], at(0, 0, k), at(1, 0, k)), mix(shares[0], at(0, 1, k), at(1, 1, k)));
+    return mix(shares[2], planes[0], planes[1]);
+}
+
+/// Noise from 0 to 1; `generator` is 1, 2 or 3.
+template <class S>
+[[gnu::noinline]] S lattice_noise(const Vec3<S>& point, int generator) {
+    if (generator == 3) return clamped(S(.5) * (S(1.59) * gradient_noise(point) + S(.985)), 0, 1);
+    const lattice::NoiseTables& tables = lattice::noise_tables();
+    const LatticeCorners<S> corners(tables.hash.data(), point);
+    S sum(0);
+    for (int corner = 0; corner < 8; ++corner)
+        corners.visit(tables.hash.data(), corner, [&](const Whole<S>& at, const S& weight, const Vec3<S>& offset) {
+            sum += corner_value(tables.random.data(), at, weight, offset);
+        });
+    return clamped(generator == 1 ? sum + S(.5) : (sum + S(1.05242)) * S(.48985582), 0, 1);
+}
+/// Three independent noises without an offset.
+template <class S>
+[[gnu::noinline]] Vec3<S> lattice_vector_noise(const Vec3<S>& point) {
+    const lattice::NoiseTables& tables = lattice::noise_tables();
+    const LatticeCorners<S> corners(tables.hash.data(), point);
+    Vec3<S> sum = splat<S>(DVec3(0));
+    for (const int corner : {0, 1, 3, 2, 6, 7, 5, 4})
+        corners.visit(tables.hash.data(), corner, [&](const Whole<S>& at, const S& weight, const Vec3<S>& offset) {
+            for (int c = 0; c < 3; ++c) sum[c] += corner_value(tables.random.data() + 4 * c, at, weight, offset);
+        });
+    return sum;
+}
+/// See lattice::turbulence().
+template <class S>
+S lattice_turbulence(const Vec3<S>& point, int octaves, float omega, float lambda, int generator, double step = 0) {
+    const auto at = [&](const Vec3<S>& p, double fine) {
+        return lattice::faded(fine * step, S(.5), [&] {
+            const S noise = lattice_noise(p, generator);
+            return generator > 1 ? S(2) * noise - S(.5) : noise;
+        });
+    };
+    S sum = at(point, 1);
+    if (generator > 1) sum = clamped(sum, 0, 1);
+    double l = lambda, o = omega;
+    for (int i = 2; i <= octaves; ++i, l *= lambda, o *= omega) sum += S(o) * at(scale(S(l), point), l);
+    return sum;
+}
+/// See lattice::vector_turbulence().
+template <class S>
+Vec3<S> lattice_vector_turbulence(const Vec3<S>& point, int octaves, float omega, float lambda, double step = 0) {
+    Vec3<S> sum = splat<S>(DVec3(0));
+    double l = 1, o = 1;
+    for (int i = 1; i <= octaves; ++i, l *= lambda, o *= omega) {
+        const double left = lattice::left_of_noise(l * step);
+        if (left == 0) continue;
+        const Vec3<S> noise = lattice_vector_noise(scale(S(l), point));
+        for (int c = 0; c < 3; ++c) sum[c] += noise[c] * S(o * left);
+    }
+    return sum;
+}
+
+}  // namespace strahl::inline STRAHL_LEVEL
