@@ -1,5 +1,6 @@
 #include "show/body_tools.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -73,13 +74,35 @@ void BodyTools::apply(const BodyInput& input) {
     if (input.close) bodies.close(), pace.redraw();
     if (input.allow) bodies.allow(*input.allow), pace.redraw();
     if (awaited || drag || !bodies.any()) return;
-    const std::size_t others = session.editor.steps();
     const auto& values = bodies.body().values;
     bool changed = false;
     if (const auto& change = input.change)
-        changed = bodies.change(values[change->value], change->numbers, change->merged, others);
-    if (input.own) changed = bodies.make_own(values[*input.own], others);
+        changed = bodies.change(values[change->value], change->numbers, change->merged, others());
+    if (input.own) changed = bodies.make_own(values[*input.own], others());
     if (changed) show();
+    if (input.track) follow_track(*input.track);
+    if (input.free) change_text(without_tracks(bodies.edited.text(), values[*input.free]), false);
+}
+
+/// Has a number follow a track. One without keys gets the number as its first key. False if the name cannot be one.
+bool BodyTools::follow_track(const BodyInput::NewTrack& track) {
+    const BodyValue& value = bodies.body().values[track.value];
+    if (track.name.empty() || track.name.size() > 255 || track.name.find_first_of("\"\n\r") != std::string::npos)
+        return notes.fail("the name of a track has 1 to 255 characters, and no quotes"), false;
+    const double number = value.numbers[std::size_t(std::max(track.component, 0))];
+    change_text(with_track(bodies.edited.text(), value, track.component, track.name), false);
+    if (session.track_keys.track(track.name).keys.empty() && !session.keys_elsewhere)
+        session.change_track({track.name, {{0, number, Interpolation::linear}}}, false,
+                             session.editor.steps() + bodies.edited.steps(), pace.now());
+    notes.announce("follows the track " + track.name + ", whose keys are on the timeline");
+    return true;
+}
+
+bool BodyTools::change_text(const std::string& newer, bool merged) {
+    if (bodies.read_only()) return notes.note("the text of this scene is changed in an editor"), false;
+    bodies.edited.change(newer, merged, others());
+    show_anew();
+    return true;
 }
 
 void BodyTools::apply(const OutlinerInput& input) {
@@ -147,8 +170,7 @@ void BodyTools::show_anew() {
 }
 
 bool BodyTools::undo(Action action) {
-    const std::size_t others = session.editor.steps();
-    const bool done = action == Action::undo ? bodies.edited.undo(others) : bodies.edited.redo(others);
+    const bool done = action == Action::undo ? bodies.edited.undo(others()) : bodies.edited.redo(others());
     if (!done) return false;
     notes.note(action == Action::undo ? "undone" : "redone");
     next.reset(), undone = true;
@@ -174,9 +196,9 @@ void BodyTools::add(const View& view, const glm::dvec2& point) {
     const bool light = block.what == TopBlock::light;
     const StandingPlace place = standing_place(scene_seen(view), view, point.x, point.y, not_shown);
     const int count = static_cast<int>(light ? session.scene->lights.size() : session.scene->primitives.size());
-    bodies.edited.change(with_new_block(bodies.edited.text(), block, count, place.point, place.normal, place.size,
-                                        place.decimals),
-                         false, session.editor.steps());
+    bodies.edited.change(
+        with_new_block(bodies.edited.text(), block, count, place.point, place.normal, place.size, place.decimals),
+        false, others());
     next = {block.what, count, place.point}, lights_shown |= light;
     notes.announce(std::string(block.name) + " added: drag its handles; F2 writes it into the file");
     show_anew();
@@ -205,7 +227,7 @@ bool BodyTools::change_block(bool copies) {
     const TopBlock what = light ? TopBlock::light : TopBlock::body;
     const std::string text = copies ? with_copy(before, what, number()) : without_block(before, what, number());
     if (text == before) return notes.note("the text of this scene is changed in an editor: F4 opens it"), true;
-    bodies.edited.change(text, false, session.editor.steps());
+    bodies.edited.change(text, false, others());
     next.reset();
     if (copies) next = {what, number() + 1};
     notes.announce(copies ? name + " copied; the copy is in the same place: drag its handles"
@@ -266,21 +288,21 @@ void BodyTools::take_shown() {
     if (shown->scene) {
         // One that was read before the path was written would bring the old path back; the next one follows.
         if (shown->scene->flythrough == session.scene->flythrough) {
-            const bool others = shown->scene->primitives.size() != session.scene->primitives.size() ||
-                                shown->scene->lights.size() != session.scene->lights.size();
+            const bool other_bodies = shown->scene->primitives.size() != session.scene->primitives.size() ||
+                                      shown->scene->lights.size() != session.scene->lights.size();
             session.replace(std::move(shown->scene), false);
             good = shown->text;
-            if (others && !next) bodies.close();
+            if (other_bodies && !next) bodies.close();
         }
     } else if (newest) {
         notes.fail(shown->fault.substr(0, shown->fault.find('\n')));
-        bodies.edited.change(good, true, session.editor.steps());
+        bodies.edited.change(good, true, others());
         drag.reset(), next.reset();
     }
     if (newest) {
         if (std::exchange(undone, false)) bodies.find_point(*session.scene);
         awaited = false;
-        if (const auto chosen = std::exchange(next, std::nullopt)) choose(*chosen);
+        if (const auto chosen = std::exchange(next, std::nullopt)) choose(*chosen), log_choice();
     }
     if (!awaited) bodies.look(*session.scene);
     if (!awaited && later) change_block(*std::exchange(later, std::nullopt));
@@ -364,7 +386,7 @@ void BodyTools::drag_on() {
     if (!drag || !to) return;
     const std::string text = drag->text(to->place, to->steps);
     if (text == bodies.edited.text()) return;
-    bodies.edited.change(text, dragged, session.editor.steps());
+    bodies.edited.change(text, dragged, others());
     dragged = true;
     if (bodies.choice()) bodies.move_point(clicked + drag->moved(to->place, to->steps));
     show();

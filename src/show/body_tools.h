@@ -53,6 +53,9 @@ class BodyTools {
     const std::set<int>& hidden() const { return not_shown; }
     /// Returns the session's scene without these.
     std::shared_ptr<const Scene> scene_shown();
+    /// Changes the text elsewhere than in what is chosen. `merged`: see EditedText::change. False if it cannot be
+    /// changed here, as is the case of scenes without a text.
+    bool change_text(const std::string& newer, bool merged);
     /// Undoes or redoes a change, if that is what comes next. Else returns false.
     bool undo(Action action);
     /// Moves the camera to where the body chosen fills the picture, if it is bounded.
@@ -96,7 +99,9 @@ class BodyTools {
         int number;
         std::optional<DVec3> added_at{};  // where it was added
     };
+    std::size_t others() const { return session.editor.steps() + session.track_keys.steps(); }
     const Scene& scene_seen(const View& view);
+    bool follow_track(const BodyInput::NewTrack& track);
     void show();
     void show_anew();
     void show_all() { not_shown.clear(), whole = shown = nullptr; }

@@ -19,12 +19,14 @@ class FileDialog {
     FileDialog(const FileDialog&) = delete;
 
     /// Opens the dialog in the folder of this scene, unless it is open. Does not wait for it. Returns the reason if it
-    /// cannot, or "". With a template it asks for the name of a new file.
+    /// cannot, or "". With a template it asks for the name of a new file, or with `for_sound` for a sound.
     std::string open(const std::string& scene, const std::string& from = "");
+    std::string open_sound(const std::string& scene) { return open(scene, for_sound); }
+    static constexpr const char* for_sound = "sound";
     struct ChosenFile {
         std::string path;   // "" if the user has chosen none
         std::string fault;  // why there is no dialog, or ""
-        std::string from;   // the template of which it is to be made, if any
+        std::string from;   // the template of which it is to be made, or `for_sound`, or ""
     };
     /// Returns the answer, once.
     std::optional<ChosenFile> take();

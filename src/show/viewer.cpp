@@ -13,6 +13,7 @@
 #include "show/info.h"
 #include "show/welcome/help_panel.h"
 #include "show/welcome/recent_files.h"
+#include "text/music_text.h"
 #include "text/reading/tracks_file.h"
 #include "text/write.h"
 
@@ -70,7 +71,11 @@ Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::unique_ptr<Reload
                      return perform({Action::gallery}), true;
                  },
              .turn_wheel = [this](double n) { notes.tell(session.change_speed(std::pow(1.25, n), pace.now())); },
-             .drop = [this](std::string path) { open(std::move(path)); },
+             .drop =
+                 [this](std::string path) {
+                     const bool sound = !panels.gallery && std::filesystem::path(path).extension() == ".ogg";
+                     sound ? take_sound(path) : open(std::move(path));
+                 },
              .click = [this](double x, double y) { click(x, y); },
              .points_at = [this](double x, double y) { return points_at(x, y); },
              .hold = [this](double x, double y) { bodies.hold(in_picture(x, y), screen.pixels_to_reach()); },
@@ -93,7 +98,8 @@ Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::unique_ptr<Reload
       tracks(o.rocket, session, notes, pace, glfwPostEmptyEvent),
       sound(notes, pace) {
     if (!keys.faults.empty()) notes.fail(keys.faults);
-    session.editor.words = first.words, session.exposure = o.exposure;
+    session.editor.words = first.words, session.exposure = o.exposure, session.keys_elsewhere = tracks.wanted();
+    if (first.scene) session.take_tracks(first.tracks, true);
     if (first.scene) bodies.loaded(first), side.loaded(first), opened.push_back(first.path);
     if (panels.gallery) welcome.appear();
     if (!file.waiting()) start_scene();
@@ -126,11 +132,14 @@ void Viewer::perform(Command command) {
             panels.toggle(command.action);
             return panels.gallery ? welcome.appear() : welcome.disappear();
         case Action::write_path:
+            if (session.track_keys.changed()) file.write(session.track_keys.changes());
             return file.write(session.editor.path(), bodies.changes());
         case Action::undo:
         case Action::redo:
-            if (!bodies.undo(command.action)) notes.tell(session.perform(command, pace.now()));
-            return;
+            if (bodies.undo(command.action)) return;
+            if (session.undo_track(command.action, steps_beside_tracks(), pace.now()))
+                return notes.note(command.action == Action::undo ? "undone" : "redone");
+            return notes.tell(session.perform(command, pace.now()));
         case Action::open_text:
             return bodies.open_text();
         case Action::handles:
@@ -193,11 +202,36 @@ void Viewer::take(const GalleryItem& item) {
 /// Takes what was chosen in the file dialog. Where there is none, new scenes get names of their own.
 void Viewer::take(const FileDialog::ChosenFile& chosen) {
     if (chosen.path.empty() && chosen.fault.empty()) return;
+    if (chosen.from == FileDialog::for_sound)
+        return chosen.path.empty() ? notes.fail("there is no file dialog: install zenity or kdialog, or type the name")
+                                   : take_sound(chosen.path);
     if (!chosen.from.empty()) return begin(chosen.from, chosen.path);
     chosen.path.empty() ? notes.fail(chosen.fault) : open(chosen.path);
 }
 
+/// Makes a file the music of the scene, by its name relative to the scene's folder.
+void Viewer::take_sound(const std::string& path) {
+    Music music = session.scene->music;
+    std::error_code error;
+    const auto folder = std::filesystem::absolute(file.path(), error).parent_path();
+    music.sound = std::filesystem::path(path).is_absolute() ? std::filesystem::path(path).lexically_proximate(folder)
+                                                            : std::filesystem::path(path);
+    take_music(music, false);
+}
+
+void Viewer::take_music(const Music& music, bool merged) {
+    if (music.sound.find_first_of("\"\n\r") != std::string::npos)
+        return notes.fail("the name of the music has quotes in it: give the file another one");
+    bodies.change_text(with_music(bodies.editor().edited.text(), music), merged);
+}
+
 void Viewer::apply(const TimelineInput& done) {
+    if (done.music) take_music(done.music->music, done.music->merged);
+    if (done.choose_sound)
+        if (const std::string why = dialog.open_sound(file.path()); !why.empty()) notes.fail(why);
+    if (const auto& change = done.track)
+        session.change_track(change->track, change->merged, steps_beside_tracks(), pace.now());
+    if (done.music || done.track) pace.redraw(3);
     if (!done.command && !done.go_to && !done.change) return;
     if (done.command) perform(*done.command);
     if (done.go_to) session.go_to(*done.go_to, pace.now());
@@ -283,12 +317,13 @@ void Viewer::draw() {
         draw_overlay(over);
         if (panels.help_shown()) return draw_help(keys.keys, panels.sought());
         if (panels.gallery) return void(from_gallery = welcome.draw(keys.keys));
-        done = panels.draw_timeline(session);
+        done = panels.draw_timeline(session, sound.peaks(), !bodies.editor().read_only());
         on_body = panels.draw_body(bodies.editor(), bodies.file_name());
         added = panels.draw_add();
         if (!file.waiting())
             on_outline = panels.draw_outline(session, bodies.editor(), bodies.hidden(), file.messages());
     });
+    input.release_keys();
     pace.drawn(began);
     const Refinement& state = picture.state();
     if (pace.moving() && state.number != before) {
@@ -334,6 +369,8 @@ void Viewer::take_scene() {
     const std::vector<std::string> unfollowed = first ? std::vector<std::string>() : unfollowed_tracks(*session.scene);
     if (session.replace(loaded->scene, loaded->opened || first))
         notes.announce("the file has another path now, which replaces yours; Ctrl+Z brings yours back");
+    if (session.take_tracks(loaded->tracks, loaded->opened || first))
+        notes.announce("the file has other keys of tracks now, which replace yours");
     session.editor.words = loaded->words;
     bodies.loaded(*loaded), side.loaded(*loaded);
     if (first || (options.play && loaded->opened)) {
@@ -341,7 +378,6 @@ void Viewer::take_scene() {
     } else {
         if (unfollowed_tracks(*session.scene) != unfollowed) tell_unfollowed();
         tracks.ask();
-        sound.load(*session.scene, file.path(), glfwPostEmptyEvent);
     }
     if (session.flight.paused()) session.follow(pace.now());
     if (loaded->opened) glfwSetWindowTitle(screen.window(), window_title(file.path(), keys.keys).c_str());
@@ -361,7 +397,6 @@ void Viewer::start_scene() {
         notes.fail(error.what());
     }
     tracks.ask();
-    sound.load(*session.scene, file.path(), glfwPostEmptyEvent);
     const double now = pace.now();
     if (tracks.wanted()) return static_cast<void>(session.go_to(options.time.value_or(0), now));
     if (options.play) return start_playing();
@@ -453,6 +488,7 @@ void Viewer::report_benchmark(const std::atomic<bool>& interrupted) const {
 int Viewer::run(const std::atomic<bool>& interrupted) {
     bool signalled = false;
     while (!closed) {
+        sound.load(session.scene, file.path(), glfwPostEmptyEvent);
         sound.follow(session);
         move();
         file.move_to(session.time);
@@ -490,7 +526,7 @@ void Viewer::quit() {
     notes.tell(session.end_recording(pace.now()));
     if (!options.play && session.editor.asks())
         return notes.announce("the path is not written: " + file.way_to_keep() + "; Esc again quits");
-    if (!options.play && bodies.asks())
+    if (!options.play && (bodies.asks() || session.track_keys.asks()))
         return notes.announce("changes of the text are not written: F2 writes them into " + file.name() +
                               "; Esc again quits");
     stills.finish(), film.finish();
@@ -504,6 +540,8 @@ void Viewer::print_paths() {
         std::fputs(write_flythrough(path, session.editor.words).c_str(), stdout), std::fflush(stdout);
     }
     bodies.print_unwritten();
+    for (const std::string& line : session.track_keys.unwritten())
+        log_line("keys of tracks that were not written, line " + line);
 }
 
 void Viewer::end(const std::atomic<bool>& interrupted) {

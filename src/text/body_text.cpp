@@ -8,7 +8,6 @@
 #include "num/decimal.h"
 #include "scene/leaves.h"
 #include "text/blocks/blocks.h"
-#include "text/text_items.h"
 
 namespace strahl {
 namespace {
@@ -97,7 +96,7 @@ std::vector<double> numbers_of(std::span<const std::string_view> slices) {
 BodyValue ValueFinder::value_of(const TextItem& item, const char* name, const char* help, NumberRange range) const {
     BodyValue value{.name = name, .help = help, .range = range, .numbers = numbers_of(item.numbers)};
     for (const std::string_view slice : item.numbers) value.slices.push_back(slice_of(text, slice));
-    if (item.tracked) value.fixed = "follows a track";
+    take_tracks(value, text, item);
     return value;
 }
 
@@ -139,7 +138,7 @@ void ValueFinder::add_transformations(std::vector<BodyValue>& values) const {
                                                                   : "factors along x, y and z",
                                           moves ? coordinates : anything));
                 if (i + 1 < chain.size() && define.empty()) values.back().name += " of " + std::string(item->word);
-                values.back().source = label_of_definition(define);
+                values.back().source = label_of_definition(define), values.back().follows = true;
                 moved |= moves && i == 0 && item == chain[0].item;
             }
     }
@@ -149,6 +148,7 @@ void ValueFinder::add_transformations(std::vector<BodyValue>& values) const {
                       .help = "by how much the body moves",
                       .range = coordinates,
                       .numbers = {0, 0, 0},
+                      .follows = true,
                       .source = std::string(no_source),
                       .own_at = end,
                       .before = " translate ",
@@ -218,6 +218,7 @@ void ValueFinder::add_material(std::vector<BodyValue>& values) const {
                 if (value.numbers.size() != count && value.fixed.empty()) value.fixed = "a pattern";
                 break;
             }
+            value.follows = true;
             if (!value.source.empty()) set_own_place(value);
             values.push_back(std::move(value));
         }
@@ -311,6 +312,50 @@ std::string with_numbers(const std::string& text, const BodyValue& value, std::s
 std::string with_own_value(const std::string& text, const BodyValue& value, std::span<const double> numbers) {
     std::string changed = text;
     return changed.insert(value.own_at, value.before + value_text(numbers) + value.after);
+}
+
+void take_tracks(BodyValue& value, const std::string& text, const TextItem& item) {
+    for (const std::string_view track : item.tracks) {
+        value.tracks.push_back(slice_of(text, track));
+        const std::string name(track.substr(track.find('"')));
+        if (value.fixed.find(name) == std::string::npos)
+            value.fixed += (value.fixed.empty() ? "follows " : ", ") + name;
+    }
+}
+
+std::string with_track(const std::string& text, const BodyValue& value, int component, const std::string& track) {
+    const std::string words = "track \"" + track + "\"";
+    const auto followed = [&](std::size_t i) { return component < 0 || std::size_t(component) == i; };
+    if (value.slices.empty()) {
+        std::string numbers;
+        for (std::size_t i = 0; i < value.numbers.size(); ++i)
+            numbers += (i > 0 ? ", " : "") + (followed(i) ? words + " " : "") + text_of(value.numbers[i]);
+        if (value.numbers.size() > 1) numbers = "<" + numbers + ">";
+        return std::string(text).insert(value.own_at, value.before + numbers + value.after);
+    }
+    std::vector<TextChange> changes;
+    for (std::size_t i = 0; i < value.slices.size(); ++i) {
+        if (!followed(i)) continue;
+        const std::size_t at = value.slices[i].begin;
+        const auto before = std::ranges::find_if(value.tracks, [&](const TextSlice& slice) {
+            return slice.end <= at && text.find_first_not_of(" \t\r\n", slice.end) == at;
+        });
+        if (before != value.tracks.end())
+            changes.push_back({*before, words});
+        else
+            changes.push_back({{at, at}, words + " "});
+    }
+    return with_changes(text, std::move(changes));
+}
+
+std::string without_tracks(const std::string& text, const BodyValue& value) {
+    std::vector<TextChange> changes;
+    for (const TextSlice& track : value.tracks) {
+        const std::size_t next = std::min(text.find_first_not_of(" \t\r\n", track.end), text.size());
+        const bool number = std::ranges::find(value.slices, next, &TextSlice::begin) != value.slices.end();
+        changes.push_back({{track.begin, number ? next : track.end}, number ? "" : "0"});
+    }
+    return with_changes(text, std::move(changes));
 }
 
 }  // namespace strahl

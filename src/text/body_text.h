@@ -10,6 +10,7 @@
 #include "scene/scene.h"
 #include "text/reading/parameter.h"
 #include "text/text_changes.h"
+#include "text/text_items.h"
 
 namespace strahl {
 
@@ -23,6 +24,8 @@ struct BodyValue {
     bool color = false;
     std::vector<double> numbers{};
     std::vector<TextSlice> slices{};  // of the numbers in the text; none if they do not stand there
+    std::vector<TextSlice> tracks{};  // of the words `track "NAME"` before those numbers that follow tracks
+    bool follows = false;             // its numbers may follow tracks
     /// The block that gives them if it is not the body's own: "defaultmaterial, line 3", or `no_source`.
     std::string source{};
     std::string fixed{};  // why the value cannot be changed, or ""
@@ -30,6 +33,9 @@ struct BodyValue {
     std::size_t own_at = 0;
     std::string before{}, after{};
 };
+
+/// Takes over which numbers of an item of the text follow tracks. Such a value is fixed.
+void take_tracks(BodyValue& value, const std::string& text, const TextItem& item);
 
 struct BodyText {
     std::string kind;    // "sphere", or "sphere in difference"
@@ -49,5 +55,9 @@ BodyText body_text(const std::string& text, const Scene& scene, int body, int le
 std::string with_numbers(const std::string& text, const BodyValue& value, std::span<const double> numbers);
 /// Returns the text in which the body has a value of its own. Adds no lines. `value` has a place `own_at`.
 std::string with_own_value(const std::string& text, const BodyValue& value, std::span<const double> numbers);
+/// Returns the text in which a component of the value, or with -1 each, follows a track; its number stays behind that.
+std::string with_track(const std::string& text, const BodyValue& value, int component, const std::string& track);
+/// Returns the text in which no component follows a track.
+std::string without_tracks(const std::string& text, const BodyValue& value);
 
 }  // namespace strahl

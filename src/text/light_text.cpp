@@ -19,14 +19,15 @@ void add_values(const std::string& text, const TextItem& block, const Parameters
         BodyValue value{.name = std::string(parameter.name) + behind,
                         .help = parameter.help,
                         .range = parameter.range,
-                        .color = parameter.name == "color"};
+                        .color = parameter.name == "color",
+                        .follows = !parameter.range.whole};
         const TextItem* const given = block.item(parameter.name);
         if (given) {
             for (const std::string_view number : given->numbers) {
                 value.slices.push_back(slice_of(text, number));
                 read_number(number, value.numbers.emplace_back());
             }
-            if (given->tracked) value.fixed = "follows a track";
+            take_tracks(value, text, *given);
         } else if (const auto* const usual = std::get_if<double*>(&parameter.value);
                    usual && parameter.otherwise.empty() && !block.end.empty()) {
             value.numbers = {**usual}, value.source = no_source;

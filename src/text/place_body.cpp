@@ -99,7 +99,7 @@ std::optional<PlacedBody> PlacedBody::find(std::string text, const Scene& scene,
         if (contains(transformation_words, inner.word) || inner.word == "motion") steps.push_back(&inner);
     const bool any = !steps.empty();
     const auto take = [&](LastStep& step) {
-        if (steps.empty() || steps.back()->word != step.word || steps.back()->tracked) return;
+        if (steps.empty() || steps.back()->word != step.word || !steps.back()->tracks.empty()) return;
         const auto& written = steps.back()->numbers;
         if (written.size() != 3 && written.size() != 1) return;
         for (std::size_t i = 0; i < 3; ++i) read_number(written[std::min(i, written.size() - 1)], step.value[int(i)]);
@@ -110,7 +110,8 @@ std::optional<PlacedBody> PlacedBody::find(std::string text, const Scene& scene,
     take(placed.last.translate), take(placed.last.rotate), take(placed.last.scale);
 
     const Primitive& primitive = scene.primitives[std::size_t(body)];
-    if (any || item.tracked || !is_body_word(item.word) || patterned(scene.materials[std::size_t(primitive.material)]))
+    if (any || !item.tracks.empty() || !is_body_word(item.word) ||
+        patterned(scene.materials[std::size_t(primitive.material)]))
         return placed;
     std::size_t next = 0;
     const auto add = [&]<class Kind, class Value>(const Field<Kind, Value>& field) {

@@ -25,7 +25,8 @@ void read_values(Lexer& lexer, TextItem& item) {
         } else if (c == 't') {
             const std::string_view word = lexer.word();
             if (word != "track") return lexer.rewind(word);
-            item.tracked = true;
+            const std::string_view name = lexer.quotation("a name");
+            item.tracks.emplace_back(word.data(), std::size_t(name.data() + name.size() + 1 - word.data()));
         } else {
             return;
         }
@@ -128,6 +129,11 @@ BodyItems items_of_body(std::string_view text, int number) {
 TextItem item_of_light(std::string_view text, int number) {
     BodyItems before;
     return find_item(text, before, [&](std::string_view word) { return word == "light" && number-- == 0; });
+}
+
+TextItem item_of_block(std::string_view text, std::string_view word) {
+    BodyItems before;
+    return find_item(text, before, [&](std::string_view found) { return found == word; });
 }
 
 }  // namespace strahl

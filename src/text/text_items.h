@@ -13,7 +13,7 @@ struct TextItem {
     std::vector<std::string_view> numbers;  // one after the other, also those of vectors; of a block those before words
     std::vector<TextItem> items;            // of its block; of `define` what it names
     std::string_view end;                   // the closing brace; empty if there is no block
-    bool tracked = false;                   // a number follows a track
+    std::vector<std::string_view> tracks;   // the words `track "NAME"` before those numbers that follow tracks
     /// Returns the first item with this word, or null.
     const TextItem* item(std::string_view item_word) const;
 };
@@ -32,6 +32,9 @@ struct BodyItems {
 BodyItems items_of_body(std::string_view text, int number);
 /// Finds the light with this number likewise; an item without a word if there is none.
 TextItem item_of_light(std::string_view text, int number);
+
+/// Finds the first block of the top level with this word likewise.
+TextItem item_of_block(std::string_view text, std::string_view word);
 
 /// Is this the word of a kind of body?
 bool is_body_word(std::string_view word);

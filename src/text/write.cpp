@@ -253,11 +253,14 @@ std::string write_flythrough(const Flythrough& path, EyeWords words) {
     return text + "}\n";
 }
 
+std::string write_music(const Music& music) {
+    return "music { bpm " + text_of(music.bpm) + "  rows " + text_of(music.rows) +
+           (music.sound.empty() ? "" : "  sound \"" + music.sound + "\"") + " }\n";
+}
+
 std::string write_scene(const Scene& scene) {
     std::string text = write_camera(scene.camera, scene.camera_follows) + settings_text(scene.settings);
-    if (scene.music != Music{})
-        text += "music { bpm " + text_of(scene.music.bpm) + "  rows " + text_of(scene.music.rows) +
-                (scene.music.sound.empty() ? "" : "  sound \"" + scene.music.sound + "\"") + " }\n";
+    if (scene.music != Music{}) text += write_music(scene.music);
     std::string coats;
     for (const Pigment& coat : scene.background_coats) coats += "  coat " + text_of(coat);
     if (scene.background.pattern)

@@ -18,6 +18,8 @@ std::string write_scene(const Scene& scene);
 /// Returns only the block `camera { ... }` or `flythrough { ... }`, which the window prints for pasting.
 std::string write_camera(const Camera& camera, const std::vector<Follow>& follows = {}, EyeWords words = {});
 std::string write_flythrough(const Flythrough& path, EyeWords words = {});
+/// "music { bpm 120  rows 8 }"
+std::string write_music(const Music& music);
 /// "key { time 2  position ... }"
 std::string write_key(const Keyframe& key, EyeWords words = {});
 

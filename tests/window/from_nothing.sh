@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# A small demo, made in the window alone: from a template, by adding, dragging, colours, a light, a flight, and a film;
-# with real keys and mouse on a virtual display.
+# A small demo, made in the window alone: from a template, by adding, dragging, colours, a light, a flight, the beat of
+# music, and a film; with real keys and mouse on a virtual display.
 #
 #   tests/window/from_nothing.sh STRAHL [FOLDER]
 #
-# With FOLDER it writes the pictures of that, from_nothing.jpg, and the scene, demo.rt, there.
+# With FOLDER it writes the pictures of that, from_nothing.jpg, and the scene, untitled.rt with its tracks, there.
 # Exit status: 0 all as expected, 1 not, 77 a tool is missing.
 set -uo pipefail
 source "$(dirname -- "$0")/window.sh"
@@ -15,41 +15,61 @@ mkdir bin
 printf '#!/bin/sh\nexit 127\n' | tee bin/zenity >bin/kdialog
 printf '#!/usr/bin/env bash\nfile=${!#}\nexec cat >"${file#file:}"\n' >bin/ffmpeg
 chmod +x bin/*
-export PATH=$work/bin:$PATH
+export PATH=$work/bin:$PATH ALSOFT_DRIVERS=null
 
-# shot NAME: keeps what the window shows, for the pictures.
+# shot NAME: keeps what the window shows, for the pictures; by then its notes have disappeared.
 shot() {
-    [[ -z $folder ]] || { sleep 7 && import -window "$id" "$1.png"; }
+    [[ -z $folder ]] || { xdotool mousemove --window "$id" 480 20 sleep 7 && import -window "$id" "$1.png"; }
+}
+# point X Y [BUTTON]: clicks there with this button, or the left one.
+point() {
+    xdotool mousemove --window "$id" "$1" "$2" sleep 0.05 click "${3-1}" sleep 0.08
 }
 # add ROW X Y: adds what this row of the list has where the view is clicked.
 add() {
-    xdotool sleep 1 key ctrl+a sleep 0.4 mousemove --window "$id" 84 $((266 + 26 * $1)) sleep 0.2 click 1 sleep 0.3
-    xdotool mousemove --window "$id" "$2" "$3" sleep 0.2 click 1
-    await 'added'
-    xdotool sleep 0.6
+    xdotool key ctrl+a sleep 0.2
+    point 84 $((266 + 26 * $1))
+    point "$2" "$3"
+    await 'chosen'
+    xdotool sleep 0.2 # until its panel is there
 }
-# type_at X Y NUMBER: types it into a field of the panel.
+# type_at X Y TEXT: types it into a field, after a click with Ctrl.
 type_at() {
-    xdotool mousemove --window "$id" "$1" "$2" sleep 0.2 keydown Control_L sleep 0.1 mousedown 1 sleep 0.2 mouseup 1
-    xdotool sleep 0.2 keyup Control_L sleep 0.2 type --delay 30 -- "$3"
-    xdotool sleep 0.2 keydown Return sleep 0.3 keyup Return sleep 0.2 # a panel misses what is shorter than a picture
+    xdotool mousemove --window "$id" "$1" "$2" sleep 0.05 keydown Control_L click 1 keyup Control_L sleep 0.12
+    xdotool type --delay 10 -- "$3"
+    xdotool key Return sleep 0.08
 }
 # color Y RED GREEN BLUE: types a colour.
 color() {
-    type_at 716 "$1" "$2"
-    type_at 769 "$1" "$3"
-    type_at 822 "$1" "$4"
+    type_at 662 "$1" "$2"
+    type_at 715 "$1" "$3"
+    type_at 768 "$1" "$4"
 }
 # drag X Y DX DY: drags from there, in two steps and by round distances.
 drag() {
-    xdotool mousemove --window "$id" "$1" "$2" sleep 0.2 mousedown 1 sleep 0.2 keydown Control_L
-    xdotool mousemove_relative -- "$3" "$4" sleep 0.2 mousemove_relative -- "$3" "$4" sleep 0.2 mouseup 1
-    xdotool keyup Control_L sleep 0.4
+    xdotool mousemove --window "$id" "$1" "$2" sleep 0.1 mousedown 1 sleep 0.1 keydown Control_L
+    xdotool mousemove_relative -- "$3" "$4" sleep 0.1 mousemove_relative -- "$3" "$4" sleep 0.1 mouseup 1
+    xdotool keyup Control_L
 }
 # hold KEY SECONDS
 hold() {
     xdotool keydown "$1" sleep "$2" keyup "$1"
     await 'rest after'
+}
+# follow X Y NAME BUTTON: the value with the button there follows a track of this name, by the button in the list that
+# opens.
+follow() {
+    point "$1" "$2"
+    xdotool sleep 0.2 type --delay 12 "$3"
+    point "$4" $(($2 + 68))
+    await "follows the track $3"
+    await 'finished'
+}
+# way ROW: chooses this row of the list of ways to the next key.
+way() {
+    point 430 662
+    xdotool sleep 0.1
+    point 430 $((574 + 20 * $1))
 }
 
 echo "-- an empty floor, of the gallery"
@@ -61,29 +81,30 @@ await 'finished'
 
 echo "-- a ball: added, made larger, lifted by its arrow, and red"
 add 0 430 470
-type_at 780 124 1.2
+type_at 726 124 1.2
 drag 429 358 0 -29
 color 176 .85 .12 .1
-type_at 780 202 .25
+type_at 726 202 .25
 shot 2
 
 echo "-- a ring and a cone"
 add 4 250 560
-type_at 716 98 -.61
-type_at 769 98 -.03
-type_at 780 150 1.7
+type_at 662 98 -.61
+type_at 718 98 -.03
+type_at 726 150 1.7
 color 228 .95 .7 .25
-type_at 780 254 .3
-shot 3
+type_at 726 254 .3
 add 3 520 330
 color 228 .2 .4 .75
+shot 3
 
 echo "-- a spotlight, whose mark is shown"
 add 8 330 640
 shot 4
 
 echo "-- a flight around it, on the timeline"
-xdotool mousemove --window "$id" 480 20 click 1 key l Tab p
+point 480 20
+xdotool key l Tab p
 await 'key 1 added'
 hold a 0.4
 xdotool key p
@@ -94,20 +115,65 @@ xdotool key p t
 await 'key 3 added'
 shot 5
 
-echo "-- written, and filmed"
+echo "-- music, and a ball that bounces on each beat"
+cp "$here/../../scenes/beat.ogg" . # a person would bring music of their own
+type_at 246 688 125
+type_at 640 688 beat.ogg
+point 420 400
+await 'chosen: body 2'
+follow 834 190 bounce 795
+way 2
+for _ in 1 2 3 4 5 6 7 8; do point 40 596 4; done
+point 116 590
+point 310 662 # set key
+type_at 320 662 1.2
+way 3
+point 620 662
+shot 6
+
+echo "-- a light that flashes with it"
+point 480 20
+xdotool key Home l
+await 'lights are shown'
+point 318 299
+await 'chosen: light 3'
+follow 817 124 flash 885
+point 39 546
+type_at 320 662 1.3
+point 182 565
+point 310 662
+type_at 320 662 .25
+point 620 662
+shot 7
+
+echo "-- played, written, and filmed"
+for _ in 1 2 3 4 5 6 7 8; do point 40 596 5; done
+point 480 20
+xdotool key l space
+await 'flight continues'
+[[ -z $folder ]] || { xdotool sleep 2 key space && await 'paused' && shot 8; }
 xdotool key F2
+await 'tracks saved: untitled.tracks'
 await 'path and changes written into untitled.rt'
 xdotool key ctrl+F12
 await 'a film of the flight is being made'
-shot 6
-cp untitled.rt demo.rt
+shot 9
 xdotool key ctrl+F12
 await ' ended ' # perhaps before its first frame
 quit
-"$strahl" check demo.rt >checked || fault "the scene has errors: $(<checked)"
-cat demo.rt
+"$strahl" check untitled.rt >checked || fault "the scene has errors: $(<checked)"
+grep -q '2 with keys' checked || fault "the tracks: $(<checked)"
+has() { grep -qF -- "$1" untitled.rt || fault "no '$1' in $(<untitled.rt)"; }
+has 'music { bpm 125  rows 8  sound "beat.ogg" }'
+has 'sphere { <-0.61, -0.03, 1.1>, 1.2  material { rgb <0.85, 0.12, 0.1>  reflection 0.25 '
+has 'translate <0, 0, track "bounce" 0> }'
+has '1.7, 0.125  material { rgb <0.95, 0.7, 0.25>  reflection 0.3 '
+has 'material { rgb <0.2, 0.4, 0.75> '
+has 'color <track "flash" .9, track "flash" .9, track "flash" .9>  spot {'
+(($(grep -c ' 1.2 ramp' untitled.tracks) == 12)) || fault "the track of the ball: $(<untitled.tracks)"
+(($(grep -c ' 0.25 linear' untitled.tracks) == 12)) || fault "the track of the light: $(<untitled.tracks)"
 [[ -z $folder ]] || {
-    montage [1-6].png -resize 400x300 -tile 3x2 -geometry +2+2 -strip -quality 80 "$folder/from_nothing.jpg"
-    cp demo.rt "$folder"
+    montage [1-9].png -resize 400x300 -tile 3x3 -geometry +2+2 -strip -quality 80 "$folder/from_nothing.jpg"
+    cp untitled.rt untitled.tracks "$folder"
 }
 finish

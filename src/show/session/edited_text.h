@@ -46,6 +46,8 @@ class EditedText {
     /// are `others`, came after it or comes first.
     bool undo(std::size_t others);
     bool redo(std::size_t others);
+    /// How many changes can be undone.
+    std::size_t steps() const { return past.size(); }
 
     /// To be called when the file was read, with its text. The changes stay as in `rebased`. Returns whether one was
     /// lost.

@@ -248,6 +248,34 @@ Answer Session::change_key(std::size_t number, const Keyframe& key, bool merged,
     return {};
 }
 
+bool Session::take_tracks(const std::string& text, bool opened) {
+    bool lost = false;
+    if (opened)
+        track_keys.open(text);
+    else
+        lost = track_keys.reload(text);
+    if (!keys_elsewhere)
+        tracks = track_keys.changed() ? std::make_shared<const std::vector<Track>>(track_keys.tracks()) : nullptr;
+    return lost;
+}
+
+void Session::change_track(const Track& track, bool merged, std::size_t others, double now) {
+    track_keys.change(track, merged, others);
+    show_tracks(now);
+}
+
+bool Session::undo_track(Action action, std::size_t others, double now) {
+    if (!(action == Action::undo ? track_keys.undo(others) : track_keys.redo(others))) return false;
+    show_tracks(now);
+    return true;
+}
+
+/// Shows the tracks as they are edited.
+void Session::show_tracks(double now) {
+    tracks = std::make_shared<const std::vector<Track>>(track_keys.tracks());
+    path_changed(now);
+}
+
 std::optional<Answer> Session::observe(double now) {
     if (!recorded || (!recorded->empty() && now <= recorded->back().time)) return std::nullopt;
     // The time before the first movement is not part of the recording.

@@ -14,6 +14,7 @@
 #include "show/session/path_editor.h"
 #include "show/session/progressive.h"
 #include "show/session/thinning.h"
+#include "show/session/track_keys.h"
 
 namespace strahl {
 
@@ -54,6 +55,12 @@ class Session {
     /// Gives a key of the path other values, if they make a camera that sees something, and goes to the key's time.
     /// `merged`: see PathEditor::change.
     Answer change_key(std::size_t number, const Keyframe& key, bool merged, double now);
+    /// Takes the text of the file of tracks, which was read with the scene. Returns whether a change was lost.
+    bool take_tracks(const std::string& text, bool opened);
+    /// Gives a track other keys; or takes the last such change back, or makes it again: false if that is not what comes
+    /// next. `merged` and `others`: see EditedText::change.
+    void change_track(const Track& track, bool merged, std::size_t others, double now);
+    bool undo_track(Action action, std::size_t others, double now);
     /// Applies a change of the path to the flight that is under way.
     void path_changed(double now);
     /// Moves the camera along the flight to this moment. Returns an answer if the flight has ended.
@@ -76,6 +83,8 @@ class Session {
     bool fill = false;  // the view is widened to fill the window: see framing.h
     /// If not null, instead of the scene's.
     std::shared_ptr<const std::vector<Track>> tracks;
+    TrackKeys track_keys;
+    bool keys_elsewhere = false;  // an editor of tracks has the keys, and they cannot be changed here
     double speed = 1;           // units of the scene per second
     int finest = finest_level;  // level in motion
     Exposure exposure;          // of the picture and of stills
@@ -92,6 +101,7 @@ class Session {
     Answer add_key(double now);
     Answer record(double now);
     Answer expose(int step);
+    void show_tracks(double now);
     Answer recall(int number);
 
     std::optional<int> own_depth;

@@ -127,16 +127,53 @@ void BodyPanel::draw_value(const BodyEditor& editor, std::size_t number, BodyInp
         ImGui::SetNextItemWidth(12 * font);
         const bool changed = value.color && numbers.size() == 3 ? draw_color(numbers) : draw_numbers(value, numbers);
         if (changed) input.change = {number, numbers, std::exchange(held, true)};
+        if (value.follows) draw_track(editor, number, input);
         if (value.source == no_source) ImGui::SameLine(), dim_text(value.source);
     } else {
         if (value.fixed != "a pattern") ImGui::TextUnformatted(numbers_text(numbers).c_str()), ImGui::SameLine();
         dim_text(value.fixed);
     }
+    if (!value.tracks.empty()) draw_track(editor, number, input);
     if (elsewhere && value.fixed.empty() && value.own_at > 0 &&
         button_beside("own", "gives this body a value of its own"))
         input.own = number;
     if (elsewhere) ImGui::Unindent(font / 2);
     ImGui::PopID();
+}
+
+/// Draws what has numbers of a value follow a track, or none.
+void BodyPanel::draw_track(const BodyEditor& editor, std::size_t number, BodyInput& input) {
+    const BodyText& body = editor.body();
+    const BodyValue& value = body.values[number];
+    const std::size_t count = value.slices.empty() ? value.numbers.size() : value.slices.size();
+    if (!value.tracks.empty() && button_beside("free", "follows no track any more")) input.free = number;
+    if ((count == 1 && !value.tracks.empty()) || count == 2) return;
+    if (button_beside("~", "follows a track, whose keys are on the timeline")) {
+        const int what = 1 + (editor.light() ? editor.light()->light : editor.choice()->at.body);
+        const std::string name = body.kind.substr(0, body.kind.find(' ')) + std::to_string(what) + ":" + value.name;
+        std::snprintf(track_name.data(), track_name.size(), "%s", name.c_str());
+        ImGui::OpenPopup("track");
+    }
+    if (!ImGui::BeginPopup("track")) return;
+    ImGui::TextUnformatted("the name of the track");
+    ImGui::SetNextItemWidth(14 * ImGui::GetFontSize());
+    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    ImGui::InputText("##name", track_name.data(), track_name.size(), ImGuiInputTextFlags_AutoSelectAll);
+    const auto button = [&](const char* label, int component) {
+        if (ImGui::Button(label)) input.track = {number, component, track_name.data()}, ImGui::CloseCurrentPopup();
+    };
+    if (count == 1) {
+        button("follow", 0);
+    } else {
+        for (int i = 0; i < 3; ++i) {
+            button(value.color ? std::array{"red", "green", "blue"}[std::size_t(i)]
+                               : std::array{"x", "y", "z"}[std::size_t(i)],
+                   i);
+            ImGui::SameLine();
+        }
+        button("each", -1);
+    }
+    ImGui::EndPopup();
 }
 
 }  // namespace strahl

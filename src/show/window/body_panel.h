@@ -1,6 +1,7 @@
 // The panel of the body that was clicked: what it is, where it stands in the file, and its numbers, which the user
 // changes there.
 #pragma once
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,13 @@ struct BodyInput {
         bool merged;  // belongs to the same drag as the change before
     };
     std::optional<NewNumbers> change;
+    struct NewTrack {
+        std::size_t value;
+        int component;  // -1: each
+        std::string name;
+    };
+    std::optional<NewTrack> track;     // which a number follows from now on
+    std::optional<std::size_t> free;   // follows no tracks from now on
     std::optional<std::size_t> own;    // gets a value of the body's own
     std::optional<std::string> allow;  // changes values in this block
 };
@@ -35,10 +43,12 @@ class BodyPanel {
 
   private:
     void draw_value(const BodyEditor& editor, std::size_t number, BodyInput& input);
+    void draw_track(const BodyEditor& editor, std::size_t number, BodyInput& input);
 
     float wide = 0;
     CoveredArea own;
     bool held = false;  // a value has been changed since the mouse button is down
+    std::array<char, 64> track_name{};  // that is being typed
 };
 
 }  // namespace strahl

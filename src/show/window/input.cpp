@@ -12,7 +12,7 @@
 namespace strahl {
 namespace {
 
-constexpr int after_input = 3;  // drawings until a panel has reacted to input
+constexpr int after_input = 5;  // drawings until a panel has reacted to input, also by a field that takes letters
 
 Input& input_of(GLFWwindow* window) { return *static_cast<Input*>(glfwGetWindowUserPointer(window)); }
 
@@ -63,7 +63,13 @@ void Input::on_key(int key, int scancode, int action, int modifiers) {
     const bool typing = ImGui::GetIO().WantTextInput;
     const bool control = key == GLFW_KEY_LEFT_CONTROL || key == GLFW_KEY_RIGHT_CONTROL;
     if (panels.take_input() && (typing || control || action == GLFW_RELEASE)) {
-        ImGui_ImplGlfw_KeyCallback(window, key, scancode, action, modifiers);
+        const int picture = ImGui::GetFrameCount();
+        if (action == GLFW_PRESS) pressed[key] = picture;
+        const auto press = pressed.find(key);
+        if (action == GLFW_RELEASE && press != pressed.end() && press->second == picture)
+            released.push_back({key, scancode, modifiers});
+        else
+            ImGui_ImplGlfw_KeyCallback(window, key, scancode, action, modifiers);
         pace.redraw(after_input);
     }
     if (typing && action != GLFW_RELEASE) return;
@@ -89,6 +95,11 @@ void Input::on_key(int key, int scancode, int action, int modifiers) {
         controls.press(*push);
     else if (const auto command = keys.command_of_key(key, scancode, modifiers, third_level))
         used = true, handlers.perform(*command);
+}
+
+void Input::release_keys() {
+    for (const auto& [key, scancode, modifiers] : std::exchange(released, {}))
+        ImGui_ImplGlfw_KeyCallback(screen.window(), key, scancode, GLFW_RELEASE, modifiers);
 }
 
 void Input::on_character(unsigned character) {

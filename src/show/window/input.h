@@ -3,8 +3,10 @@
 #include <array>
 #include <functional>
 #include <glm/vec2.hpp>
+#include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "show/keys/key_map.h"
 #include "show/session/session.h"
@@ -49,6 +51,9 @@ class Input {
     CameraInput take(double seconds) { return controls.take(seconds); }
     /// Ends a drag, because the window changes under the pointer.
     void release_pointer() { pointer.leave(), let_go(), cursor.reset(); }
+    /// To be called after each drawing. Panels look at keys only then, so a key that was pressed since the last one is
+    /// released for them now.
+    void release_keys();
     /// Hides the pointer in full screen, if it has not moved for 2 seconds or is not needed.
     void hide_pointer();
 
@@ -79,6 +84,11 @@ class Input {
     Hold held = Hold::nothing;
     Hold hold_shown = Hold::nothing;  // by the pointer's shape
     std::array<GLFWcursor*, 3> hold_shapes{};
+    std::map<int, int> pressed;  // keys for panels, and the number of the picture that was drawn last then
+    struct ReleasedKey {
+        int key, scancode, modifiers;
+    };
+    std::vector<ReleasedKey> released;  // before panels could see that they were pressed
     bool used = false;  // the key whose character follows
     double pointer_moved = 0;
     bool pointer_hidden = false;

@@ -24,14 +24,20 @@ void Panels::search(unsigned character) {
     pace.redraw();
 }
 
-TimelineInput Panels::draw_timeline(const Session& session) {
+TimelineInput Panels::draw_timeline(const Session& session, const std::vector<float>& peaks, bool text_open) {
     if (!timeline_shown()) return {};
     const auto flight = session.path_to_fly();
     return timeline.draw({.editor = session.editor,
                           .scene_camera = session.scene->camera,
                           .time = session.flight.time(pace.now()),
                           .duration = flight ? flight->duration : session.editor.path().duration,
-                          .running = session.flight.under_way()});
+                          .running = session.flight.under_way(),
+                          .scene = session.scene,
+                          .tracks = session.tracks ? *session.tracks : session.track_keys.tracks(),
+                          .peaks = peaks,
+                          .text_open = text_open,
+                          .keys_open = text_open && !session.keys_elsewhere,
+                          .keys_changed = session.track_keys.changed()});
 }
 
 const NewBlock* Panels::draw_add() {

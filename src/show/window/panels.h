@@ -23,7 +23,8 @@ class Panels {
     void toggle(Action action);
 
     /// Draws the timeline, if it is shown, and returns what the user did on it. To be called while ImGui makes a frame.
-    TimelineInput draw_timeline(const Session& session);
+    /// `peaks` are those of the sound, and `text_open` says whether the scene's text can be changed here.
+    TimelineInput draw_timeline(const Session& session, const std::vector<float>& peaks, bool text_open);
     /// Draws the panel of the body that is chosen, if any, and returns what the user did on it. Likewise. `file` is the
     /// name of the scene.
     BodyInput draw_body(const BodyEditor& editor, const std::string& file);

@@ -9,13 +9,20 @@
 
 namespace strahl {
 
-void SceneSound::load(const Scene& scene, const std::string& scene_path, const std::function<void()>& notify) {
-    const std::string& name = scene.music.sound;
+void SceneSound::load(const std::shared_ptr<const Scene>& scene, const std::string& scene_path,
+                      const std::function<void()>& notify) {
+    if (std::exchange(known, scene) == scene) return;
+    const std::string& name = scene->music.sound;
     const std::string path = name.empty() ? "" : path_beside(scene_path, name);
     if (path == file) return;
     file = path;
-    sound.reset(), told = false;
+    sound.reset(), last.reset(), told = false;
     if (!file.empty()) sound = std::make_unique<Sound>(file, notify);
+}
+
+const std::vector<float>& SceneSound::peaks() const {
+    static const std::vector<float> none;
+    return sound ? sound->peaks() : none;
 }
 
 void SceneSound::follow(Session& session) {

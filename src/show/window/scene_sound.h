@@ -18,7 +18,10 @@ class SceneSound {
 
     /// Loads the sound that the scene names, if it is another file than before. `notify` is called from another thread
     /// when it is loaded.
-    void load(const Scene& scene, const std::string& scene_path, const std::function<void()>& notify);
+    void load(const std::shared_ptr<const Scene>& scene, const std::string& scene_path,
+              const std::function<void()>& notify);
+    /// See Sound::peaks. Empty if there is no sound.
+    const std::vector<float>& peaks() const;
     bool loading() const { return sound && sound->loading(); }
 
     /// Plays the sound where the flight is, and keeps the flight's clock on the sound device, which runs more evenly
@@ -33,6 +36,7 @@ class SceneSound {
   private:
     Notes& notes;
     Pace& pace;
+    std::shared_ptr<const Scene> known;  // the scene of this
     std::unique_ptr<Sound> sound;
     std::string file;
     bool told = false;  // why there is no sound

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace strahl {
 
@@ -18,6 +19,9 @@ class Sound {
     bool loading() const;
     /// The reason why nothing can be heard: there is no device, or the file is damaged. Empty if it can be played.
     std::string fault() const;
+    /// The greatest amplitude in each hundredth of a second, from 0 to 1, also where nothing can be heard. Empty while
+    /// the file is being decoded.
+    const std::vector<float>& peaks() const;
     /// Plays from a moment, in seconds; after the end of the file there is silence.
     void play(double seconds);
     void pause();

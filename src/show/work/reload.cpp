@@ -20,6 +20,7 @@
 #include "pov/flight_file.h"
 #include "pov/ini_file.h"
 #include "text/edit_path.h"
+#include "text/music_text.h"
 #include "text/parse_body.h"
 #include "text/reading/tracks_file.h"
 #include "trace/tracer.h"
@@ -135,6 +136,8 @@ class Reload::FileThread {
             OpeningOptions how = options;
             how.files = &read;
             Loaded loaded = loaded_scene(file, content, opened, how);
+            if (loaded.scene && !loaded.text.empty() && file != "-")
+                loaded.tracks = text_of(tracks_path(file)).value_or("");
             if (file == path || loaded.scene) watch(file, std::move(read));
             return loaded;
         });
@@ -143,6 +146,7 @@ class Reload::FileThread {
     void watch(const std::string& file, std::vector<std::string> read) {
         std::erase(read, file);
         if (is_pov(file)) read.push_back(pov::flight_path(file)), read.push_back(pov::beside(file, ".ini"));
+        if (!is_pov(file)) read.push_back(tracks_path(file));
         others = std::move(read), known_others = stamps_of(others);
     }
     void tell(Loaded loaded);
@@ -400,11 +404,12 @@ Written Reload::FileThread::write_tracks(const std::vector<Track>& tracks) try {
     if (path == "-")
         return {.fault = "the scene came from standard input, so there is no file to save its tracks beside"};
     Written done{.file = tracks_path(path)};
-    const std::string text_now = strahl::write_tracks(tracks);
     const std::string old = answer([&] {
         std::error_code error;
         return std::filesystem::exists(done.file, error) ? read_text(done.file) : "";
     });
+    std::string text_now = old;
+    for (const Track& track : tracks) text_now = with_keys(text_now, track);
     if (!old.empty() && old != own_tracks && old != text_now) write(done.copy = done.file + "~", old);
     write(done.file, text_now);
     own_tracks = text_now;

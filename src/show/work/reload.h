@@ -42,6 +42,7 @@ struct Loaded {
     bool moved = false;                    // the file is the same, read for another moment of its clock
     pov::SourceLines lines{};              // of the bodies of a scene of POV-Ray
     std::string text{};                    // of the file; empty if it is a scene of POV-Ray or larger than 16 MB
+    std::string tracks{};                  // the text of the file of tracks beside it, or empty
 };
 
 /// The result of writing a path into the scene file, or tracks into the file beside it.
@@ -93,7 +94,8 @@ class Reload {
     /// written if `anyway`; a file with an error never, nor one in which others have changed the same lines. FILE~
     /// becomes a copy of the file as it was, unless Strahl wrote that.
     void write(std::optional<Flythrough> flythrough, ChangedText changes, bool anyway);
-    /// Writes these tracks into the file beside the watched one, with a copy likewise.
+    /// Writes the keys of these tracks into the file beside the watched one, with a copy likewise. The rest of it
+    /// stays; tracks without keys are removed.
     void write(std::vector<Track> tracks);
     std::optional<Written> take_written();
 

@@ -101,15 +101,20 @@ std::vector<std::string> unfollowed_tracks(const Scene& scene) {
 }
 
 std::string write_tracks(const std::vector<Track>& tracks) {
-    std::string text = "// Tracks of a GNU Rocket editor: rows, values, and interpolations to the next key.\n";
-    for (const Track& track : tracks) {
-        text += "track \"" + track.name + "\" {\n";
-        for (const auto& [row, value, way] : track.keys)
-            text.append("  ").append(std::to_string(row)).append(" ").append(text_of(value)).append(" ").append(
-                ways[static_cast<std::size_t>(way)]) += '\n';
-        text += "}\n";
-    }
+    std::string text = "// Tracks: rows, values, and interpolations to the next key.\n";
+    for (const Track& track : tracks) text += write_track(track);
     return text;
+}
+
+std::string write_track(const Track& track) {
+    std::string text = "track \"" + track.name + "\" {\n";
+    for (const TrackKey& key : track.keys) text.append("  ").append(write_key(key)) += '\n';
+    return text + "}\n";
+}
+
+std::string write_key(const TrackKey& key) {
+    return std::to_string(key.row) + " " + text_of(key.value) + " " +
+           std::string(ways[static_cast<std::size_t>(key.way)]);
 }
 
 }  // namespace strahl

@@ -18,7 +18,9 @@ std::vector<Track> parse_tracks(std::string_view text, std::string_view file);
 /// Returns a message for each track with keys that no number of the scene follows: "track 'zom' is followed by nothing;
 /// did you mean 'zoom'?"
 std::vector<std::string> unfollowed_tracks(const Scene& scene);
-/// Text that parses to the same tracks.
+/// Text that parses to the same tracks, or to the same track, or key: "16 3 smooth".
 std::string write_tracks(const std::vector<Track>& tracks);
+std::string write_track(const Track& track);
+std::string write_key(const TrackKey& key);
 
 }  // namespace strahl

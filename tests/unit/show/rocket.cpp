@@ -233,10 +233,11 @@ TEST_CASE("tracks are saved beside the scene, with a copy of the file as it was"
     CHECK(written.copy == file + "~");
     CHECK(bytes_of(file + "~") == "// mine\n");
     CHECK(parse_tracks(bytes_of(file), file) == first);
+    CHECK(bytes_of(file).starts_with("// mine\n"));  // only keys are written
     written = save(second);
     CHECK(written.copy == "");
     CHECK(bytes_of(file + "~") == "// mine\n");
-    CHECK(parse_tracks(bytes_of(file), file) == second);
+    CHECK(parse_tracks(bytes_of(file), file) == std::vector{second[1]});
     std::ofstream(file) << "// theirs\n";
     CHECK(save(first).copy == file + "~");
     CHECK(bytes_of(file + "~") == "// theirs\n");
@@ -248,7 +249,7 @@ TEST_CASE("tracks are saved beside the scene, with a copy of the file as it was"
         Reload closing(path);
         closing.write(second);
     }
-    CHECK(parse_tracks(bytes_of(file), file) == second);  // although it was closed at once
+    CHECK(parse_tracks(bytes_of(file), file) == std::vector{second[1]});  // although it was closed at once
     CHECK(with_tracks(first, second) == second);
     CHECK(with_tracks(second, first) == std::vector<Track>{first[0], second[1]});
 }

@@ -3,11 +3,27 @@
 
 #include <vorbis/vorbisfile.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <memory>
 
 namespace strahl {
+
+std::vector<float> peaks_of(const Samples& samples) {
+    const std::size_t block = std::size_t(samples.channels) * std::max<std::size_t>(std::size_t(samples.rate) / 100, 1);
+    std::vector<float> peaks;
+    for (std::size_t i = 0; 2 * i + 1 < samples.bytes.size(); ++i) {
+        std::int16_t value = 0;
+        std::memcpy(&value, &samples.bytes[2 * i], sizeof value);
+        if (i % block == 0) peaks.push_back(0);
+        peaks.back() = std::max(peaks.back(), std::abs(float(value)) / 32768);
+    }
+    return peaks;
+}
 
 Samples decode_ogg(std::FILE* file, const std::string& name, const std::stop_token& stop) {
     OggVorbis_File opened;

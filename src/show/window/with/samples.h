@@ -14,6 +14,9 @@ struct Samples {
     std::string fault;  // why there are none, or ""
 };
 
+/// Returns the greatest amplitude in each hundredth of a second, from 0 to 1.
+std::vector<float> peaks_of(const Samples& samples);
+
 /// Decodes an Ogg Vorbis file of one channel or two to its end, or until it is asked to stop. Closes the file, which
 /// may be null; `name` is for the message.
 Samples decode_ogg(std::FILE* file, const std::string& name, const std::stop_token& stop);

@@ -40,17 +40,19 @@ struct Sound::Implementation {
     ALuint source = 0, buffer = 0;
     double length = 0;  // in seconds
     bool tells_latency = false;
+    std::vector<float> peaks;
     std::string fault;
     std::atomic<bool> done = false;
     std::jthread thread;
 
     void load(const std::string& path, const std::stop_token& stop) {
-        device = ::alcOpenDevice(nullptr);
-        context = device ? ::alcCreateContext(device, nullptr) : nullptr;
-        if (!context || !::alcMakeContextCurrent(context)) return void(fault = "there is no sound device");
         const Samples samples = decode_ogg(std::fopen(path.c_str(), "rb"), "'" + path + "'", stop);
         fault = samples.fault;
         if (!fault.empty() || stop.stop_requested()) return;
+        peaks = peaks_of(samples);
+        device = ::alcOpenDevice(nullptr);
+        context = device ? ::alcCreateContext(device, nullptr) : nullptr;
+        if (!context || !::alcMakeContextCurrent(context)) return void(fault = "there is no sound device");
         length = double(samples.bytes.size()) / (2. * samples.channels * samples.rate);
         ::alGenSources(1, &source), ::alGenBuffers(1, &buffer);
         ::alBufferData(buffer, samples.channels == 1 ? AL_FORMAT_MONO16 : AL_FORMAT_STEREO16, samples.bytes.data(),
@@ -82,6 +84,11 @@ Sound::Sound(const std::string& path, std::function<void()> notify)
 Sound::~Sound() = default;
 
 bool Sound::loading() const { return !implementation->done; }
+
+const std::vector<float>& Sound::peaks() const {
+    static const std::vector<float> none;
+    return loading() ? none : implementation->peaks;
+}
 
 std::string Sound::fault() const { return loading() ? "" : implementation->fault; }
 

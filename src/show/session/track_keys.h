@@ -1,0 +1,45 @@
+// The keys of the scene's tracks while they are edited, as the text of the file beside the scene.
+#pragma once
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "scene/motion/track.h"
+#include "show/session/edited_text.h"
+
+namespace strahl {
+
+class TrackKeys {
+  public:
+    /// Begins with the text of another file of tracks, or none.
+    void open(const std::string& text);
+    /// To be called when the file was read, with its text; see EditedText::reload.
+    bool reload(const std::string& text);
+
+    const std::vector<Track>& tracks() const { return present; }
+    /// Returns the track of this name, perhaps without keys.
+    Track track(const std::string& name) const;
+    bool changed() const { return edited.changed(); }
+    /// Returns those that are not written yet; tracks that were removed have no keys.
+    std::vector<Track> changes() const;
+    std::vector<std::string> unwritten() const { return edited.unwritten(); }
+    /// Returns true if there are changes that are not written and about which the user was not asked yet.
+    bool asks();
+
+    /// Gives a track these keys. `merged` and `others`: see EditedText::change.
+    void change(const Track& track, bool merged, std::size_t others);
+    bool undo(std::size_t others);
+    bool redo(std::size_t others);
+    /// How many changes can be undone.
+    std::size_t steps() const { return edited.steps(); }
+
+  private:
+    EditedText edited;
+    std::vector<Track> saved, present;
+    std::string asked_about;
+};
+
+/// Returns a track in which the keys of the first beat, of so many rows, are repeated in each beat before `end`.
+Track repeated(const Track& track, int beat, int end);
+
+}  // namespace strahl
