@@ -9,8 +9,12 @@ source "$(dirname -- "$0")/window.sh"
 seconds=$2 seed=${3-1}
 own_display 800x600 cc "$@"
 trap '[[ -n $pid ]] && kill -9 "$pid" 2>/dev/null; rm -rf "$work"' EXIT
+# The gallery opens installed scenes, into which F2 writes.
+mkdir -p bin share/strahl
+cp "$strahl" bin/strahl && cp -r "$here/../../scenes" share/strahl/ || exit 1
 cp "$here/../../scenes/flythrough.rt" good.rt
-cp "$here/../../scenes/article.rt" other.rt
+cp "$here/../../scenes/"{article.rt,beat.rt,beat.ogg} .
+cp "$here/../../scenes/beat.tracks" scene.tracks
 cp good.rt scene.rt
 sed 's/{/{ {/' good.rt >broken.rt
 
@@ -18,9 +22,9 @@ sed 's/{/{ {/' good.rt >broken.rt
 echo 'int dlclose(void *library) { return !library; }' | cc -shared -fPIC -x c - -o keep.so || exit 77
 export ASAN_OPTIONS=verify_asan_link_order=0:log_path=$work/report UBSAN_OPTIONS=print_stacktrace=1:log_path=$work/report
 export TSAN_OPTIONS=log_path=$work/report:print_suppressions=0:suppressions=$here/races.txt
-export EDITOR=true
+export EDITOR=true ALSOFT_DRIVERS=null
 width=96 height=72
-LD_PRELOAD=$PWD/keep.so "$strahl" scene.rt --size ${width}x$height --still-size 64x48 --verbose >log 2>&1 &
+LD_PRELOAD=$PWD/keep.so bin/strahl scene.rt --size ${width}x$height --still-size 64x48 --verbose >log 2>&1 &
 pid=$!
 for ((i = 0; i < 600; ++i)); do
     grep -q 'first picture' log && break
@@ -36,7 +40,7 @@ change_file() {
     case $((RANDOM % 8)) in
         0) cp broken.rt new && mv new scene.rt ;;
         1 | 2) cp good.rt scene.rt ;;
-        3) cp other.rt scene.rt ;;
+        3) if ((RANDOM % 2)); then cp article.rt scene.rt; else cp beat.rt scene.rt; fi ;;
         4) sed "s/fov .*/fov $((RANDOM % 40 + 5))/" good.rt >scene.rt ;;
         5) head -c $((RANDOM % 3000)) good.rt >scene.rt ;;
         6) rm -f scene.rt ;;
