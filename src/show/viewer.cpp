@@ -232,7 +232,8 @@ void Viewer::apply(const TimelineInput& done) {
     if (const auto& change = done.track)
         session.change_track(change->track, change->merged, steps_beside_tracks(), pace.now());
     if (done.music || done.track) pace.redraw(3);
-    if (!done.command && !done.go_to && !done.change) return;
+    if (done.path) session.change_path(done.path->path, done.path->merged, pace.now());
+    if (!done.command && !done.go_to && !done.change && !done.path) return;
     if (done.command) perform(*done.command);
     if (done.go_to) session.go_to(*done.go_to, pace.now());
     if (const auto& change = done.change)
@@ -442,6 +443,10 @@ Overlay Viewer::overlay() const {
     overlay.reserved_right = panels.reserved_right();
     if (!pace.moving()) overlay.silhouette = bodies.lines();
     overlay.tools = bodies.drawn();
+    if (panels.timeline_shown() && !session.bound() && screen.width() > 0)
+        overlay.path = path_marks(session.editor.path(), session.scene->camera,
+                                  session.flight.flying() ? std::optional(session.time) : std::nullopt,
+                                  session.view(screen.width(), screen.height()));
     overlay.share = state.share;
     overlay.fault = file.fault(), overlay.fault_title = file.fault_title();
     if (panels.info && !panels.help) overlay.info = info_lines(session, pace, picture);

@@ -83,6 +83,23 @@ Flythrough retimed(Flythrough path, std::size_t number, double time) {
     return checked(std::move(path));
 }
 
+Flythrough lasting(Flythrough path, double seconds) {
+    if (path.keys.empty()) return path;
+    path.duration = std::max(rounded_time(seconds), path.keys.back().time + (path.loop ? least_gap : 0));
+    return path;
+}
+
+Flythrough looped(Flythrough path, double seconds) {
+    if (path.keys.size() < 2) return path;
+    const Keyframe &first = path.keys.front(), &last = path.keys.back();
+    path.loop = !path.loop;
+    if (!path.loop)
+        path.duration = last.time;
+    else if (path.duration == last.time && (last.position != first.position || last.look_at != first.look_at))
+        path.duration += seconds;
+    return checked(std::move(path));
+}
+
 std::optional<std::size_t> key_at(const Flythrough& path, double time) {
     for (std::size_t i = 0; i < path.keys.size(); ++i)
         if (std::abs(path.keys[i].time - time) < least_gap / 2) return i;

@@ -20,6 +20,12 @@ Flythrough without_key(Flythrough path, std::size_t number);
 /// Returns `path` with a key moved to another time; it stays between its neighbours, 1 ms from them.
 Flythrough retimed(Flythrough path, std::size_t number, double time);
 
+/// Returns `path` with another duration, which reaches at least to its last key, or beyond it if the path loops.
+Flythrough lasting(Flythrough path, double seconds);
+/// Returns `path` closed, with so many seconds for the way back to its first key unless it has them; or, if it is
+/// closed, open, ending with its last key.
+Flythrough looped(Flythrough path, double seconds);
+
 /// Returns the number of the key at this time, within half a millisecond.
 std::optional<std::size_t> key_at(const Flythrough& path, double time);
 

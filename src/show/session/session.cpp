@@ -47,8 +47,8 @@ bool Session::replace(std::shared_ptr<const Scene> newer, bool opened) {
     motion_end = motion_end_of(*scene);
     bool lost = false;
     if (opened)
-        tracks.reset(), flight.reset(), recorded.reset(), editor = PathEditor(path_in(*scene)), cameras = {},
-                                                          time = 0;
+        tracks.reset(), flight.reset(), outside = false, recorded.reset(), editor = PathEditor(path_in(*scene)),
+                                        cameras = {}, time = 0;
     else
         lost = editor.reload(path_in(*scene));
     flight.change(path_to_fly());
@@ -75,6 +75,8 @@ Answer Session::perform(Command command, double now) {
             return play(now);
         case Action::pause:
             return pause(now);
+        case Action::outside:
+            return see_outside(now);
         case Action::rewind:
             return step_to(0, now);
         case Action::to_end:
@@ -153,6 +155,12 @@ Answer Session::pause(double now) {
     flight.set(rounded_time(time), now);
     follow(now);
     return {"paused at " + seconds_text(time), ""};
+}
+
+Answer Session::see_outside(double now) {
+    outside = !outside;
+    follow(now);
+    return {outside ? "the flight is seen from outside; Shift+T goes back" : "the camera of the flight", ""};
 }
 
 Answer Session::step_to(double seconds, double now) {
@@ -301,6 +309,11 @@ Answer Session::record(double now) {
     std::snprintf(text, sizeof text, "recorded %.1f s as %zu keys, at most %.2g from the flight", flown.path.duration,
                   flown.path.keys.size(), flown.error);
     return {text, ""};
+}
+
+void Session::change_path(Flythrough path, bool merged, double now) {
+    editor.change(std::move(path), merged);
+    path_changed(now);
 }
 
 void Session::path_changed(double now) {

@@ -61,6 +61,8 @@ class Session {
     /// next. `merged` and `others`: see EditedText::change.
     void change_track(const Track& track, bool merged, std::size_t others, double now);
     bool undo_track(Action action, std::size_t others, double now);
+    /// Replaces the path. `merged`: see PathEditor::change.
+    void change_path(Flythrough path, bool merged, double now);
     /// Applies a change of the path to the flight that is under way.
     void path_changed(double now);
     /// Moves the camera along the flight to this moment. Returns an answer if the flight has ended.
@@ -68,7 +70,7 @@ class Session {
 
     /// Does the flight determine the camera?
     bool bound() const {
-        return flight.flying() && (!flight.path()->keys.empty() || !scene->camera_follows.empty());
+        return !outside && flight.flying() && (!flight.path()->keys.empty() || !scene->camera_follows.empty());
     }
     /// Returns what can be flown: the path as it is edited, or a path without keys if only bodies move. Unless it loops
     /// it lasts at least until the last key of motions and tracks. Nothing if nothing moves.
@@ -80,6 +82,7 @@ class Session {
     Camera camera;
     double time = 0;  // of moving bodies, in seconds: like `camera`, of the last moment followed
     bool orbiting = false;
+    bool outside = false;  // the camera stays free while the flight goes on: it is seen from outside
     bool fill = false;  // the view is widened to fill the window: see framing.h
     /// If not null, instead of the scene's.
     std::shared_ptr<const std::vector<Track>> tracks;
@@ -95,6 +98,7 @@ class Session {
   private:
     Answer play(double now);
     Answer pause(double now);
+    Answer see_outside(double now);
     Answer step_to(double seconds, double now);
     Answer to_key(int step, double now);
     Answer edit(Action action, double now);

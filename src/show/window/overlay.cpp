@@ -146,6 +146,26 @@ void draw_lights(const Overlay& overlay) {
     }
 }
 
+/// Draws the path of the camera with its keys, in the colours of the timeline.
+void draw_path(const Overlay& overlay) {
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const float r = ImGui::GetFontSize() * .35f;
+    const auto place = [&](const glm::dvec2& at) {
+        return ImVec2{static_cast<float>(overlay.area.x + at.x), static_cast<float>(overlay.area.y + at.y)};
+    };
+    const ImU32 color = IM_COL32(140, 204, 255, 255), here = IM_COL32(255, 190, 90, 255);
+    for (const auto* const lines : {&overlay.path.looks, &overlay.path.lines})
+        for (const std::vector<glm::dvec2>& line : *lines)
+            for (std::size_t i = 0; i + 1 < line.size(); ++i)
+                list.AddLine(place(line[i]), place(line[i + 1]), color, lines == &overlay.path.lines ? 2.f : 1.f);
+    const auto diamond = [&](const glm::dvec2& key, ImU32 filled) {
+        const ImVec2 at = place(key);
+        list.AddQuadFilled({at.x - r, at.y}, {at.x, at.y - r}, {at.x + r, at.y}, {at.x, at.y + r}, filled);
+    };
+    for (const glm::dvec2& key : overlay.path.keys) diamond(key, color);
+    if (overlay.path.now) diamond(*overlay.path.now, here);
+}
+
 /// Draws handles in the usual colours of the axes: x red, y green, z blue. The one that can be dragged is yellow.
 void draw_handles(const Overlay& overlay) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
@@ -213,6 +233,7 @@ void draw_divider(const Overlay::Sides& sides, const ScreenArea& area, float low
 void draw_overlay(const Overlay& overlay) {
     draw_marks(overlay);
     draw_silhouette(overlay);
+    draw_path(overlay);
     draw_lights(overlay);
     draw_handles(overlay);
     const ImVec2 all = ImGui::GetIO().DisplaySize;

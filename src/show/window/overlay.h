@@ -8,6 +8,7 @@
 #include "show/session/framing.h"
 #include "show/session/handles.h"
 #include "show/session/light_marks.h"
+#include "show/window/path_marks.h"
 #include "show/work/notes.h"
 #include "show/work/silhouette.h"
 #include "show/work/stability_check.h"
@@ -41,6 +42,7 @@ struct Overlay {
         std::optional<Handle> pointed;  // the one under the pointer
     };
     Tools tools;
+    PathMarks path;  // in the same pixels
     // Pixels at the bottom, at the left and at the right of the window that panels must leave free.
     float reserved = 0, reserved_left = 0, reserved_right = 0;
 };

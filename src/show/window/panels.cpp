@@ -32,6 +32,7 @@ TimelineInput Panels::draw_timeline(const Session& session, const std::vector<fl
                           .time = session.flight.time(pace.now()),
                           .duration = flight ? flight->duration : session.editor.path().duration,
                           .running = session.flight.under_way(),
+                          .outside = session.outside,
                           .scene = session.scene,
                           .tracks = session.tracks ? *session.tracks : session.track_keys.tracks(),
                           .peaks = peaks,

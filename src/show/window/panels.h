@@ -34,6 +34,7 @@ class Panels {
     /// Draws the outline, if it is shown, and returns what the user did in it. Likewise; see Outliner::draw.
     OutlinerInput draw_outline(const Session& session, const BodyEditor& editor, const std::set<int>& hidden,
                                const std::vector<std::string>& notes);
+    bool timeline_shown() const { return timeline_open && !quiet; }
     /// Is the help shown? It covers the window.
     bool help_shown() const { return help && !quiet; }
     /// The words that the help is searched for. Adds a character to them, or, with 0, removes the last one.
@@ -56,7 +57,6 @@ class Panels {
     bool help = false, info = false, quiet, gallery;
 
   private:
-    bool timeline_shown() const { return timeline_open && !quiet; }
     bool add_shown() const { return add_open && !quiet; }
     bool outline_shown() const { return outline_open && !quiet; }
 

@@ -77,7 +77,13 @@ void Timeline::buttons(const TimelineView& view, TimelineInput& input) {
     button("redo", {Action::redo});
     button("new", {Action::clear_path});
     button("write", {Action::write_path});
-    const char* const state = view.editor.changed() || view.keys_changed ? "not written to the file yet" : "";
+    button(view.outside ? "inside" : "outside", {Action::outside});
+    if (const Flythrough& path = view.editor.path(); path.keys.size() >= 2) {
+        if (ImGui::SmallButton(path.loop ? "no loop" : "loop")) input.path = {looped(path, 3), false};
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("closes the path, or ends it with its last key");
+        ImGui::SameLine();
+    }
+    const char* const state = view.editor.changed() || view.keys_changed ? "not written" : "";
     if (ImGui::CalcTextSize(state).x > ImGui::GetContentRegionAvail().x) ImGui::NewLine();
     ImGui::TextUnformatted(state);
 }
@@ -147,15 +153,24 @@ void Timeline::bar(const TimelineView& view, TimelineInput& input) {
     const double pointed = time_at(ImGui::GetIO().MousePos.x);
     const double grip = double(font / 2 / length) * range;  // seconds beside a key that belong to it
 
+    const float middle = corner.y + 0.7f * font;
+    const bool has_path = keys.size() >= 2;
     if (ImGui::IsItemActivated()) {
+        const ImVec2 mouse = ImGui::GetIO().MousePos;
+        // The end has its handle below the line, where that of the last key is not.
+        end_dragged = has_path && mouse.y > middle && std::abs(mouse.x - x_of(view.editor.path().duration)) < font / 2;
         dragged.reset(), drag_began = false;
         for (std::size_t i = 0; i < keys.size(); ++i)
-            if (std::abs(keys[i].time - pointed) < grip &&
+            if (!end_dragged && std::abs(keys[i].time - pointed) < grip &&
                 (!dragged || std::abs(keys[i].time - pointed) < std::abs(keys[*dragged].time - pointed)))
                 dragged = i;
         if (dragged) input.go_to = keys[*dragged].time;
     }
-    if (held && !dragged) input.go_to = std::clamp(pointed, 0., view.duration);
+    if (held && end_dragged && has_path && ImGui::IsMouseDragging(0, 3)) {
+        Flythrough path = lasting(view.editor.path(), std::round(100 * std::clamp(pointed, 0., from + range)) / 100);
+        if (path != view.editor.path()) input.path = {std::move(path), std::exchange(drag_began, true)};
+    }
+    if (held && !dragged && !end_dragged) input.go_to = std::clamp(pointed, 0., view.duration);
     if (held && dragged && *dragged < keys.size() && ImGui::IsMouseDragging(0, 3)) {
         Keyframe moved = keys[*dragged];
         moved.time = std::round(100 * std::clamp(pointed, 0., from + range)) / 100;
@@ -165,7 +180,6 @@ void Timeline::bar(const TimelineView& view, TimelineInput& input) {
     draw_sound(view, corner.y, corner.y + height);
     if (!followed.empty() || view.scene->music != Music{}) draw_grid(view.scene->music, corner.y, corner.y + height);
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float middle = corner.y + 0.7f * font;
     ImGui::PushClipRect({left - font, corner.y}, {left + length + font, corner.y + height}, true);
     list.AddLine({x_of(0), middle}, {x_of(view.duration), middle}, line_color, 2);
     const double step = mark_interval(range);
@@ -175,6 +189,11 @@ void Timeline::bar(const TimelineView& view, TimelineInput& input) {
         char text[32];
         std::snprintf(text, sizeof text, "%g", i * step);
         list.AddText({x - ImGui::CalcTextSize(text).x / 2, middle + 0.6f * font}, text_color, text);
+    }
+    if (has_path) {
+        const float end = x_of(view.editor.path().duration);
+        list.AddTriangleFilled({end, middle}, {end + .35f * font, middle + .7f * font},
+                               {end - .35f * font, middle + .7f * font}, key_color);
     }
     const auto here = key_at(view.editor.path(), view.time);
     for (std::size_t i = 0; i < keys.size(); ++i) {

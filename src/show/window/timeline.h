@@ -18,7 +18,7 @@ struct TimelineView {
     const PathEditor& editor;
     Camera scene_camera;
     double time = 0, duration = 0;  // of the flight, in seconds
-    bool running = false;
+    bool running = false, outside = false;
     std::shared_ptr<const Scene> scene{};
     const std::vector<Track>& tracks;
     const std::vector<float>& peaks;  // of the sound, see Sound::peaks
@@ -37,6 +37,11 @@ struct TimelineInput {
         bool merged;  // belongs to the same drag as the change before
     };
     std::optional<Change> change;
+    struct NewPath {
+        Flythrough path;
+        bool merged;
+    };
+    std::optional<NewPath> path;
     struct NewKeys {
         Track track;
         bool merged;
@@ -78,6 +83,7 @@ class Timeline {
     double shown_time = 0;
     float left = 0, length = 1;          // where it shows them, in pixels
     std::optional<std::size_t> dragged;  // number of a key of the path
+    bool end_dragged = false;            // the end of the path
     bool drag_began = false;             // a key has been moved
     Keyframe draft;                      // the key as it is being typed
     bool typing = false;

@@ -2,9 +2,11 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <string>
 #include <vector>
 
+#include "show/window/path_marks.h"
 #include "tests/unit/show/flight_scene.h"
 #include "text/write.h"
 
@@ -219,4 +221,69 @@ TEST_CASE("a path that is not written is asked about once, and none made by hand
     session.replace(scene_of(write_flythrough(first)), false);  // written by hand into the file
     CHECK(session.editor.unwritten().size() == 2);
     CHECK(!session.editor.asks());
+}
+
+TEST_CASE("a path is closed and opened, and its end is dragged") {
+    const Flythrough path = *scene_of(path_text)->flythrough;
+    REQUIRE(!path.loop);
+    const Flythrough closed = looped(path, 3);
+    CHECK(closed.loop);
+    CHECK(closed.duration == path.duration + 3);
+    CHECK(closed.keys == path.keys);
+    CHECK(looped(closed, 3) == path);
+    CHECK(lasting(path, 9.0004).duration == 9);
+    CHECK(lasting(path, 1).duration == path.keys.back().time);
+    CHECK(lasting(closed, 1).duration > path.keys.back().time);
+    CHECK(looped({}, 3) == Flythrough{});
+    // A path that ends where it begins needs no way back.
+    Flythrough round = path;
+    round.keys.back() = round.keys.front(), round.keys.back().time = path.duration;
+    CHECK(looped(round, 3).duration == path.duration);
+
+    Session session(scene_of(path_text));
+    session.change_path(closed, false, 0);
+    session.change_path(lasting(closed, 8), true, 0);
+    CHECK(session.path_to_fly()->duration == 8);
+    session.perform({Action::undo}, 0);
+    CHECK(session.editor.path() == path);
+}
+
+TEST_CASE("a flight is seen from outside: the camera stays, and moves without ending it") {
+    Session session(scene_of(path_text));
+    session.go_to(2, 0);
+    CHECK(session.bound());
+    session.perform({Action::outside}, 0);
+    CHECK(!session.bound());
+    const Camera before = session.camera;
+    session.go_to(4, 0);
+    CHECK(session.camera == before);
+    CHECK(session.time == 4);
+    session.steer({.push = {0, 0, -1}}, 0);
+    CHECK(session.camera != before);
+    CHECK(session.flight.flying());
+    const PathMarks marks =
+        path_marks(session.editor.path(), session.scene->camera, 4, {.camera = before, .width = 160, .height = 120});
+    CHECK(marks.keys.size() <= 3);
+    session.perform({Action::outside}, 0);
+    CHECK(session.camera.position == DVec3(-3, 0, 0));
+}
+
+TEST_CASE("the path is drawn where it is seen") {
+    const Flythrough path = *scene_of(path_text)->flythrough;
+    Camera above;
+    above.position = {0, 0, 20}, above.look_at = {0, 0, 0}, above.up = {0, -1, 0};
+    const View view{.camera = above, .width = 200, .height = 200};
+    const PathMarks marks = path_marks(path, above, 2, view);
+    REQUIRE(marks.keys.size() == path.keys.size());
+    REQUIRE(marks.lines.size() == 1);
+    REQUIRE(marks.now);
+    CHECK(glm::length(*marks.now - marks.keys[1]) < 1e-9);
+    CHECK(glm::length(marks.lines[0].front() - marks.keys[0]) < 1e-9);
+    CHECK(glm::length(marks.lines[0].back() - marks.keys[2]) < 1e-9);
+    Camera away = above;
+    away.look_at = {0, 0, 40};
+    const PathMarks none = path_marks(path, above, {}, {.camera = away, .width = 200, .height = 200});
+    CHECK(none.keys.empty());
+    CHECK(none.lines.empty());
+    CHECK(!none.now);
 }
