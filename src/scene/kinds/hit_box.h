@@ -31,6 +31,16 @@ struct HitBox {
         }
         return {cast<T>(middle), cast<T>(half)};
     }
+    /// May rays, whose directions have the length 1, meet the ball around the box?
+    template <class S>
+    STRAHL_INLINE Mask<S> may_meet(const Ray<S>& ray) const {
+        constexpr Element<S> last_bit = std::numeric_limits<Element<S>>::epsilon();
+        const Vec3<S> away = ray.origin - splat<S>(middle);
+        const S along = dot(away, ray.direction), far = dot(away, away);
+        const Vec3<S> nearest = fma(-along, ray.direction, away);
+        const S limit = fma(S(1024 * 64 * last_bit * last_bit), far, S(Element<S>(1.1) * dot(half, half)));
+        return !((dot(nearest, nearest) > limit) | ((along > S(0)) & (far > limit)));
+    }
     /// Is the point of the ray at `t` in the box, up to the rounding of t? `terms` is the sum of what t was added up
     /// from.
     template <class S>

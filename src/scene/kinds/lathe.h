@@ -15,11 +15,13 @@ struct LatheKernel : ContourKernel<T> {
     using Base::box, Base::centre, Base::count, Base::row_x, Base::row_y, Base::row_z, Base::turn;
     using R = std::conditional_t<sizeof(T) == 4, double, T>;
 
-    /// As for a prism, but for one ray after the other. In every number type but long double it is computed in double.
+    /// As for a prism, but for one ray after the other, and crossings behind the start may be left out. In every number
+    /// type but long double it is computed in double.
     template <class S, class PieceOf, class Crossed>
     STRAHL_INLINE void each_crossing(const ContourPiece<T>* pieces, const PieceOf&, const Ray<S>& ray, S start,
                                      Mask<S> lanes, const Crossed& crossed) const {
-        for (int k = 0; k < width<S>; ++k) {
+        lanes = lanes & (((start >= S(0)) & (start < S(count))) | box.may_meet(ray));
+        for (int k = 0; k < width<S> && any(lanes); ++k) {
             const Mask<S> own = lanes & only(start, k);
             if (none(own)) continue;
             const auto pick = [k](const Vec3<S>& v) { return Vec3<T>(one_of(v.x, k), one_of(v.y, k), one_of(v.z, k)); };
@@ -88,6 +90,7 @@ struct LatheKernel : ContourKernel<T> {
         const R shift = own >= 0 ? R(0) : -dot(start, unit);
         const auto line = LineAroundAxis<R>::of(
             Vec3<R>(start.x + shift * unit.x, start.y + shift * unit.y, start.z + shift * unit.z), unit);
+        if (own < 0 && !line.meets(R(1.001), R(1.001))) return;
         // A ray that starts on a piece leaves out the place nearest to its start. Rounding may have made it cross
         // another piece there, or none.
         const auto size = [](const Vec3<T>& v) { return std::abs(R(v.x)) + std::abs(R(v.y)) + std::abs(R(v.z)); };
@@ -108,18 +111,10 @@ struct LatheKernel : ContourKernel<T> {
             for (int m = 0; m < found; ++m) visit((places[m] + shift) * per, i);
         }
     }
-    /// Calls a function with code of its own for packs: it is long, and the call costs little.
+    /// Has code of its own for packs: it is long, and the call costs little.
     template <class S>
-    STRAHL_INLINE static int crossings(const ContourPiece<T>& piece, const LineAroundAxis<R>& line,
-                                       std::array<R, 6>& places) {
-        if constexpr (strahl::width < S >> 1)
-            return call_crossings<S>(piece, line, places);
-        else
-            return cross_turned(piece, line, places);
-    }
-    template <class S>
-    [[gnu::noinline]] static int call_crossings(const ContourPiece<T>& piece, const LineAroundAxis<R>& line,
-                                                std::array<R, 6>& places) {
+    [[gnu::noinline]] static int crossings(const ContourPiece<T>& piece, const LineAroundAxis<R>& line,
+                                           std::array<R, 6>& places) {
         return cross_turned(piece, line, places);
     }
 };

@@ -15,6 +15,12 @@ template <class R>
 struct LineAroundAxis {
     R height, rise, along, speed, least;
 
+    /// May it come into the cylinder about the axis of this radius from -height to height?
+    STRAHL_INLINE bool meets(R radius, R half) const {
+        const R square = (radius - least) * (radius + least), w = rise * along - speed * height;
+        return square > 0 && std::abs(w) - speed * half <= std::abs(rise) * std::sqrt(square);
+    }
+
     /// The line through <x, y, z> along a vector of length 1.
     STRAHL_INLINE static LineAroundAxis of(const Vec3<R>& p, const Vec3<R>& d) {
         const R speed = std::sqrt(d.x * d.x + d.z * d.z);
@@ -80,13 +86,12 @@ STRAHL_INLINE void isolate_zeros(const BernsteinPart<R>& whole, int degree, R no
 /// line crosses the surface. Whether an end of a piece is beyond the hyperbola is decided once for both pieces that
 /// meet there. Where lines are nearly level, both branches of the hyperbola are close together: the piece is cut
 /// between them.
-template <class R, class T>
+template <int degree, class R, class T>
 STRAHL_INLINE int cross_turned(const ContourPiece<T>& piece, const LineAroundAxis<R>& line, std::array<R, 6>& places) {
     constexpr R bits = 16 * std::numeric_limits<R>::epsilon();
     const auto& [height, rise, along, speed, least] = line;
     const R ax = piece.ax, ay = piece.ay, cx = piece.cx, cy = piece.cy, hx = piece.hx, hy = piece.hy, ex = piece.ex,
             ey = piece.ey, dx = piece.dx, dy = piece.dy, steep = std::abs(rise), third = R(1) / 3;
-    const int degree = dx != 0 || dy != 0 ? 3 : ex != 0 || ey != 0 ? 2 : 1;
     // w is the height above where the line is nearest to the axis, times its speed.
     const auto above_nearest = [&](R y) { return speed * (y - height) + rise * along; };
     std::array<R, 4> r{ax, degree == 2 ? ax + hx : ax + 2 * third * hx, ax + third * (4 * hx + ex), cx};
@@ -110,11 +115,17 @@ STRAHL_INLINE int cross_turned(const ContourPiece<T>& piece, const LineAroundAxi
     const auto height_at = [&](R t) { return ay + t * (2 * hy + t * (ey + t * dy)); };
     // F = rise^2 (r^2 - least^2) - w^2.
     constexpr R choose[7][7] = {{1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}, {1, 4, 6, 4, 1}, {}, {1, 6, 15, 20, 15, 6, 1}};
+    constexpr auto weights = [&] {
+        std::array<std::array<R, degree + 1>, degree + 1> all{};
+        for (int i = 0; i <= degree; ++i)
+            for (int k = 0; k <= degree; ++k)
+                all[i][k] = choose[degree][i] * choose[degree][k] / choose[2 * degree][i + k];
+        return all;
+    }();
     BernsteinPart<R> curve{{}, 0, 1, beyond(ax, w[0]), beyond(cx, w[degree])};
     for (int i = 0; i <= degree; ++i)
         for (int k = 0; k <= degree; ++k)
-            curve.c[i + k] += choose[degree][i] * choose[degree][k] / choose[2 * degree][i + k] *
-                              (rise * rise * (r[i] - least) * (r[k] + least) - w[i] * w[k]);
+            curve.c[i + k] += weights[i][k] * (rise * rise * (r[i] - least) * (r[k] + least) - w[i] * w[k]);
     const R size = std::max(std::abs(lowest), std::abs(highest));
     const R noise = bits * (rise * rise * furthest * furthest + size * size);
 
@@ -156,13 +167,19 @@ STRAHL_INLINE int cross_turned(const ContourPiece<T>& piece, const LineAroundAxi
         cross(curve.cut(2 * degree, t, square(radius_at(t)) > 0));
         above = !above;
     };
-    if (speed > 0) {
+    if (speed > 0 && lowest < 0 && highest >= 0) {
         BernsteinPart<R> heights{{w[0], w[1], w[2], w[3]}, 0, 1, above, w[degree] >= 0};
         isolate_zeros(
             heights, degree, bits * size, [&](R t) { return above_nearest(height_at(t)) >= 0; }, cut);
     }
     cross(curve);
     return count;
+}
+template <class R, class T>
+STRAHL_INLINE int cross_turned(const ContourPiece<T>& piece, const LineAroundAxis<R>& line, std::array<R, 6>& places) {
+    if (piece.dx != 0 || piece.dy != 0) return cross_turned<3>(piece, line, places);
+    if (piece.ex != 0 || piece.ey != 0) return cross_turned<2>(piece, line, places);
+    return cross_turned<1>(piece, line, places);
 }
 
 }  // namespace strahl
