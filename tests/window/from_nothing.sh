@@ -5,6 +5,7 @@
 #   tests/window/from_nothing.sh STRAHL [FOLDER]
 #
 # With FOLDER it writes the pictures of that, from_nothing.jpg, and the scene, untitled.rt with its tracks, there.
+# It is none of the tests that ctest runs: fields tell nobody that they take letters, so that it waits for times.
 # Exit status: 0 all as expected, 1 not, 77 a tool is missing.
 set -uo pipefail
 source "$(dirname -- "$0")/window.sh"
@@ -35,9 +36,9 @@ add() {
 }
 # type_at X Y TEXT: types it into a field, after a click with Ctrl.
 type_at() {
-    xdotool mousemove --window "$id" "$1" "$2" sleep 0.05 keydown Control_L click 1 keyup Control_L sleep 0.12
+    xdotool mousemove --window "$id" "$1" "$2" sleep 0.1 keydown Control_L click 1 keyup Control_L sleep 0.3
     xdotool type --delay 10 -- "$3"
-    xdotool key Return sleep 0.08
+    xdotool key Return sleep 0.15
 }
 # color Y RED GREEN BLUE: types a colour.
 color() {

@@ -9,7 +9,7 @@
 set -uo pipefail
 source "$(dirname -- "$0")/window.sh"
 [[ -z ${2-} ]] || set -- "$1" "$(readlink -f -- "$2")"
-own_display 960x600 "import compare" "$@"
+own_display 960x600 "import compare montage" "$@"
 
 # same NAME ROWS: the window shows this picture of assets in its upper rows; or this becomes what the window shows.
 same() {
@@ -52,5 +52,18 @@ if command -v povray >/dev/null; then
     await 'second picture: POV-Ray' # of one ray in each pixel; the words at the bottom will change
     same beside.jpg 440
     quit
+fi
+if [[ -n $folder ]] && command -v povray >/dev/null; then
+    for scene in flythrough spotlights mirror_ball; do
+        start "$here/../../scenes/$scene.rt" --size 640x480
+        await "finished 640x480"
+        xdotool key g
+        await 'second picture: POV-Ray'
+        sleep 60 # its edges are smooth by then, if the machine has nothing else to do
+        import -window "$id" "$scene.png"
+        quit
+    done
+    montage flythrough.png spotlights.png mirror_ball.png -tile 3x1 -geometry 480x360+2+2 -strip -quality 85 \
+        "$folder/beside_scenes.jpg"
 fi
 finish

@@ -82,7 +82,7 @@ std::optional<GalleryItem> Welcome::draw(const KeyMap& keys) {
     ImGui::BeginChild("items");
     const float font = ImGui::GetFontSize(), room = ImGui::GetContentRegionAvail().x, gap = font * .5f;
     columns = std::max(1, static_cast<int>(room / (14 * font)));
-    width = std::max(std::floor((room - static_cast<float>(columns - 1) * gap) / static_cast<float>(columns)), 1.f);
+    width = std::max(std::floor((room - static_cast<float>(columns - 1) * gap) / static_cast<float>(columns)), 4.f);
     visible.clear();
     if (sections && sections->empty()) ImGui::TextUnformatted("No scenes are installed; Ctrl+O opens a file.");
     for (std::size_t s = 0; sections && s < sections->size(); ++s) {

@@ -17,7 +17,7 @@ struct PathMarks {
     std::optional<glm::dvec2> now;
 };
 /// Makes the marks of a path with keys. `time` is the moment of the flight, if there is one under way or paused. What
-/// is not in front of the camera has none.
+/// is not in front of the camera, or around it, has none.
 PathMarks path_marks(const Flythrough& path, const Camera& scene_camera, std::optional<double> time, const View& view);
 
 }  // namespace strahl
