@@ -111,10 +111,19 @@ struct LatheKernel : ContourKernel<T> {
             for (int m = 0; m < found; ++m) visit((places[m] + shift) * per, i);
         }
     }
-    /// Has code of its own for packs: it is long, and the call costs little.
+    /// Calls a function with code of its own for packs: it is long, and the call costs little.
     template <class S>
-    [[gnu::noinline]] static int crossings(const ContourPiece<T>& piece, const LineAroundAxis<R>& line,
-                                           std::array<R, 6>& places) {
+    STRAHL_INLINE static int crossings(const ContourPiece<T>& piece, const LineAroundAxis<R>& line,
+                                       std::array<R, 6>& places) {
+        constexpr bool packed = strahl::width<S> != 1;
+        if constexpr (packed)
+            return call_crossings<S>(piece, line, places);
+        else
+            return cross_turned(piece, line, places);
+    }
+    template <class S>
+    [[gnu::noinline]] static int call_crossings(const ContourPiece<T>& piece, const LineAroundAxis<R>& line,
+                                                std::array<R, 6>& places) {
         return cross_turned(piece, line, places);
     }
 };
