@@ -15,7 +15,7 @@ constexpr double steepest_gradient = .06;  // across a cell of one signature
 /// The error of the loosest filter of patterns over the deviation of samples from each other, found by experiment.
 constexpr double filter_off = .85;
 /// How much less contrast cells may have in which patterns vary, for there are many of them; found by experiment.
-constexpr double patterned = .7;
+constexpr double patterned = .8;
 std::uint64_t key_of(Point p) { return std::uint64_t(std::uint32_t(p.x)) << 32 | std::uint32_t(p.y); }
 
 Point on_side(std::int32_t x, std::int32_t y, std::int32_t size, int number, std::int32_t along) {
@@ -253,6 +253,8 @@ void Cells::look_beside(Cell& cell) {
 
     const double first_area = chord_of(crossings, cell.size).first_area;
     const double s = double(cell.size) / unit, allowed = contrast_in(cell);
+    // Footprints of patterns reach beyond edges, so that both parts may be off in the same way.
+    const double most = allowed < contrast ? allowed : 2 * allowed;
     std::array<double, 3> color{};
     for (int part = 0; part < 2; ++part) {
         double sum[3] = {}, low[3], high[3], count = 0;
@@ -271,7 +273,7 @@ void Cells::look_beside(Cell& cell) {
         add(probes[part]);
         const double area = part == 0 ? first_area : 1 - first_area;
         for (int c = 0; c < 3; ++c) {
-            if (!((high[c] - low[c]) * area * s * s <= 2 * allowed)) return go_on(cell);
+            if (!((high[c] - low[c]) * area * s * s <= most)) return go_on(cell);
             color[c] += area * sum[c] / count;
         }
     }

@@ -20,6 +20,10 @@ constexpr double most_widening = 2;
 /// to the horizon are not parallelograms of the surface.
 constexpr double most_receding = 2;
 
+/// Four points in a mirror count as those of one surface if they are no further from a parallelogram than this, over
+/// its size.
+constexpr double most_uneven = .5;
+
 /// Cells of less than so many pixels are not divided for what facets that some of their corners meet may leave.
 constexpr double finest_doubt = 1. / 8;
 /// Facets at the very eye or light do not count.
@@ -93,6 +97,7 @@ bool ThinBodies::hides_in(const std::array<CellCorner, 4>& corners, double least
     if (bodies.empty()) return false;
     double least_distance = std::numeric_limits<double>::infinity(), most_distance = 0, furthest = 0, nearest = end;
     double brightest = 0, reflection = 0, further = 0, reach = 0;
+    double least_way = least_distance, most_way = 0;  // by the mirror
     std::uint32_t lit = 0;
     bool one_surface = true, same = true;
     for (const CellCorner& corner : corners) {
@@ -104,6 +109,8 @@ bool ThinBodies::hides_in(const std::array<CellCorner, 4>& corners, double least
         for (const double value : sample.rgb) brightest = std::max(brightest, value);
         reflection = std::max(reflection, double(sample.reflection));
         further = std::max(further, double(sample.further));
+        const double way = double(sample.distance) + double(sample.further);
+        least_way = std::min(least_way, way), most_way = std::max(most_way, way);
         reach = std::max(reach, 1 + double(sample.further) / double(sample.distance));
         lit |= sample.lit;
         one_surface = one_surface && sample.surface == corners[0].sample->surface;
@@ -135,8 +142,16 @@ bool ThinBodies::hides_in(const std::array<CellCorner, 4>& corners, double least
     if (!one_surface || (lit == 0 && !mirrors)) return false;
     for (int k = 0; k < 4; ++k) places[k] = sights.starts[k] + double(corners[k].sample->distance) * sights.units[k];
     const double radius = radius_of(places);
-    return (wide && hides_shadow(places, radius, lit, seen, least / brightest)) ||  // all that a shadow can take
-           (mirrors && hides_reflection(places, radius, reflected, further, reach, seen, least / reflection));
+    const double most_dark = least / brightest;  // all that a shadow can take
+    if (wide && hides_shadow(places, radius, lit, seen, most_dark)) return true;
+    if (!mirrors) return false;
+    if (hides_reflection(places, radius, reflected, further, reach, seen, least / reflection)) return true;
+    // Shadows on what the mirror shows, if that seems to be flat; in cells of less than finest_doubt they would take
+    // twice the samples.
+    if (small || !(most_way < most_receding * least_way)) return false;
+    for (int k = 0; k < 4; ++k) places[k] += double(corners[k].sample->further) * quick_unit(reflected[k]);
+    const double seen_radius = radius_of(places), off = quick_length(places[0] - places[1] + places[2] - places[3]);
+    return off < most_uneven * seen_radius && hides_shadow(places, seen_radius, ~0u, seen, most_dark);
 }
 
 bool ThinBodies::hides_camera(const std::array<CellCorner, 4>& corners, const Sights& sights, double furthest,

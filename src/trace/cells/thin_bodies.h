@@ -29,7 +29,7 @@ class ThinBodies {
 
     /// Returns whether something may lie between the corners that covers at least the share `least` of the cell: a body
     /// that the camera sees, or, if the corners are on one surface, a body's shadow, or its reflection if the surface
-    /// is flat. Corners are in order around the cell.
+    /// is flat, or its shadow on what all corners see there. Corners are in order around the cell.
     bool hides_in(const std::array<CellCorner, 4>& corners, double least) const;
 
   private:

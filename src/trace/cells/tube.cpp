@@ -77,13 +77,24 @@ glm::dmat3 RayBundle::coordinates() const { return glm::inverse(glm::dmat3(acros
 
 RayBundle::Met RayBundle::met(std::span<const DVec3> polygon, const glm::dmat3& to_own) const {
     CutPolygon part;
-    for (const DVec3& point : polygon) part.add(to_own * (point - from));
     // With w as the unit of u and v the bundle's sides are planes.
     const double unit = parallel ? 0 : 1, one = parallel ? 1 : 0;
-    part.cut({0, 0, 1}, -nearest);
-    if (std::isfinite(furthest)) part.cut({0, 0, -1}, furthest);
-    part.cut({1, 0, 0}, 0), part.cut({-1, 0, unit}, one);
-    part.cut({0, 1, 0}, 0), part.cut({0, -1, unit}, one);
+    unsigned some = 0, all = ~0u;  // a bit for each plane that corners are beyond
+    for (const DVec3& point : polygon) {
+        const DVec3 own = to_own * (point - from);
+        const double side = unit * own.z + one;
+        const unsigned beyond = unsigned(own.z < nearest) | unsigned(own.z > furthest) << 1 | unsigned(own.x < 0) << 2 |
+                                unsigned(own.x > side) << 3 | unsigned(own.y < 0) << 4 | unsigned(own.y > side) << 5;
+        some |= beyond, all &= beyond;
+        part.add(own);
+    }
+    if (all != 0) return {};
+    if (some & 1) part.cut({0, 0, 1}, -nearest);
+    if (some & 2) part.cut({0, 0, -1}, furthest);
+    if (some & 4) part.cut({1, 0, 0}, 0);
+    if (some & 8) part.cut({-1, 0, unit}, one);
+    if (some & 16) part.cut({0, 1, 0}, 0);
+    if (some & 32) part.cut({0, -1, unit}, one);
     const std::span<DVec3> points = part.points();
     Met result;
     if (points.size() < 3) return result;

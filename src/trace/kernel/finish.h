@@ -31,7 +31,8 @@ void look_at_layers(const Shading<S, P>& shading, const Hit<S>& hit, const int* 
                     LayeredHit<S>& layers) {
     const SeenSurface<S> seen{hit.position, hit.direction, hit.normal, hit.surface, hit.outside};
     if (!filters(shading)) return void(FinishCalls<S>::look(shading.world, numbers, seen, nullptr, layers));
-    const Footprint<S> footprint{hit.direction, notes.flat, notes.beside.place[0], notes.beside.place[1]};
+    const Footprint<S> footprint{hit.direction, notes.flat, notes.beside.place[0], notes.beside.place[1],
+                                 pick(from.weight)};
     Filtering<S> filtering = FinishCalls<S>::look(shading.world, numbers, seen, &footprint, layers);
     loosen(filtering, notes.beside.loose);
     note_colors(shading, filtering, color_of(layers), hit.pixel, pick(from.weight), pick.lanes);

@@ -43,7 +43,7 @@ template <class S, class P>
     const auto& d = from.direction;
     const Vec3<S> direction(pick(d.x), pick(d.y), pick(d.z)), &normal = hit.point.normal;
     const Differentials<S> beside = differentials_at(shading, from, pick, direction, t);
-    const Footprint<S> footprint{direction, normal, beside.place[0], beside.place[1]};
+    const Footprint<S> footprint{direction, normal, beside.place[0], beside.place[1], pick(from.weight)};
     Filtering<S> filtering =
         PatternCalls<S>::paint_filtered(shading.world, materials, hit.point.position, hit.surface, footprint, values);
     loosen(filtering, beside.loose);
@@ -57,7 +57,7 @@ template <class S, class P>
     const Vec3<S> direction(pick(from.direction.x), pick(from.direction.y), pick(from.direction.z));
     const Differentials<S> beside = differentials_at(shading, from, pick, direction, S(0));
     Vec3<S> color;
-    const Footprint<S> footprint{direction, direction, beside.direction[0], beside.direction[1]};
+    const Footprint<S> footprint{direction, direction, beside.direction[0], beside.direction[1], pick(from.weight)};
     Filtering<S> filtering = PatternCalls<S>::sky_filtered(shading.world, footprint, color);
     loosen(filtering, beside.loose);
     note_colors(shading, filtering, color, pick(from.pixel), pick(from.weight), pick.lanes);

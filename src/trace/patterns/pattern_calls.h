@@ -30,6 +30,7 @@ struct Footprint {
     Vec3<S> direction;     // of the ray, of length 1
     Vec3<S> normal;        // of the surface
     Vec3<S> across, down;  // from the hit to where rays a side of the square beside this one are as far as it is
+    S weight;              // of the ray: colours of little weight need no exact means
 };
 
 /// Says how well a filtered colour stands for what samples beside it see.

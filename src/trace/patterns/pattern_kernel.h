@@ -130,38 +130,46 @@ struct PatternMeans {
 /// these are taken for linear. Octaves that are finer than the grid fade away.
 template <class S>
 [[gnu::noinline]] void mean_of_values(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
-                                      const Vec3<S>& p, const Vec3<S>& across, const Vec3<S>& down, Mask<S> lanes,
-                                      PatternMeans<S>& means) {
+                                      const Vec3<S>& p, const Vec3<S>& across, const Vec3<S>& down, const S& weight,
+                                      Mask<S> lanes, PatternMeans<S>& means) {
     using T = Element<S>;
     const bool noisy = pattern.form == PatternForm::noise || pattern.turbulence != 0;
     const S finest(noisy ? finest_octave(pattern, T(least_strength)) : T(1)), one(1);
     const S lengths[2] = {sqrt(dot(across, across)), sqrt(dot(down, down))};
+    const T contrast = static_cast<T>(share_of_steps(pattern, world.patterns.stops + pattern.first_stop));
+    const S share = min(S(contrast) * weight, one);
     const auto steps_along = [&](const S& own, const S& other) {
         const S most = select(own < other, S(T(ValueGrid::most_steps / 2)), S(T(ValueGrid::most_steps)));
-        return min(max(-floor(S(T(-steps_per_cell)) * finest * own), one), most);
+        return max(-floor(share * -min(S(T(steps_per_cell)) * finest * own, most)), one);
     };
     const S columns = steps_along(lengths[0], lengths[1]), rows = steps_along(lengths[1], lengths[0]);
-    const S step = max(lengths[0] / columns, lengths[1] / rows);
-    const auto most_of = [&](const S& steps) { return static_cast<int>(-least(select(lanes, -steps, S(-1)))); };
-    const int most_columns = most_of(columns), most_rows = most_of(rows), stride = most_columns + 1;
-    alignas(64) T values[ValueGrid::most_values][width<S>], spreads[width<S>], looseness[width<S>];
-    for (int j = 0; j <= most_rows; ++j)
-        for (int i = 0; i <= most_columns; ++i) {
-            const S x = S(static_cast<T>(i)) / columns - S(T(.5)), y = S(static_cast<T>(j)) / rows - S(T(.5));
-            store_lanes(values[j * stride + i], smoothed_value(pattern, fma(x, across, fma(y, down, p)), step));
-        }
+    const S step = max(lengths[0] / columns, lengths[1] / rows), fine = finest * (lengths[0] + lengths[1]);
     const LostOctaves<S> lost = lost_octaves(pattern, step, lengths);
-    store_lanes(spreads, lost.spread), store_lanes(looseness, lost.loose);
-    const S fine = finest * (lengths[0] + lengths[1]);
+    // Packs hold points of one grid: grids have different sizes.
+    constexpr int lanes_of = width<S>, most_packs = (ValueGrid::most_values + lanes_of - 1) / lanes_of;
+    alignas(64) T along[2][most_packs * lanes_of], values[most_packs * lanes_of];
+    const auto of = [](const S& all, int k) { return static_cast<double>(lane(all, k)); };
     each_lane<S>(lanes, [&](int k) {
         ValueGrid grid{.columns = static_cast<int>(lane(columns, k)),
                        .rows = static_cast<int>(lane(rows, k)),
-                       .spread = static_cast<double>(spreads[k]),
-                       .loose = static_cast<double>(looseness[k]),
-                       .cells = static_cast<double>(lane(fine, k))};
-        for (int j = 0, n = 0; j <= grid.rows; ++j)
-            for (int i = 0; i <= grid.columns; ++i)
-                grid.values[n++] = static_cast<double>(values[j * stride + i][k]);
+                       .spread = of(lost.spread, k),
+                       .loose = of(lost.loose, k),
+                       .cells = of(fine, k)};
+        int n = 0;
+        for (int j = 0; j <= grid.rows; ++j)
+            for (int i = 0; i <= grid.columns; ++i, ++n) {
+                along[0][n] = static_cast<T>(i) / lane(columns, k) - T(.5);
+                along[1][n] = static_cast<T>(j) / lane(rows, k) - T(.5);
+            }
+        for (; n % lanes_of != 0; ++n) along[0][n] = along[1][n] = 0;
+        const auto whole = [&](const Vec3<S>& v) { return Vec3<S>(S(lane(v.x, k)), S(lane(v.y, k)), S(lane(v.z, k))); };
+        const Vec3<S> middle = whole(p), side = whole(across), other = whole(down);
+        const S own_step(lane(step, k));
+        for (int i = 0; i < n; i += lanes_of) {
+            const S x = load_lanes<S>(along[0] + i), y = load_lanes<S>(along[1] + i);
+            store_lanes(values + i, smoothed_value(pattern, fma(x, side, fma(y, other, middle)), own_step));
+        }
+        std::copy_n(values, (grid.rows + 1) * (grid.columns + 1), grid.values);
         means.set(pattern, k, [&](double* weights) {
             return mean_over(pattern, world.patterns.stops + pattern.first_stop, grid, weights);
         });
@@ -240,13 +248,15 @@ template <class S>
         } else if (any(others)) {
             const auto [x, y] = shift_of(means, i, others);
             const Footprint<S> part{footprint.direction, footprint.normal, scale(one - S(2) * abs(x), across),
-                                    scale(one - S(2) * abs(y), down)};
+                                    scale(one - S(2) * abs(y), down), footprint.weight * weight};
             add(others, fma(x, across, fma(y, down, position)), part, false);
         }
     }
     if (!may_divide || none(crossed)) return all;
     const S per(T(1) / T(divided_into));
-    const Footprint<S> part{footprint.direction, footprint.normal, scale(per, across), scale(per, down)};
+    // Errors of parts are independent: that of their mean is `per` times theirs.
+    const Footprint<S> part{footprint.direction, footprint.normal, scale(per, across), scale(per, down),
+                            per * footprint.weight};
     Vec3<S> sum = splat<S>(Vec3<T>(0));
     for (int j = 0; j < divided_into; ++j)
         for (int i = 0; i < divided_into; ++i) {
@@ -299,11 +309,14 @@ Filtering<S> filtered_at(const World<Element<S>>& world, const PatternKernel<Ele
     down = select(known, down, splat<S>(Vec3<Element<S>>(0)));
     const auto find_means = [&](const Vec3<S>& middle, const Vec3<S>& side, const Vec3<S>& other,
                                 PatternMeans<S>& means) {
-        if (!has_mean(pattern.form)) return mean_of_values(world, pattern, middle, side, other, lanes, means);
+        const S& weight = footprint.weight;
+        if (!has_mean(pattern.form)) return mean_of_values(world, pattern, middle, side, other, weight, lanes, means);
         each_lane<S>(lanes, [&](int k) {
             means.set(pattern, k, [&](double* weights) {
                 return mean_over(pattern, world.patterns.stops + pattern.first_stop,
-                                 PatternArea{lane_of(middle, k), lane_of(side, k), lane_of(other, k)}, weights);
+                                 PatternArea{lane_of(middle, k), lane_of(side, k), lane_of(other, k),
+                                             static_cast<double>(lane(weight, k))},
+                                 weights);
             });
         });
     };

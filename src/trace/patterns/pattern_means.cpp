@@ -24,10 +24,14 @@ constexpr double most_pieces = 24;
 constexpr double exact = .03;
 /// How loose means of points on a grid count.
 constexpr double of_points = .3;
+/// Grids have fewer steps, in proportion, where the difference of colours times the weight of a ray is less than this:
+/// the error of a mean is about that over the root of the number of values (tests/bench/sampling.md).
+constexpr double full_contrast = .5;
 /// Noise is detailed from so many of its finest cells on.
 constexpr double finely = .25;
 
 double fraction(double x) { return x - std::floor(x); }
+double length_of(double x, double y) { return std::sqrt(x * x + y * y); }
 
 /// A periodic function less its mean, and its integrals, which are periodic too.
 struct Square {  // 1 from 0 to 1 and -1 from 1 to 2
@@ -311,7 +315,7 @@ class MapFunction {
             since = until;
         };
         add(at(0), color_of(0), color_of(0));
-        for (int i = 1; i < count; ++i) add(at(i), color_of(i - 1), color_of(i));
+        for (int i = 1; i < count && since < x; ++i) add(at(i), color_of(i - 1), color_of(i));
         add(std::max(1., x), color_of(count - 1), color_of(count - 1));
         return sums;
     }
@@ -324,7 +328,7 @@ class MapFunction {
 };
 
 /// Finds the values of a solid pattern over an area.
-ValueGrid values_over(const SolidPattern& solid, const SolidDetails& details, const PatternArea& area) {
+ValueGrid values_over(const SolidPattern& solid, const SolidDetails& details, const PatternArea& area, double share) {
     double largest = 0, finest = 0;
     const std::span sizes(details.sizes.data(), static_cast<std::size_t>(details.count));
     for (const SolidDetail& size : sizes) largest = std::max(largest, size.deviation);
@@ -332,9 +336,9 @@ ValueGrid values_over(const SolidPattern& solid, const SolidDetails& details, co
         if (size.deviation >= least_strength * largest || size.deviation == 0) finest = std::max(finest, size.fineness);
     const double lengths[2] = {length(area.across), length(area.down)};
     const auto steps_along = [&](double own, double other) {
-        const double most = own < other ? ValueGrid::most_steps / 2 : ValueGrid::most_steps;
-        if (details.jumps) return ValueGrid::most_steps;
-        return static_cast<int>(std::clamp(std::ceil(steps_per_cell * finest * own), 1., most));
+        const double most = own < other && !details.jumps ? ValueGrid::most_steps / 2 : ValueGrid::most_steps;
+        const double wanted = details.jumps ? most : std::min(steps_per_cell * finest * own, most);
+        return static_cast<int>(std::max(std::ceil(share * wanted), 1.));
     };
     if (is_far(area)) return {.columns = 1, .rows = 1};
     if (!details.known) {
@@ -428,7 +432,7 @@ PatternMean mean_of_grid(const PatternKernel<T>& pattern, const ColorStopKernel<
                 const double* const bottom = top + grid.columns + 1;
                 visit(Piece{(top[0] + top[1] + bottom[0] + bottom[1]) / 4,
                             (top[1] - top[0] + bottom[1] - bottom[0]) / 2,
-                            std::hypot((bottom[0] - top[0] + bottom[1] - top[1]) / 2, spread), top, bottom});
+                            length_of((bottom[0] - top[0] + bottom[1] - top[1]) / 2, spread), top, bottom});
             }
     };
     const auto mean_by = [&](const MapFunction<T>& map) {
@@ -461,6 +465,18 @@ PatternMean mean_of_grid(const PatternKernel<T>& pattern, const ColorStopKernel<
 }  // namespace
 
 template <class T>
+double share_of_steps(const PatternKernel<T>& pattern, const ColorStopKernel<T>* stops) {
+    double most = 0;
+    for (int c = 0; c < 3; ++c) {
+        double low = HUGE_VAL, high = -HUGE_VAL;
+        for (int i = 0; i < pattern.stops; ++i)
+            low = std::min(low, double(stops[i].color[c])), high = std::max(high, double(stops[i].color[c]));
+        most = std::max(most, high - low);
+    }
+    return pattern.nests ? 1 : most / full_contrast;
+}
+
+template <class T>
 PatternMean mean_over(const PatternKernel<T>& pattern, const ColorStopKernel<T>* stops, const PatternArea& area,
                       double* weights) {
     const auto mixed = [&](double share) {
@@ -486,7 +502,8 @@ PatternMean mean_over(const PatternKernel<T>& pattern, const ColorStopKernel<T>*
         }
         case PatternForm::solid: {
             const SolidDetails details = details_of(*pattern.solid);
-            return mean_of_grid(pattern, stops, values_over(*pattern.solid, details, area), &details, weights);
+            const double share = std::min(1., area.weight * share_of_steps(pattern, stops));
+            return mean_of_grid(pattern, stops, values_over(*pattern.solid, details, area, share), &details, weights);
         }
         default: {
             const MapFunction<T> map(stops, pattern.stops, Fold::repeat);
@@ -507,6 +524,9 @@ PatternMean mean_over(const PatternKernel<T>& pattern, const ColorStopKernel<T>*
     return mean_of_grid(pattern, stops, grid, nullptr, weights);
 }
 
+template double share_of_steps(const PatternKernel<float>&, const ColorStopKernel<float>*);
+template double share_of_steps(const PatternKernel<double>&, const ColorStopKernel<double>*);
+template double share_of_steps(const PatternKernel<long double>&, const ColorStopKernel<long double>*);
 template PatternMean mean_over(const PatternKernel<float>&, const ColorStopKernel<float>*, const PatternArea&, double*);
 template PatternMean mean_over(const PatternKernel<double>&, const ColorStopKernel<double>*, const PatternArea&,
                                double*);

@@ -14,6 +14,7 @@ namespace strahl {
 /// A parallelogram in a pattern's space, around a point.
 struct PatternArea {
     DVec3 middle, across, down;
+    double weight = 1;  // of the ray that sees it: means of little weight are less exact
 };
 
 /// Values of noise, layers, rings or a solid pattern, not yet folded or limited, at the corners of a parallelogram's
@@ -31,6 +32,10 @@ struct ValueGrid {
 /// from this share of the strongest on (tests/bench/sampling.md).
 inline constexpr int steps_per_cell = 5;
 inline constexpr double least_strength = 1. / 16;
+/// Returns the share of the steps that a grid needs, of rays of weight 1, for a pattern whose colours differ by this
+/// much; above 1 for all and more.
+template <class T>
+double share_of_steps(const PatternKernel<T>& pattern, const ColorStopKernel<T>* stops);
 /// Most stops of patterns whose weights are found.
 inline constexpr int most_weighed = 16;
 

@@ -86,6 +86,18 @@ defaultmaterial { rgb <1, 1, 1>  diffuse 0  ambient 1  specular 0  reflection 0 
 cylinder { <-2.5, .7, 12>, <2.7, 1.7, 12>, .0048 }
 )";
 
+/// A ceiling behind the camera in a flat mirror, and on it the shadow of a wire, .2 pixels wide.
+const char* const shadow_in_mirror = R"(
+camera { position <0, -1, 10>  look_at <0, 0, 0>  sky <0, 1, 0>  angle 20 }
+light { position <30, 5, 4>  color <2, 2, 2> }
+background { color <0, 0, 0> }
+defaultmaterial { rgb <1, 1, 1>  diffuse 0  ambient .1  specular 0  reflection .8 }
+plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0> }
+defaultmaterial { rgb <1, 1, 1>  diffuse .8  ambient .1  specular 0  reflection 0 }
+plane { <0, 0, 16>, <1, 0, 16>, <0, 1, 16> }
+cylinder { <14.6, .3, 10>, <15.4, 4.3, 10>, .0012 }
+)";
+
 /// A wire .2 pixels wide, as large as at look_at.
 const char* const wire_in_sight = R"(
 camera { position <0, -1, 10>  look_at <0, 0, 0>  sky <0, 1, 0>  angle 20 }
@@ -214,6 +226,9 @@ TEST_CASE("wires, their shadows and reflections keep their light in parallel vie
 }
 
 TEST_CASE("wires in a mirror keep their light") { check_last_body(parse_scene(wire_in_mirror, "wire_in_mirror")); }
+TEST_CASE("shadows of wires in a mirror keep their darkness") {
+    check_last_body(parse_scene(shadow_in_mirror, "shadow_in_mirror"));
+}
 
 TEST_CASE("the share of rays that a polygon takes is that of many rays") {
     std::mt19937 random(3);
