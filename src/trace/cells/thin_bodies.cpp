@@ -20,9 +20,8 @@ constexpr double most_widening = 2;
 /// to the horizon are not parallelograms of the surface.
 constexpr double most_receding = 2;
 
-/// Four points in a mirror count as those of one surface if they are no further from a parallelogram than this, over
-/// its size.
-constexpr double most_uneven = .5;
+/// The same for shadows in mirrors, where only distances tell whether all corners show one surface.
+constexpr double most_slanted = 1.05;
 
 /// Cells of less than so many pixels are not divided for what facets that some of their corners meet may leave.
 constexpr double finest_doubt = 1. / 8;
@@ -146,12 +145,10 @@ bool ThinBodies::hides_in(const std::array<CellCorner, 4>& corners, double least
     if (wide && hides_shadow(places, radius, lit, seen, most_dark)) return true;
     if (!mirrors) return false;
     if (hides_reflection(places, radius, reflected, further, reach, seen, least / reflection)) return true;
-    // Shadows on what the mirror shows, if that seems to be flat; in cells of less than finest_doubt they would take
-    // twice the samples.
-    if (small || !(most_way < most_receding * least_way)) return false;
+    // Shadows on what the mirror shows; in cells of less than finest_doubt they would take twice the samples.
+    if (small || !(most_way < most_slanted * least_way)) return false;
     for (int k = 0; k < 4; ++k) places[k] += double(corners[k].sample->further) * quick_unit(reflected[k]);
-    const double seen_radius = radius_of(places), off = quick_length(places[0] - places[1] + places[2] - places[3]);
-    return off < most_uneven * seen_radius && hides_shadow(places, seen_radius, ~0u, seen, most_dark);
+    return hides_shadow(places, radius_of(places), ~0u, seen, most_dark);
 }
 
 bool ThinBodies::hides_camera(const std::array<CellCorner, 4>& corners, const Sights& sights, double furthest,
