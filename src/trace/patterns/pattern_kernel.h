@@ -126,6 +126,16 @@ struct PatternMeans {
     }
 };
 
+/// Finds values of a solid pattern, a pack of points at a time.
+template <class D>
+void smoothed_values(const SolidPattern& solid, const double (&at)[3][ValueGrid::room], int count, double step,
+                     double* values) {
+    for (int i = 0; i < count; i += width<D>) {
+        const Vec3<D> p(load_lanes<D>(at[0] + i), load_lanes<D>(at[1] + i), load_lanes<D>(at[2] + i));
+        store_lanes(values + i, smoothed_solid(solid, p, step));
+    }
+}
+
 /// Finds mean colours of noise, layers or rings around p: from their values on a grid over the footprint, between which
 /// these are taken for linear. Octaves that are finer than the grid fade away.
 template <class S>
@@ -316,7 +326,7 @@ Filtering<S> filtered_at(const World<Element<S>>& world, const PatternKernel<Ele
                 return mean_over(pattern, world.patterns.stops + pattern.first_stop,
                                  PatternArea{lane_of(middle, k), lane_of(side, k), lane_of(other, k),
                                              static_cast<double>(lane(weight, k))},
-                                 weights);
+                                 weights, smoothed_values<Widest<double>>);
             });
         });
     };

@@ -328,7 +328,8 @@ class MapFunction {
 };
 
 /// Finds the values of a solid pattern over an area.
-ValueGrid values_over(const SolidPattern& solid, const SolidDetails& details, const PatternArea& area, double share) {
+ValueGrid values_over(const SolidPattern& solid, const SolidDetails& details, const PatternArea& area, double share,
+                      SmoothedValues find) {
     double largest = 0, finest = 0;
     const std::span sizes(details.sizes.data(), static_cast<std::size_t>(details.count));
     for (const SolidDetail& size : sizes) largest = std::max(largest, size.deviation);
@@ -361,12 +362,14 @@ ValueGrid values_over(const SolidPattern& solid, const SolidDetails& details, co
     }
     grid.spread = std::sqrt(squares);
     grid.loose = details.jumps ? of_points : all > 0 ? std::sqrt(missed / all) : std::min(finest * step, 1.);
-    const auto point_of = [&](int i, int j) {
-        return area.middle + (double(i) / grid.columns - .5) * area.across + (double(j) / grid.rows - .5) * area.down;
-    };
-    for (int j = 0, n = 0; j <= grid.rows; ++j)
-        for (int i = 0; i <= grid.columns; ++i)
-            grid.values[n++] = smoothed_value(solid, point_of(i, j), step);
+    alignas(64) double at[3][ValueGrid::room] = {};
+    int n = 0;
+    for (int j = 0; j <= grid.rows; ++j)
+        for (int i = 0; i <= grid.columns; ++i, ++n) {
+            const double x = double(i) / grid.columns - .5, y = double(j) / grid.rows - .5;
+            for (int c = 0; c < 3; ++c) at[c][n] = area.middle[c] + x * area.across[c] + y * area.down[c];
+        }
+    find(solid, at, n, step, grid.values);
     return grid;
 }
 
@@ -464,6 +467,11 @@ PatternMean mean_of_grid(const PatternKernel<T>& pattern, const ColorStopKernel<
 
 }  // namespace
 
+void values_one_by_one(const SolidPattern& solid, const double (&at)[3][ValueGrid::room], int count, double step,
+                       double* values) {
+    for (int i = 0; i < count; ++i) values[i] = smoothed_value(solid, {at[0][i], at[1][i], at[2][i]}, step);
+}
+
 template <class T>
 double share_of_steps(const PatternKernel<T>& pattern, const ColorStopKernel<T>* stops) {
     double most = 0;
@@ -478,7 +486,7 @@ double share_of_steps(const PatternKernel<T>& pattern, const ColorStopKernel<T>*
 
 template <class T>
 PatternMean mean_over(const PatternKernel<T>& pattern, const ColorStopKernel<T>* stops, const PatternArea& area,
-                      double* weights) {
+                      double* weights, SmoothedValues find) {
     const auto mixed = [&](double share) {
         share = std::clamp(share, 0., 1.);  // rounding may lead out of this
         if (weights) weights[0] = 1 - share, weights[1] = share;
@@ -503,7 +511,8 @@ PatternMean mean_over(const PatternKernel<T>& pattern, const ColorStopKernel<T>*
         case PatternForm::solid: {
             const SolidDetails details = details_of(*pattern.solid);
             const double share = std::min(1., area.weight * share_of_steps(pattern, stops));
-            return mean_of_grid(pattern, stops, values_over(*pattern.solid, details, area, share), &details, weights);
+            return mean_of_grid(pattern, stops, values_over(*pattern.solid, details, area, share, find), &details,
+                                weights);
         }
         default: {
             const MapFunction<T> map(stops, pattern.stops, Fold::repeat);
@@ -527,11 +536,12 @@ PatternMean mean_over(const PatternKernel<T>& pattern, const ColorStopKernel<T>*
 template double share_of_steps(const PatternKernel<float>&, const ColorStopKernel<float>*);
 template double share_of_steps(const PatternKernel<double>&, const ColorStopKernel<double>*);
 template double share_of_steps(const PatternKernel<long double>&, const ColorStopKernel<long double>*);
-template PatternMean mean_over(const PatternKernel<float>&, const ColorStopKernel<float>*, const PatternArea&, double*);
+template PatternMean mean_over(const PatternKernel<float>&, const ColorStopKernel<float>*, const PatternArea&, double*,
+                               SmoothedValues);
 template PatternMean mean_over(const PatternKernel<double>&, const ColorStopKernel<double>*, const PatternArea&,
-                               double*);
-template PatternMean mean_over(const PatternKernel<long double>&, const ColorStopKernel<long double>*,
-                               const PatternArea&, double*);
+                               double*, SmoothedValues);
+template PatternMean mean_over(const PatternKernel<long double>&, const ColorStopKernel<long double>*, const PatternArea&,
+                               double*, SmoothedValues);
 template PatternMean mean_over(const PatternKernel<float>&, const ColorStopKernel<float>*, const ValueGrid&, double*);
 template PatternMean mean_over(const PatternKernel<double>&, const ColorStopKernel<double>*, const ValueGrid&, double*);
 template PatternMean mean_over(const PatternKernel<long double>&, const ColorStopKernel<long double>*,

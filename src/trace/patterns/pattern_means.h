@@ -21,11 +21,12 @@ struct PatternArea {
 /// columns and rows.
 struct ValueGrid {
     static constexpr int most_steps = 10, most_values = (most_steps + 1) * (most_steps + 1);
+    static constexpr int room = (most_values + 15) / 16 * 16;  // a whole number of packs
     int columns, rows;
     double spread = 0;  // the standard deviation of what the values lack of the finest detail
     double loose = 0;   // the share of their variation over areas beside each other that they lack, from 0 to 1
     double cells = 0;   // how many cells of the finest detail that counts the sides of the area cross
-    double values[most_values] = {};  // row by row
+    alignas(64) double values[room] = {};  // row by row
 };
 
 /// The grid has so many steps for each cell of the finest detail that counts, if these are not too many. Detail counts
@@ -36,6 +37,12 @@ inline constexpr double least_strength = 1. / 16;
 /// much; above 1 for all and more.
 template <class T>
 double share_of_steps(const PatternKernel<T>& pattern, const ColorStopKernel<T>* stops);
+/// Finds values of a solid pattern at some points of a grid, see smoothed_value().
+using SmoothedValues = void (*)(const SolidPattern&, const double (&at)[3][ValueGrid::room], int count, double step,
+                                double* values);
+void values_one_by_one(const SolidPattern& solid, const double (&at)[3][ValueGrid::room], int count, double step,
+                       double* values);
+
 /// Most stops of patterns whose weights are found.
 inline constexpr int most_weighed = 16;
 
@@ -49,7 +56,7 @@ struct PatternMean {
 /// `weights`, unless null, get the shares of the pattern's stops: the mean is the sum of their colours times these.
 template <class T>
 PatternMean mean_over(const PatternKernel<T>& pattern, const ColorStopKernel<T>* stops, const PatternArea& area,
-                      double* weights = nullptr);
+                      double* weights = nullptr, SmoothedValues find = values_one_by_one);
 template <class T>
 PatternMean mean_over(const PatternKernel<T>& pattern, const ColorStopKernel<T>* stops, const ValueGrid& grid,
                       double* weights = nullptr);
