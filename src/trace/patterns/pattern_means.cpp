@@ -540,8 +540,8 @@ template PatternMean mean_over(const PatternKernel<float>&, const ColorStopKerne
                                SmoothedValues);
 template PatternMean mean_over(const PatternKernel<double>&, const ColorStopKernel<double>*, const PatternArea&,
                                double*, SmoothedValues);
-template PatternMean mean_over(const PatternKernel<long double>&, const ColorStopKernel<long double>*, const PatternArea&,
-                               double*, SmoothedValues);
+template PatternMean mean_over(const PatternKernel<long double>&, const ColorStopKernel<long double>*,
+                               const PatternArea&, double*, SmoothedValues);
 template PatternMean mean_over(const PatternKernel<float>&, const ColorStopKernel<float>*, const ValueGrid&, double*);
 template PatternMean mean_over(const PatternKernel<double>&, const ColorStopKernel<double>*, const ValueGrid&, double*);
 template PatternMean mean_over(const PatternKernel<long double>&, const ColorStopKernel<long double>*,
