@@ -20,9 +20,10 @@ class CompositeWalk {
           ray(ray),
           whole{select(lanes, S(0), S(inf)), select(lanes, limit, S(-inf))} {
         start_key = S(T(-1));
-        starts_here = any((ray.source >= S(static_cast<T>(composite.surface))) &
-                          (ray.source < S(static_cast<T>(composite.surface + composite.surfaces))));
-        if (starts_here) start_key = keys_of(ray.source);
+        const Mask<S> start = (ray.source >= S(static_cast<T>(composite.surface))) &
+                              (ray.source < S(static_cast<T>(composite.surface + composite.surfaces)));
+        starts_here = any(start);
+        if (starts_here) find_start_keys(start);
         find_leaves();
     }
 
@@ -227,17 +228,16 @@ class CompositeWalk {
     }
     const CompositeLeaf& leaf(int i) const { return world.composites.leaves[composite.first_leaf + i]; }
 
-    /// Returns the keys of the faces that rays start on, -1 for others.
-    [[gnu::noinline]] S keys_of(const S& source) const {
-        const auto key_of = [&](int k) {
-            const int own = static_cast<int>(lane(source, k)) - composite.surface;
-            const bool here = own >= 0 && own < composite.surfaces;
-            return here ? static_cast<T>(world.composites.face_keys[composite.first_key + own]) : T(-1);
-        };
-        if (all(source == S(lane(source, 0)))) return S(key_of(0));
-        alignas(64) T keys[width<S>];
-        for (int k = 0; k < width<S>; ++k) keys[k] = key_of(k);
-        return load_lanes<S>(keys);
+    /// Sets the keys of the faces that rays start on, in the lanes of the mask.
+    [[gnu::noinline]] void find_start_keys(Mask<S> lanes) {
+        while (any(lanes)) {
+            const T source = lane(ray.source, first(lanes));
+            const Mask<S> own = lanes & (ray.source == S(source));
+            const int key =
+                world.composites.face_keys[composite.first_key + static_cast<int>(source) - composite.surface];
+            start_key = select(own, S(static_cast<T>(key)), start_key);
+            lanes = lanes & !own;
+        }
     }
     Mask<S> inside_leaf(int i, const S& t) const {
         Mask<S> inside = (ends[i].near[0] <= t) & (t < ends[i].far[0]);

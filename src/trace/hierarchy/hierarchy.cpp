@@ -21,8 +21,12 @@ constexpr int deepest_cut = 30;      // from this depth on, in the middle: 2^30 
 constexpr int shared_items = 16384;  // more than these are cut by a grid, by all threads together,
 constexpr int few_cells = 128;       // until a part has no more cells than these
 constexpr int chunk_items = 8192;    // a thread's piece of other work on all items
-// A ray that meets a composite asks all of its parts: each has a leaf, and so a box, of its own.
-constexpr int alone = place_of<Form<Union, 0>>(Forms{});
+// A ray asks all parts of a composite and all pieces of a contour: each of these bodies has a leaf, and so a box, of
+// its own.
+constexpr bool alone(int form) {
+    return form == place_of<Form<Union, 0>>(Forms{}) || form == place_of<Form<Prism, 0>>(Forms{}) ||
+           form == place_of<Form<Lathe, 0>>(Forms{});
+}
 
 /// A node of the binary hierarchy: items [begin, end).
 struct BinaryNode {
@@ -125,7 +129,7 @@ class HierarchyBuilder {
             const auto [least, most] = std::minmax_element(
                 first_of(part), last_of(part), [](const ItemBox& a, const ItemBox& b) { return a.form < b.form; });
             if (least->form < most->form) part.cut = {0, by_form, least->form};
-            part.leaf = least->form == most->form && (least->form != alone || part.count() == 1);
+            part.leaf = least->form == most->form && (part.count() == 1 || !alone(least->form));
         }
         return part;
     }
@@ -275,6 +279,7 @@ class HierarchyBuilder {
             if (child.leaf) {
                 node.first[i] = child.begin;
                 node.leaves[i] = static_cast<std::int16_t>(LeafCode::make(first_of(child)->form, child.count()));
+                node.together |= alone(first_of(child)->form);
                 for (std::int32_t k = child.begin; k < child.end; ++k) result.order[k] = entries[child.side][k].item;
             } else if (shared && child.count() <= shared_items) {
                 tasks.push_back({child, index, i});

@@ -203,7 +203,7 @@ STRAHL_INLINE void traverse(const Node* nodes, const R<S>& ray, Mask<S> active, 
         if (rays == 0) continue;
         // Few rays: test packs of items for one ray after the other. Many: test the pack of rays for each item.
         if (leaf.code != 0 ? rays * cost_ratio * ((leaf.count() - 1) / width<S> + 1) <= leaf.count()
-                           : rays <= threshold) {
+                           : rays <= threshold && !nodes[leaf.first].together) {
             for (unsigned left = bits(mask); left; left &= left - 1) single(std::countr_zero(left), leaf);
             continue;
         }
