@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstring>
+#include <utility>
 
 #include "num/pack.h"
 
@@ -62,6 +63,21 @@ STRAHL_INLINE S gather(const Element<S>* base, const int* index) {
         return load_lanes<S>(lanes);
     }
 }
+/// Calls set(n) for n = 0, 1, ..., count - 1, each in code of its own.
+template <std::size_t count, class Set>
+STRAHL_INLINE void each_number(const Set& set) {
+    [&]<std::size_t... n>(std::index_sequence<n...>) __attribute__((always_inline)) { (set(n), ...); }
+    (std::make_index_sequence<count>());
+}
+/// Returns a struct of packs whose fields are value(0), value(1), ... They are written in place and not in a loop: so
+/// the compiler leaves out what is not used, and need not copy the whole in memory.
+template <class R, class S, class Value>
+STRAHL_INLINE R of_fields(const Value& value) {
+    R result;
+    S* const fields = reinterpret_cast<S*>(&result);
+    each_number<sizeof(R) / sizeof(S)>([&](std::size_t f) __attribute__((always_inline)) { fields[f] = value(f); });
+    return result;
+}
 /// Loads items[index[lane]] into every lane, for a struct I of elements; R is the same struct of packs.
 template <class R, class S, class I>
 STRAHL_INLINE R gather_items(const I* items, const int* index) {
@@ -71,32 +87,30 @@ STRAHL_INLINE R gather_items(const I* items, const int* index) {
     if constexpr (constexpr int at_once = fields_at_once<S>; at_once > 1 && fields >= at_once) {
         const T* from[width<S>];
         for (int i = 0; i < width<S>; ++i) from[i] = reinterpret_cast<const T*>(items + index[i]);
-        std::array<S, fields> packs;
-        for (int f = 0; f + at_once <= fields; f += at_once) {
-            load_fields(from, &packs[f]);
+        R result;
+        S* const to = reinterpret_cast<S*>(&result);
+        each_number<fields / at_once>([&](std::size_t n) __attribute__((always_inline)) {
+            load_fields(from, to + n * at_once);
             for (const T*& place : from) place += at_once;
-        }
+        });
         if constexpr (fields % at_once != 0) {
             for (const T*& place : from) place -= at_once - fields % at_once;
-            load_fields(from, &packs[fields - at_once]);
+            load_fields(from, to + fields - at_once);
         }
-        return std::bit_cast<R>(packs);
+        return result;
     }
     alignas(64) T lanes[fields][width<S>];
     for (int i = 0; i < width<S>; ++i) {
         const auto values = std::bit_cast<std::array<T, fields>>(items[index[i]]);
         for (int f = 0; f < fields; ++f) lanes[f][i] = values[f];
     }
-    std::array<S, fields> packs;
-    for (int f = 0; f < fields; ++f) packs[f] = load_lanes<S>(lanes[f]);
-    return std::bit_cast<R>(packs);
+    return of_fields<R, S>([&](std::size_t f) __attribute__((always_inline)) { return load_lanes<S>(lanes[f]); });
 }
 /// Loads items [first, first + width), which are stored by columns: field f begins at columns + f * stride.
 template <class R, class S>
 STRAHL_INLINE R load_items(const Element<S>* columns, std::size_t stride, int first) {
-    std::array<S, sizeof(R) / sizeof(S)> packs;
-    for (std::size_t f = 0; f < packs.size(); ++f) packs[f] = load_lanes<S>(columns + f * stride + first);
-    return std::bit_cast<R>(packs);
+    return of_fields<R, S>([&](std::size_t f)
+                               __attribute__((always_inline)) { return load_lanes<S>(columns + f * stride + first); });
 }
 /// Adds v[c] to to[4 * index + c] for the first `lanes`, one lane after the other, so that equal indices add up in this
 /// order. to[4 * index + 3] is unchanged.
@@ -120,11 +134,8 @@ STRAHL_INLINE void add_lanes(Element<S>* to, const S& index, int lanes, const Ve
 template <class R, class S, class I>
 STRAHL_INLINE R splat_item(const I& item) {
     using T = Element<S>;
-    constexpr int fields = sizeof(I) / sizeof(T);
-    const auto values = std::bit_cast<std::array<T, fields>>(item);
-    std::array<S, fields> packs;
-    for (int f = 0; f < fields; ++f) packs[f] = S(values[f]);
-    return std::bit_cast<R>(packs);
+    const T* const values = reinterpret_cast<const T*>(&item);
+    return of_fields<R, S>([&](std::size_t f) __attribute__((always_inline)) { return S(values[f]); });
 }
 /// Stores the lanes set in the mask without gaps. Up to a whole pack is written, so leave space behind.
 template <Scalar S>

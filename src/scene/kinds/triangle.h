@@ -90,7 +90,9 @@ struct TriangleKernel {
     STRAHL_INLINE Span<S> span(const Ray<S>& ray, S start) const {
         constexpr auto inf = std::numeric_limits<Element<S>>::infinity();
         const SeenTriangle<S> triangle = seen(ray);
-        return {S(-inf), triangle.depth(), Mask<S>(triangle.crossed & !(start == S(0)))};
+        const Mask<S> hit = triangle.crossed & !(start == S(0));
+        if (none(hit)) return {S(-inf), S(inf), hit};
+        return {S(-inf), triangle.depth(), hit};
     }
     /// Returns the point where the line passes through the triangle.
     template <class S>

@@ -97,8 +97,8 @@ struct FormFunctions {
     /// Finds where rays cross the items beyond distance `place`, in the lanes of the mask.
     static void cross_beyond(const World<T>& world, int first, int count, const Ray<S>& ray, Mask<S> mask,
                              const S& place, MeshCrossings<S>& found);
-    /// Does the same for the ray of lane k, with the items of a leaf side by side.
-    static void cross_beyond_single(const World<T>& world, int first, int count, const Ray<S>& ray, int k,
+    /// Does the same for the ray of lane k, which is in all lanes, with the items of a leaf side by side.
+    static void cross_beyond_single(const World<T>& world, int first, int count, const Ray<S>& one, int k,
                                     const S& place, MeshCrossings<S>& found);
     // The two below are never called for hot forms: see if_hot(). Only convex forms have the second.
     /// Finds the points at distance `t` where rays first meet an item, the same for all.

@@ -108,20 +108,21 @@ void FormFunctions<Form, S>::intersect(const World<T>& world, int first, int cou
 template <class Form, class S>
 void FormFunctions<Form, S>::intersect_single(const World<T>& world, int first, int count, SingleRay<S>& single) {
     const auto& group = world.groups.template get<Form>();
-    const Ray<S> ray = single.ray;
+    const Ray<S>& ray = single.ray;
     for (int i = first; i < first + count; i += width<S>) {
         const auto item = load_of_leaf<S>(group, first, count, i);
+        const S surface = item.surface;
         auto span = cross<Form>(item, ray, cross_each);
         settle_start(world, i, 1, item, ray, first_lanes<S>(first + count - i), span);
         const S t = first_crossing(span);
         Mask<S> better = span.hit & (t > S(0)) & first_lanes<S>(first + count - i);
-        better = better & closer(t, item.surface, S(single.t), S(single.surface));
+        better = better & closer(t, surface, S(single.t), S(single.surface));
         if constexpr (Item<Form, T>::has_exits)
             better = better & !outside_each(world, i, ray, span, better & !(span.near > S(0)));
         while (any(better)) {
             const int k = strahl::first(better);
-            single.t = lane(t, k), single.surface = lane(item.surface, k);
-            better = better & closer(t, item.surface, S(single.t), S(single.surface));
+            single.t = lane(t, k), single.surface = lane(surface, k);
+            better = better & closer(t, surface, S(single.t), S(single.surface));
         }
     }
 }
@@ -144,7 +145,7 @@ bool FormFunctions<Form, S>::occlude(const World<T>& world, int first, int count
 template <class Form, class S>
 bool FormFunctions<Form, S>::occlude_single(const World<T>& world, int first, int count, SingleRay<S>& single) {
     const auto& group = world.groups.template get<Form>();
-    const Ray<S> ray = single.ray;
+    const Ray<S>& ray = single.ray;
     const S distance(single.t);
     for (int i = first; i < first + count; i += width<S>) {
         const auto item = load_of_leaf<S>(group, first, count, i);
@@ -240,19 +241,19 @@ void FormFunctions<Form, S>::cross_beyond(const World<T>& world, int first, int 
 }
 
 template <class Form, class S>
-void FormFunctions<Form, S>::cross_beyond_single(const World<T>& world, int first, int count, const Ray<S>& ray, int k,
+void FormFunctions<Form, S>::cross_beyond_single(const World<T>& world, int first, int count, const Ray<S>& one, int k,
                                                  const S& place, MeshCrossings<S>& found) {
     const auto& group = world.groups.template get<Form>();
-    const Ray<S> one = lane_of(ray, k);
     const Mask<S> own = first_lanes<S>(k + 1) & !first_lanes<S>(k);
     for (int i = first; i < first + count; i += width<S>) {
         const auto item = load_of_leaf<S>(group, first, count, i);
+        const S surface = item.surface;
         const Mask<S> items = first_lanes<S>(first + count - i);
         auto crossed = cross<Form>(item, one, cross_each);
         settle_start(world, i, 1, item, one, items, crossed);
         for (unsigned hits = bits(items & crossed.hit & (crossed.far > S(lane(place, k)))); hits; hits &= hits - 1) {
             const int n = std::countr_zero(hits);
-            found.add(own, S(lane(crossed.far, n)), S(lane(item.surface, n)));
+            found.add(own, S(lane(crossed.far, n)), S(lane(surface, n)));
         }
     }
 }

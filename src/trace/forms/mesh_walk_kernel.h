@@ -28,8 +28,9 @@ template <class S>
     };
     traverse<true>(mesh.nodes, line, lanes, end, look, [&](int k, const Leaf& root) {
         T own_end = lane(end, k);
+        const Ray<S> one = lane_of(ray, k);
         const auto look_single = [&](const Leaf& leaf) {
-            form.cross_beyond_single(world, leaf.first, leaf.count(), ray, k, place, found);
+            form.cross_beyond_single(world, leaf.first, leaf.count(), one, k, place, found);
             set_end();
             own_end = lane(end, k);
             return false;

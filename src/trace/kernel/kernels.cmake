@@ -118,16 +118,19 @@ if(NOT STRAHL_LEVELS STREQUAL least)
 endif()
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   strahl_level(v2 -march=x86-64-v2)
-  # Without these g++ copies structs in halves of a register, and a load of the whole register has to wait for both.
+  # Without these g++ copies structs in halves of a register, and large ones by `rep movs`, which takes long to start. A
+  # load of a whole register has to wait for both.
   include(CheckCXXCompilerFlag)
   check_cxx_compiler_flag(-mmove-max=256 STRAHL_MOVE_MAX)
   if(STRAHL_MOVE_MAX)
-    set(strahl_moves -mmove-max=256 -mstore-max=256)
+    set(strahl_loop =vector_loop:65536:noalign,libcall:-1:noalign)
+    set(strahl_copies -mmemcpy-strategy${strahl_loop} -mmemset-strategy${strahl_loop})
+    set(strahl_moves -mmove-max=256 -mstore-max=256 ${strahl_copies})
   endif()
   strahl_level(v3 -march=x86-64-v3 ${strahl_moves})
   if(NOT CMAKE_CXX_COMPILER_ID MATCHES Clang)  # clang's AVX-512 code for libstdc++ 12's packs gives wrong pictures
     # g++ 12 warns of an "uninitialized" operand inside its own AVX-512 header.
-    strahl_level(v4 -march=x86-64-v4 -mprefer-vector-width=512 -Wno-uninitialized
+    strahl_level(v4 -march=x86-64-v4 -mprefer-vector-width=512 ${strahl_copies} -Wno-uninitialized
                   -Wno-maybe-uninitialized)
   endif()
 elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "aarch64|arm64")
