@@ -83,8 +83,8 @@ std::string PovMotions::section() const {
     std::string text =
         heading("Motions") +
         comment(
-            "`clock` is the time in seconds. Between keys, Over is the share of the time that has passed, and Share that "
-            "of the curve. Rotations are products of turns about vectors by angles equal to their lengths.") +
+            "`clock` is the time in seconds. Between keys, Over is the share of the time that has passed, and Share "
+            "that of the curve. Rotations are products of turns about vectors by angles equal to their lengths.") +
         "#macro Cubic(P, Q, M, N, H)\n"
         "  (P*((1 - H)*(1 - H)*(1 + 2*H)) + Q*(H*H*(3 - 2*H)) + (M*(1 - H) - N*H)*((1 - H)*H))\n"
         "#end\n"

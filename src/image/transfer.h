@@ -26,9 +26,9 @@ inline double steepest(double gamma) {
     return std::max(srgb_slope * gamma * std::pow(bend, gamma - 1), 1.055 / 2.4 * gamma);
 }
 
-/// How bright a screen shows light: the power of two by which it is multiplied. What is then above 0.8 is compressed, so
-/// that it comes near to white, 1, and never reaches it. Without one, light is shown as it is, and what is brighter than
-/// white is white.
+/// How bright a screen shows light: the power of two by which it is multiplied. What is then above 0.8 is compressed,
+/// so that it comes near to white, 1, and never reaches it. Without one, light is shown as it is, and what is brighter
+/// than white is white.
 using Exposure = std::optional<double>;
 inline constexpr double most_exposure = 20;  // either way
 

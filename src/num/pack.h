@@ -3,8 +3,8 @@
 //
 // It is compiled once per instruction set, inside an inline namespace named by STRAHL_LEVEL (v2, v3, v4, neon), so that
 // packs of different width are different types and never merge at link time. Registers are the compiler's vector types,
-// which have + - * / and comparisons: kernels compile twice as fast as with std::experimental::simd, whose operators are
-// calls of calls.
+// which have + - * / and comparisons: kernels compile twice as fast as with std::experimental::simd, whose operators
+// are calls of calls.
 #pragma once
 #include <array>
 #include <bit>
@@ -112,7 +112,8 @@ inline constexpr std::array<T, width> table_of = [] {
 /// Returns 0, 1, 2, ... in the lanes.
 template <class T>
 STRAHL_INLINE Pack<T> lane_numbers() {
-    return Pack<T>(load_register<typename Pack<T>::Register>(table_of<T, Pack<T>::size, [](int i) { return i; }>.data()));
+    return Pack<T>(
+        load_register<typename Pack<T>::Register>(table_of<T, Pack<T>::size, [](int i) { return i; }>.data()));
 }
 /// Returns the mask as bits: bit i is lane i.
 template <class T>

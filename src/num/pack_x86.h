@@ -25,8 +25,8 @@ struct Native {
     using Register [[gnu::vector_size(bytes)]] = T;
 };
 
-// Each function is one instruction on one register, but least_of(). minimum() and maximum() of four floats are in quad.h.
-// Masks have all bits of a lane or none.
+// Each function is one instruction on one register, but least_of(). minimum() and maximum() of four floats are in
+// quad.h. Masks have all bits of a lane or none.
 STRAHL_INLINE __m128d minimum(__m128d a, __m128d b) { return _mm_min_pd(a, b); }
 STRAHL_INLINE __m128d maximum(__m128d a, __m128d b) { return _mm_max_pd(a, b); }
 STRAHL_INLINE __m128 root(__m128 a) { return _mm_sqrt_ps(a); }
@@ -202,7 +202,8 @@ STRAHL_INLINE void load_fours(const double* const* from, __m512d* to) {
         return _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd(from[j])), _mm256_loadu_pd(from[4 + j]), 1);
     };
     const __m512d a = row(0), b = row(1), c = row(2), d = row(3);
-    const __m512i low = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13), high = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
+    const __m512i low = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13),
+                  high = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
     const __m512d even_ab = _mm512_unpacklo_pd(a, b), even_cd = _mm512_unpacklo_pd(c, d);
     const __m512d odd_ab = _mm512_unpackhi_pd(a, b), odd_cd = _mm512_unpackhi_pd(c, d);
     to[0] = _mm512_permutex2var_pd(even_ab, low, even_cd);
@@ -224,7 +225,8 @@ STRAHL_INLINE void interleave(float* to, __m512 x, __m512 y, __m512 z) {
 }
 STRAHL_INLINE void interleave(double* to, __m512d x, __m512d y, __m512d z) {
     const __m512d none = _mm512_setzero_pd();
-    const __m512i first = _mm512_setr_epi64(0, 1, 8, 9, 2, 3, 10, 11), last = _mm512_setr_epi64(4, 5, 12, 13, 6, 7, 14, 15);
+    const __m512i first = _mm512_setr_epi64(0, 1, 8, 9, 2, 3, 10, 11),
+                  last = _mm512_setr_epi64(4, 5, 12, 13, 6, 7, 14, 15);
     const __m512d even_xy = _mm512_unpacklo_pd(x, y), even_z = _mm512_unpacklo_pd(z, none);
     const __m512d odd_xy = _mm512_unpackhi_pd(x, y), odd_z = _mm512_unpackhi_pd(z, none);
     _mm512_store_pd(to, _mm512_permutex2var_pd(even_xy, first, even_z));

@@ -190,7 +190,8 @@ void PlacedBody::place_steps(const Placing& placing, int decimals, std::vector<T
         by = rounded(scale->about - turned(axes(), inside), by, decimals + 1);
     }
     std::string added;  // what comes before the next step that is written
-    const std::pair<const LastStep&, DVec3> steps[] = {{last.scale, factors}, {last.rotate, degrees}, {last.translate, by}};
+    const std::pair<const LastStep&, DVec3> steps[] = {
+        {last.scale, factors}, {last.rotate, degrees}, {last.translate, by}};
     for (const auto& [step, value] : steps) {
         const bool single = step.numbers.size() == 1 && value.x == value.y && value.y == value.z;
         if (step.numbers.empty()) {

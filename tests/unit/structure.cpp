@@ -434,11 +434,16 @@ TEST_CASE("every header includes what it uses") {
     for (const std::string& text : lacking_includes(headers, defined)) FAIL_CHECK(text);
 }
 
-TEST_CASE("a folder of sources or tests has at most 30 files") {
+TEST_CASE("a folder of sources or tests has at most 30 files, and their lines have at most 120 characters") {
     std::map<fs::path, int> count;
     for (const char* top : {"src", "povref", "tests"})
-        for (const fs::path& file : files_under(fs::path(STRAHL_SOURCE) / top, std::regex(".*")))
+        for (const fs::path& file : files_under(fs::path(STRAHL_SOURCE) / top, std::regex(".*"))) {
             if (file.string().find("/povref/reference/") == std::string::npos) ++count[file.parent_path()];
+            if (file.extension() != ".h" && file.extension() != ".cpp") continue;
+            std::ifstream lines(file);
+            for (std::string line; std::getline(lines, line);)
+                if (line.size() > 120) FAIL_CHECK(file.string() << " has a long line: " << line);
+        }
     for (const auto& [folder, files] : count) CHECK_MESSAGE(files <= 30, folder.string());
 }
 

@@ -155,8 +155,8 @@ void check_error(const Stats& stats) {
     if (stats.sampling.grid > 0 || measured <= aimed) return;
     char said[200];
     std::snprintf(said, sizeof said,
-                  "strahl: warning: the error of averages over pixels is about %.2g, above the %.2g aimed at; a smaller "
-                  "--error brings it down\n",
+                  "strahl: warning: the error of averages over pixels is about %.2g, above the %.2g aimed at; a "
+                  "smaller --error brings it down\n",
                   measured, aimed);
     std::cerr << said;
 }

@@ -131,8 +131,8 @@ inline void add_opening(CLI::App* command, OpeningOptions& options) {
     command->add_flag("--strict", options.strict,
                       "Take whatever in a .pov file cannot be shown as it is meant for an error");
 }
-/// Adds the scene; of an .ini file, FILE.ini or FILE.ini[SECTION], the scene in it. Options that are added later replace
-/// what an .ini file says: `follow` is called with it first.
+/// Adds the scene; of an .ini file, FILE.ini or FILE.ini[SECTION], the scene in it. Options that are added later
+/// replace what an .ini file says: `follow` is called with it first.
 inline CLI::Option* add_scene(CLI::App* command, std::string& value, OpeningOptions& options,
                               const std::function<void(const pov::IniFile&)>& follow = {}) {
     const auto take = [&value, &options, follow](const std::string& given) {

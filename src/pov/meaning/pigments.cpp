@@ -296,7 +296,8 @@ Look PigmentMaker::look_of(const PigmentThing& pigment, const Steps& way, bool m
         if (!pixels) return look;
         tell_encoding(blend, *pixels);
         if (image.map_type > 2) return as_mean("a picture of this map_type");
-        if (image.interpolate == 4) notes.approximated(blend.place, "the pixels of a picture are interpolated bilinearly");
+        if (image.interpolate == 4)
+            notes.approximated(blend.place, "the pixels of a picture are interpolated bilinearly");
         if (image.single_colors) notes.left_out(blend.place, "transparency of single colours of a picture");
         if (image.once) notes.approximated(blend.place, "beside a picture that is shown once its body is black");
         if (!still) notes.approximated(blend.place, "a picture without warps and turbulence");

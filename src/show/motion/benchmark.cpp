@@ -105,9 +105,10 @@ std::string report_of(const Benchmark& b, const BenchmarkSetting& s) {
     text += format("\n%.2f million pixels/s; %.2f ms to draw a picture\n", b.pixels_per_second / 1e6,
                    1000 * s.draw_seconds);
     if (const auto& q = b.quality)
-        text += format("%d pictures beside the finished ones, in steps of 1/255: RMS %.2f, 99 %% off by at most %g, SSIM "
-                       "%.4f, %.2f %% off by more than 8, flicker %.2f\n",
-                       q->pictures, q->rms, q->p99, q->ssim, 100 * q->visible, q->flicker);
+        text += format(
+            "%d pictures beside the finished ones, in steps of 1/255: RMS %.2f, 99 %% off by at most %g, SSIM "
+            "%.4f, %.2f %% off by more than 8, flicker %.2f\n",
+            q->pictures, q->rms, q->p99, q->ssim, 100 * q->visible, q->flicker);
     return text;
 }
 

@@ -8,8 +8,8 @@
 namespace strahl {
 namespace {
 
-constexpr double headroom = 0.85;  // share of the budget that a finer level may need if its time grows as its pixels do:
-                                   // with filled cells (trace/cells/lattice_cells.h) it grows less
+constexpr double headroom = 0.85;  // share of the budget that a finer level may need if its time grows as its pixels
+                                   // do: with filled cells (trace/cells/lattice_cells.h) it grows less
 constexpr int patience = 4;        // observations before it is tried
 
 }  // namespace

@@ -22,8 +22,8 @@ class SecondPictures {
     ~SecondPictures();
     SecondPictures(const SecondPictures&) = delete;
 
-    /// Asks for a picture, unless it is the one that was asked for last. Ends what is under way for another one: POV-Ray
-    /// at once, Strahl after the tiles in work. Never waits for it.
+    /// Asks for a picture, unless it is the one that was asked for last. Ends what is under way for another one:
+    /// POV-Ray at once, Strahl after the tiles in work. Never waits for it.
     void want(SecondOrder order);
     /// Ends what is under way and asks for nothing.
     void drop() { want({}); }

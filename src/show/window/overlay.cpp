@@ -237,7 +237,8 @@ void draw_overlay(const Overlay& overlay) {
     draw_lights(overlay);
     draw_handles(overlay);
     const ImVec2 all = ImGui::GetIO().DisplaySize;
-    FreeArea free{gap() + overlay.reserved_left, gap(), all.x - overlay.reserved_right - gap(), all.y - overlay.reserved - gap()};
+    FreeArea free{gap() + overlay.reserved_left, gap(), all.x - overlay.reserved_right - gap(),
+                  all.y - overlay.reserved - gap()};
     if (overlay.sides) draw_divider(*overlay.sides, overlay.area, free.bottom + gap());
     const bool info = !overlay.info.empty();
     if (info) free.top += draw_info(overlay, free).y;

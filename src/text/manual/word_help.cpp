@@ -120,9 +120,10 @@ Rows pattern_rows() {
     else if constexpr (has_map<Kind>)
         rows = {{"`colors`", "required", "see above", Kind::help}};
     else
-        rows = {{"\"NAME\"", "required", "a path, relative to the scene's folder", Kind::help},
-                {"`once`", "it repeats", not_negative.words, "the picture is there once, with this colour around it"},
-                {"`sharp`", "colours change between pixels", "the word alone", "each pixel is a rectangle of its colour"}};
+        rows = {
+            {"\"NAME\"", "required", "a path, relative to the scene's folder", Kind::help},
+            {"`once`", "it repeats", not_negative.words, "the picture is there once, with this colour around it"},
+            {"`sharp`", "colours change between pixels", "the word alone", "each pixel is a rectangle of its colour"}};
     std::vector<std::string> maps;
     for (const std::string_view map : maps_of(kind)) maps.push_back(code(map));
     rows.push_back({"`map`", maps.size() == 1 ? "the body's points" : code(image_maps[0]), listed(maps),

@@ -42,7 +42,8 @@ struct ImageLookups {
     const ImageKernel<T>& image;
     const MipMapKernel& map;
     T sum[3] = {};
-    T width[2] = {1, 1};  // along an axis, of the part that a lookup stands for, in pixels of a sharp picture; at most 1
+    T width[2] = {1,
+                  1};  // along an axis, of the part that a lookup stands for, in pixels of a sharp picture; at most 1
     bool exact = false, varies = true;  // the mean is; and it is of more than one pixel
 
     /// Adds the colour at (u, v) to the sum, bilinear in a mip level. In a sharp picture itself a part as wide as a
@@ -132,8 +133,9 @@ struct ImageLookups {
 /// beside. Returns how many of the picture's pixels long footprints are, 0 outside of it, and how loose the filter is.
 /// A sharp picture's footprints count as a pixel long at least, because its colours are as abrupt as those of checks.
 template <class S>
-[[gnu::noinline]] Filtering<S> filtered_color(const ImageKernel<Element<S>>& image, const MipMapKernel& map, const Vec3<S>& p,
-                                   const Vec3<S>& across, const Vec3<S>& down, Mask<S> lanes, Vec3<S>& color) {
+[[gnu::noinline]] Filtering<S> filtered_color(const ImageKernel<Element<S>>& image, const MipMapKernel& map,
+                                              const Vec3<S>& p, const Vec3<S>& across, const Vec3<S>& down,
+                                              Mask<S> lanes, Vec3<S>& color) {
     using T = Element<S>;
     const auto [u, v] = place_in_image(image, p);
     const std::array<S, 2> ways[2] = {way_in_image(image, p, across), way_in_image(image, p, down)};

@@ -91,8 +91,9 @@ int main(int count, char** arguments) {
         std::vector<std::jthread> threads;  // POV-Ray sleeps most of the half second that it takes for a small picture
         for (int i = 0; i < (options.alone ? 1 : 4); ++i) threads.emplace_back(work);
     }
-    std::printf("%llu scenes, %llu disagree, %llu of them without a reason; of %zu pixels %zu off edges, %zu on edges\n",
-                number(done), number(disagree), number(unexplained), pixels, off, on_edges);
+    std::printf(
+        "%llu scenes, %llu disagree, %llu of them without a reason; of %zu pixels %zu off edges, %zu on edges\n",
+        number(done), number(disagree), number(unexplained), pixels, off, on_edges);
     for (const auto& [reason, count] : scenes_of) std::printf("%5d scenes: %s\n", count, reason.c_str());
     return unexplained > 0;
 }

@@ -85,7 +85,8 @@ Reasons reasons_of(const Scene& scene, const View& view, const Verdict& verdict,
             for (int c = 0; c < 3; ++c) steps[c] = int(quantise(double(sample.rgb[c]), false, 65535));
             return steps;
         };
-        const auto rule = std::ranges::find_if(rules, [&](const auto& r) { return apart(seen(r.referee), wanted) <= 1; });
+        const auto rule =
+            std::ranges::find_if(rules, [&](const auto& r) { return apart(seen(r.referee), wanted) <= 1; });
         const int off = apart(seen(exact), wanted);
         if (rule != std::end(rules))
             ++found.pixels[rule->name];

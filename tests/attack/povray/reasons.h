@@ -17,8 +17,8 @@ struct Reasons {
 };
 
 /// Computes pixels off the edges that differ from POV-Ray's picture, at most 40 of them from all over the picture, by
-/// the referee with POV-Ray's rules, which stand in povref/README.md. The rule with which its value is POV-Ray's, to one
-/// step, is the reason.
+/// the referee with POV-Ray's rules, which stand in povref/README.md. The rule with which its value is POV-Ray's, to
+/// one step, is the reason.
 Reasons reasons_of(const Scene& scene, const View& view, const Verdict& verdict, const Picture& theirs);
 
 }  // namespace strahl

@@ -199,8 +199,8 @@ void print_row(const Measured& own) {
         light += off / 3, worst = std::max(worst, std::abs(off));
     }
     const double rms = std::sqrt(std::max(squares, 0.) / double(result.rgb.size()));
-    std::printf(" %.2f | %.2f | %.2f | %.3f | %+.1f |\n", 510 * result.estimate, 510 * rms, result.estimate / rms, worst,
-                light);
+    std::printf(" %.2f | %.2f | %.2f | %.3f | %+.1f |\n", 510 * result.estimate, 510 * rms, result.estimate / rms,
+                worst, light);
     std::fflush(stdout);
 }
 

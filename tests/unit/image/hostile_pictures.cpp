@@ -42,8 +42,9 @@ TEST_CASE("only .bmp, .png, .exr, .jpg, .gif, .ppm, .pgm and .pfm are read, reco
         }
     for (const char* kind : {"1.pbm", "2.pgm", "3.ppm"}) {
         write_file(folder / "c.ppm", "P" + std::string(kind, 1) + " 1 1 255\n1 2 3");
-        CHECK(says(reading("c.ppm"), "c.ppm' is a plain " + std::string(kind + 1) +
-                                         " file, which has its values in decimals; save it in binary form, or as .png"));
+        CHECK(
+            says(reading("c.ppm"), "c.ppm' is a plain " + std::string(kind + 1) +
+                                       " file, which has its values in decimals; save it in binary form, or as .png"));
     }
 }
 

@@ -158,10 +158,11 @@ TEST_CASE("POV-Ray: patterns that scenes have are exact") {
     CHECK(std::get<SolidPattern>(pattern("bumps turbulence .2").kind) ==
           SolidPattern{.solid = Solid::bozo, .turbulence = DVec3(.2)});
     const Scene clear = whole(
-        "#version 3.7; sphere { 0, 1 pigment { granite color_map { [0 rgbt <1, 0, 0, .5>] [1 rgbft <0, 1, 0, .25, .5>] } "
-        "} }");
+        "#version 3.7; sphere { 0, 1 pigment { granite color_map { [0 rgbt <1, 0, 0, .5>] "
+        "[1 rgbft <0, 1, 0, .25, .5>] } } }");
     REQUIRE(material(clear).rgb.pattern);
-    CHECK(material(clear).rgb.pattern->colors == std::vector<ColorStop>{{0, {1, 0, 0}, 0, .5}, {1, {0, 1, 0}, .25, .5}});
+    CHECK(material(clear).rgb.pattern->colors ==
+          std::vector<ColorStop>{{0, {1, 0, 0}, 0, .5}, {1, {0, 1, 0}, .25, .5}});
     // A pattern in a map has its own transformations, in the space of the one around it, which is POV-Ray's.
     const Pattern around = pattern("gradient y pigment_map { [0 rgb x] [1 granite scale 2] } scale 3");
     CHECK(std::get<SolidPattern>(around.kind).solid == Solid::gradient);
@@ -309,9 +310,10 @@ TEST_CASE("POV-Ray: a scene of too many bodies ends") {
     const auto fault = [&](const std::string& text) { return fault_of([&] { open_pov(text, options, read); }); };
     CHECK(says(fault("#macro A(N) #if (N>0) A(N-1) A(N-1) #end sphere { 0, 1 } #end A(60)"), "too much memory"));
     CHECK(fault("#for (I, 1, 1000) sphere { 0, 1 } #end") == "");
-    CHECK(says(fault("#declare A = sphere { 0, 1 } #for (I, 1, 40) #declare A = union { object { A } object { A } } #end "
-                     "object { A }"),
-               "bodies need too much memory"));
+    CHECK(
+        says(fault("#declare A = sphere { 0, 1 } #for (I, 1, 40) #declare A = union { object { A } object { A } } #end "
+                   "object { A }"),
+             "bodies need too much memory"));
 }
 
 TEST_CASE("POV-Ray: errors have their place") {

@@ -167,7 +167,9 @@ TEST_CASE("scenes that once disagreed") {
     const std::string shadow = check("shadow", far, {}, 64, 48);
     CHECK_MESSAGE(shadow.empty(), shadow);
     // Floats of a picture in glass. They have as few bits as POV-Ray keeps.
-    const auto floats = [](const std::string&) { return Pixels{2, 1, true, {.125, .5, 1, .75, .25, .5}, {.75, .5, 1}}; };
+    const auto floats = [](const std::string&) {
+        return Pixels{2, 1, true, {.125, .5, 1, .75, .25, .5}, {.75, .5, 1}};
+    };
     const std::string ball = "sphere { <0, 0, 0>, 1.5 " + glass("ior 1.2", "image { \"floats.exr\" }") + " }";
     const std::string glass_image = check("floats", parse_scene(view + ball, "floats", {}, floats), {}, 64, 48);
     CHECK_MESSAGE(glass_image.empty(), glass_image);

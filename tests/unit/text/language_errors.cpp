@@ -56,7 +56,8 @@ TEST_CASE("the nearest known word is offered") {
 
 TEST_CASE("words of POV-Ray and of materials in the wrong place get advice") {
     const auto in_body = [](const std::string& word, const std::string& advice) {
-        check_fault("sphere { <0,0,0>, 1 " + word + " { } }", "2:21: unknown word '" + word + "' in 'sphere'; " + advice);
+        check_fault("sphere { <0,0,0>, 1 " + word + " { } }",
+                    "2:21: unknown word '" + word + "' in 'sphere'; " + advice);
     };
     for (const char* const word : {"color", "colour", "pigment", "texture", "rgbt"})
         in_body(word, "use 'material { rgb <r, g, b> }'");
@@ -88,8 +89,9 @@ TEST_CASE("signs that mean something elsewhere get advice") {
                 "2:43: a word or '}' expected in 'material', but found ';'" + comment);
     const std::string word = "a word or '}' expected in 'sphere', but found ";
     check_fault("sphere { <0,0,0>, 2,5 }", "2:20: " + word + "','; decimals have a point, as in 2.5");
-    check_fault("sphere { <0,5, 0,5, 2>, 1 }",
-                "2:17: '>' expected after the three numbers of a vector, but found ','; decimals have a point, as in 2.5");
+    check_fault(
+        "sphere { <0,5, 0,5, 2>, 1 }",
+        "2:17: '>' expected after the three numbers of a vector, but found ','; decimals have a point, as in 2.5");
     const std::string result =
         "; expressions are calculated only in a text with a directive such as #declare; write the result";
     check_fault("sphere { <0,0,0>, 1+1 }", "2:20: " + word + "'+1'" + result);
@@ -97,7 +99,8 @@ TEST_CASE("signs that mean something elsewhere get advice") {
     check_fault("sphere { <0,0,0>, 1 + 1 }", "2:21: " + word + "'+'" + result);
     check_fault("sphere { <0,0,0>, 1/2 }", "2:20: " + word + "'/'" + result);
     check_fault("sphere { <0,0,0>, (2) }", "2:19: a number expected for 'radius' of 'sphere', but found '('" + result);
-    check_fault("sphere { <0,0,0>, sqrt(2) }", "2:19: a number expected for 'radius' of 'sphere', but found 'sqrt'" + result);
+    check_fault("sphere { <0,0,0>, sqrt(2) }",
+                "2:19: a number expected for 'radius' of 'sphere', but found 'sqrt'" + result);
     // What is only a sign too few or too many.
     check_fault("sphere { <0 -1,0>, 1 }", "2:13: ',' expected between the three numbers of a vector, but found '-1'");
     check_fault("sphere { <0,0,0>, 1, }", "2:20: " + word + "','");

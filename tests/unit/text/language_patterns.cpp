@@ -57,9 +57,10 @@ TEST_CASE("images, and what can be wrong with them") {
     const auto& image = std::get<ImagePattern>(plain.pattern->kind);
     CHECK(image.map == ImageMap::planar);
     CHECK(!image.once);
-    CHECK(*changed.pattern == Pattern{ImagePattern{"wood.png", image.pixels, ImageMap::cylindrical, Color(0, 1, 0), true},
-                                      {},
-                                      {Rotate{{90, 0, 0}}}});
+    CHECK(*changed.pattern ==
+          Pattern{ImagePattern{"wood.png", image.pixels, ImageMap::cylindrical, Color(0, 1, 0), true},
+                  {},
+                  {Rotate{{90, 0, 0}}}});
     CHECK(plain != changed);
     const auto check = [&](const std::string& text, const std::string& said) {
         CHECK_THROWS_WITH_AS(scene(sphere(text)), doctest::Contains(said.c_str()), FileError);
@@ -139,7 +140,8 @@ TEST_CASE("bumps, and what can be wrong with them") {
     check("noise { }", "3:1", "'noise' lacks 'height'");
     check("nois { height 1 }", "3:1", "unknown word 'nois' for 'bump' of 'material'; did you mean 'noise'?");
     check("checker { height 1 }", "3:1",
-          "unknown word 'checker' for 'bump' of 'material'; known here: gradient, noise, marble, wood, image, solid, none");
+          "unknown word 'checker' for 'bump' of 'material'; known here: gradient, noise, marble, wood, image, solid, "
+          "none");
     check("<1,1,1>", "3:1", "a pattern or 'none' expected for 'bump' of 'material', but found '<'");
     check("noise { height 1 height 1 }", "3:18", "a second 'height'; the first is in line 3");
     check("noise { height -1 }", "3:16", "'height' of 'noise' must be from 0 to 1e9, not '-1'");
@@ -230,7 +232,8 @@ TEST_CASE("every pattern can be mapped by uv, which only meshes have") {
                                                "uv, and no triangle has 'uv_vectors'"),
                              FileError);
     }
-    check_pattern("brick { <1,1,1> <0,0,0> mortar -.2 }", "3:32", "'mortar' of 'brick' must be from 0 to 1e9, not '-.2'");
+    check_pattern("brick { <1,1,1> <0,0,0> mortar -.2 }", "3:32",
+                  "'mortar' of 'brick' must be from 0 to 1e9, not '-.2'");
     check_pattern("checker { <1,1,1>, <0,0,0> map planar }", "3:32",
                   "unknown word 'planar' after 'map'; known here: uv");
 }

@@ -118,9 +118,10 @@ TEST_CASE("invalid bodies and cameras") {
                 "2:33: invalid sphere: the transformations up to here scale it out of the range of numbers");
     check_fault("sphere { <0,0,0>, 1 scale 1e-200 scale 1e-200 }",
                 "2:34: invalid sphere: the transformations up to here scale it out of the range of numbers");
-    check_fault("sphere { <0,0,0>, 1 scale <1,1,1e-13> }",
-                "2:21: invalid sphere: the transformations up to here flatten it: one side shrinks more than 1e12 times "
-                "as much as another");
+    check_fault(
+        "sphere { <0,0,0>, 1 scale <1,1,1e-13> }",
+        "2:21: invalid sphere: the transformations up to here flatten it: one side shrinks more than 1e12 times "
+        "as much as another");
     check_fault("sphere { <1e7,0,0>, 1 scale 1e3 }",
                 "2:23: invalid sphere: the transformations up to here make it too large, too small or too far away "
                 "(coordinates go up to 1e9)");

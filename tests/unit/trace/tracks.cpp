@@ -30,7 +30,8 @@ camera { position <track "a" 0, -9, 1>  look_at <0, 0, 0>  sky <track "b", 0, 1>
 music { bpm 60  rows 1 }
 background { color <.1, track "d" .2, .3> }
 fog { distance track "e" 50  color <.1, .1, track "d" .3> }
-light { position <3, track "f" -4, 5>  color <track "g" 1, 1, 1>  spot { look_at <0, 0, track "f"> radius track "c" 50 falloff 60 } }
+light { position <3, track "f" -4, 5>  color <track "g" 1, 1, 1>
+        spot { look_at <0, 0, track "f"> radius track "c" 50 falloff 60 } }
 light { direction <track "b" 1, 1, -2>  color <.2, .2, track "d" .2> }
 define gold material { rgb <1, track "g" .8, 0>  reflection track "h" .2 }
 defaultmaterial { diffuse track "d" .5 }
@@ -283,7 +284,8 @@ TEST_CASE("mistakes in a file of tracks") {
     check_tracks("track \"x\" { 0 1 smoth  2 1  4 2 ramp }",
                  {"x.tracks:1:17: unknown word 'smoth' after a key; did you mean 'smooth'?",
                   "x.tracks:1:24: this key lacks the interpolation after it: 'step', 'linear', 'smooth' or 'ramp'"});
-    check_tracks("track \"x\" { 2 1 step\n2 1 step }", {"x.tracks:2:1: rows must increase: the key before is in row 2"});
+    check_tracks("track \"x\" { 2 1 step\n2 1 step }",
+                 {"x.tracks:2:1: rows must increase: the key before is in row 2"});
     check_tracks("track \"x\" { -1 1 step 1.5 1 step 1e10 1 step 0 1e10 step }",
                  {"x.tracks:1:13: 'row' of 'track' must be a whole number from 0 to 1e9, not '-1'",
                   "x.tracks:1:23: 'row' of 'track' must be a whole number from 0 to 1e9, not '1.5'",
