@@ -14,7 +14,8 @@ namespace strahl::pov {
 /// POV-Ray's picture plane: the ray through (x, y) in [-1/2, 1/2]^2, y up, is direction + x right + y up.
 struct CameraAxes {
     DVec3 location{0}, direction{0, 0, 1}, right{1.33, 0, 0}, up{0, 1, 0};
-    double angle = 0;  // as given, if the camera is not transformed; else 0
+    DVec3 sky{0, 1, 0};  // `up` is its part across the direction
+    double angle = 0;    // as given, if the camera is not transformed; else 0
     /// Seen by it, does the scene's z axis point away where x points right and y up, as POV-Ray has it by default?
     bool left_handed() const;
 };
@@ -89,7 +90,7 @@ class SceneMaker {
     };
     std::vector<Seen> shown;  // of each primitive
     std::vector<TextPlace> kept_places;
-    int surfaces_made = 0;    // meshes of bodies that functions define
+    int surfaces_made = 0;  // meshes of bodies that functions define
     // By their originals, of which all uses share one.
     std::map<std::shared_ptr<const MeshData>, std::shared_ptr<const MeshData>> mirrored_meshes;
 };

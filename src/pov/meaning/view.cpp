@@ -36,7 +36,7 @@ Projection projection_of(const CameraThing& camera) {
 bool CameraAxes::left_handed() const { return dot_product(cross_product(up, direction), right) > 0; }
 
 CameraAxes axes_of(const CameraThing& camera) {
-    CameraAxes axes{camera.location, camera.direction, camera.right, camera.up};
+    CameraAxes axes{camera.location, camera.direction, camera.right, camera.up, camera.up};
     const bool flat = camera.projection == word("perspective") || camera.projection == word("orthographic");
     if (camera.angle.value_or(0) > 0 && flat) {  // angle 0 keeps the direction's length
         const double width = length(camera.right), angle = std::clamp(*camera.angle, 1e-6, 179.999);
@@ -53,6 +53,7 @@ CameraAxes axes_of(const CameraThing& camera) {
         const DVec3 right = normalize(level ? across : axes.right);  // of its own if it looks up or down
         axes.up = length(axes.up) * normalize(cross_product(ahead, right));
         axes.right = (turned ? 1 : -1) * length(axes.right) * right;
+        axes.sky = level ? camera.sky : axes.up;
     }
     if (camera.projection == word("orthographic") && (!camera.has_axes || camera.angle)) {
         const double size = length(camera.look_at - camera.location) / length(axes.direction);
@@ -62,6 +63,7 @@ CameraAxes axes_of(const CameraThing& camera) {
     const glm::dmat3 turn(m);
     axes.location = transform_point(m, axes.location);
     axes.direction = turn * axes.direction, axes.right = turn * axes.right, axes.up = turn * axes.up;
+    axes.sky = turn * axes.sky;
     return axes;
 }
 
@@ -73,15 +75,14 @@ void SceneMaker::set_camera() {
     Camera& camera = scene.camera;
     // POV-Ray turns spherical rays about the axes, so that a right-handed camera shows them upside down.
     const bool upside_down = own.projection == word("spherical") && !axes.left_handed();
-    const DVec3 right = mirror(axes.right, mirrored), up = (upside_down ? -1. : 1.) * mirror(axes.up, mirrored);
+    const DVec3 right = mirror(axes.right, mirrored), up = mirror(axes.up, mirrored);
     const DVec3 ahead = mirror(axes.direction, mirrored);
     camera.position = mirror(axes.location, mirrored);
     const double distance = own.has_look_at && own.steps.empty() ? length(own.look_at - own.location) : length(ahead);
-    camera.look_at =
-        own.has_look_at && own.steps.empty() && distance > 0
-            ? mirror(own.look_at, mirrored)
-            : camera.position + std::max(length(axes.location), 1.) / length(ahead) * ahead;
-    camera.up = -up;
+    camera.look_at = own.has_look_at && own.steps.empty() && distance > 0
+                         ? mirror(own.look_at, mirrored)
+                         : camera.position + std::max(length(axes.location), 1.) / length(ahead) * ahead;
+    camera.up = (upside_down ? 1. : -1.) * mirror(axes.sky, mirrored);  // so keys of flights are level
     const double width = length(right), height = length(up), depth = length(ahead);
     if (!(width > 0 && height > 0 && depth > 0 && std::isfinite(width + height + depth)))
         in.fail(own.place, "the camera sees nothing: its right, up or direction is 0");

@@ -76,12 +76,15 @@ struct MeshPart {
     bool smooth = false, mapped = false;
 };
 
-/// Makes meshes of parts, each with its texture; a part without one has that of the whole mesh.
+/// Makes meshes of parts, each with its texture; a part without one has that of the whole mesh. Of `solid` ones
+/// triangles may run in any direction.
 void set_meshes(ObjectThing& object, std::vector<MeshPart>& parts,
-                const std::vector<std::shared_ptr<const TextureThing>>& textures) {
+                const std::vector<std::shared_ptr<const TextureThing>>& textures, bool solid) {
     for (std::size_t i = 0; i < parts.size(); ++i) {
         auto& [data, smooth, mapped] = parts[i];
         if (data.triangles.empty()) continue;
+        join_points(data);
+        if (solid && open_side(data)) turn_alike(data);
         if (!smooth) data.normals.clear(), data.corner_normals.clear();
         if (!mapped) data.places.clear(), data.corner_places.clear();
         auto part = std::make_shared<ObjectThing>();
@@ -153,9 +156,9 @@ void PovReader::read_mesh(Interpreter& in, ObjectThing& object) {
         parts[number].smooth |= smooth, parts[number].mapped |= mapped;
         add_triangle(parts[number], points, normals, places);
     }
-    while (in.accept("inside_vector")) in.read_vector();
-    for (MeshPart& part : parts) join_points(part.data);
-    set_meshes(object, parts, textures);
+    bool solid = false;
+    for (; in.accept("inside_vector"); solid = true) in.read_vector();
+    set_meshes(object, parts, textures, solid);
 }
 
 /// Reads mesh2 { ... } after '{'.
@@ -165,6 +168,7 @@ void PovReader::read_mesh2(Interpreter& in, ObjectThing& object) {
     std::vector<MeshData::Corners> normal_indices, place_indices, faces;
     std::vector<std::size_t> face_textures;
     std::vector<std::shared_ptr<const TextureThing>> textures;
+    bool solid = false;
     const auto read_corners = [&](std::vector<MeshData::Corners>& list) {
         in.begin_block();
         const int count = in.read_integer();
@@ -214,7 +218,7 @@ void PovReader::read_mesh2(Interpreter& in, ObjectThing& object) {
         } else if (in.accept("uv_indices")) {
             read_corners(place_indices);
         } else if (in.accept("inside_vector")) {
-            in.read_vector();
+            in.read_vector(), solid = true;
         } else {
             break;
         }
@@ -245,8 +249,7 @@ void PovReader::read_mesh2(Interpreter& in, ObjectThing& object) {
         part.smooth |= smooth, part.mapped |= mapped;
         add_triangle(part, points, normals, own);
     }
-    for (MeshPart& part : parts) join_points(part.data);
-    set_meshes(object, parts, textures);
+    set_meshes(object, parts, textures, solid);
 }
 
 bool PovReader::is_shape(std::uint16_t code) {

@@ -86,19 +86,25 @@ MeshData level_surface(const Inside& value, const Box& box, int cells) {
         }
         return known[static_cast<std::size_t>(number)];
     };
-    const auto add = [&](const LevelPoint& a, const LevelPoint& b, const LevelPoint& c) {
-        mesh.add_triangle({a.p, b.p, c.p}, {a.normal, b.normal, c.normal}, true);
+    const auto add = [&](const LevelPoint& a, const LevelPoint& b, const LevelPoint& c, bool in_order) {
+        const LevelPoint &second = in_order ? b : c, &third = in_order ? c : b;
+        mesh.add_triangle({a.p, second.p, third.p}, {a.normal, second.normal, third.normal}, true);
     };
     const auto tetrahedron = [&](const std::array<GridPoint, 4>& corners) {
         std::array<GridPoint, 4> in{}, out{};
         std::size_t inside = 0, outside = 0;
         for (const GridPoint& own : corners) (own.value < 0 ? in[inside++] : out[outside++]) = own;
         const auto at = [&](std::size_t i, std::size_t o) { return between_points(in[i], out[o]); };
-        if (inside == 1) add(at(0, 0), at(0, 1), at(0, 2));
-        if (inside == 3) add(at(0, 0), at(1, 0), at(2, 0));
+        // Do triangles whose sides lead along u and v face outwards?
+        const auto face_out = [&](const DVec3& u, const DVec3& v) {
+            return dot_product(cross_product(u, v), out[0].p - in[0].p) > 0;
+        };
+        if (inside == 1) add(at(0, 0), at(0, 1), at(0, 2), face_out(out[1].p - out[0].p, out[2].p - out[0].p));
+        if (inside == 3) add(at(0, 0), at(1, 0), at(2, 0), face_out(in[1].p - in[0].p, in[2].p - in[0].p));
         if (inside != 2) return;
+        const bool in_order = face_out(out[1].p - out[0].p, in[1].p - in[0].p);
         const LevelPoint a = at(0, 0), b = at(0, 1), c = at(1, 1), d = at(1, 0);
-        add(a, b, c), add(a, c, d);
+        add(a, b, c, in_order), add(a, c, d, in_order);
     };
     for (int k = 0; k < cells; ++k)
         for (int j = 0; j < cells; ++j)

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <utility>
 
 #include "mesh/split.h"
 #include "num/vec_math.h"
@@ -34,6 +36,43 @@ void join_points(MeshData& mesh) {
     if (!mesh.places.empty() && mesh.corner_places.empty()) mesh.corner_places = mesh.triangles;
     join(mesh.points, mesh.triangles);
     if (!mesh.corner_normals.empty()) join(mesh.normals, mesh.corner_normals);
+}
+
+void turn_alike(MeshData& mesh) {
+    // The triangles at each side, and whether they run along it from the lower number of a point to the higher.
+    std::map<std::pair<std::int32_t, std::int32_t>, std::vector<std::pair<std::size_t, bool>>> sides;
+    const auto each_side = [&](std::size_t i, const auto& visit) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::int32_t from = mesh.triangles[i][k], to = mesh.triangles[i][(k + 1) % 3];
+            visit(sides[std::minmax(from, to)], from < to);
+        }
+    };
+    const std::size_t count = mesh.triangles.size();
+    for (std::size_t i = 0; i < count; ++i) each_side(i, [&](auto& own, bool rises) { own.emplace_back(i, rises); });
+    std::vector<int> turned(count, -1);  // -1 while it is not known
+    for (std::size_t first = 0; first < count; ++first) {
+        if (turned[first] >= 0) continue;
+        std::vector<std::size_t> found{first};
+        turned[first] = 0;
+        double volume = 0;
+        for (std::size_t n = 0; n < found.size(); ++n) {
+            const std::size_t i = found[n];
+            each_side(i, [&](const auto& own, bool rises) {
+                if (own.size() != 2) return;
+                const auto& [other, other_rises] = own[own[0].first == i ? 1 : 0];
+                if (turned[other] < 0) turned[other] = turned[i] ^ (rises == other_rises), found.push_back(other);
+            });
+            const auto at = [&](std::size_t k) {
+                return mesh.points[static_cast<std::size_t>(mesh.triangles[i][k])] - mesh.points[0];
+            };
+            volume += (turned[i] ? -1 : 1) * dot_product(at(0), cross_product(at(1), at(2)));
+        }
+        for (const std::size_t i : found) {
+            if ((turned[i] != 0) == (volume < 0)) continue;
+            for (auto* const corners : {&mesh.triangles, &mesh.corner_normals, &mesh.corner_places})
+                if (!corners->empty()) std::swap((*corners)[i][1], (*corners)[i][2]);
+        }
+    }
 }
 
 std::vector<std::vector<Point2>> lines_of(SplineKind kind, std::span<const Point2> points) {

@@ -11,6 +11,8 @@ namespace strahl::pov {
 
 /// Joins equal points, and equal normals, of a mesh whose triangles have corners of their own.
 void join_points(MeshData& mesh);
+/// Turns triangles over so that neighbours run in the same direction, around what they enclose. Points are joined.
+void turn_alike(MeshData& mesh);
 
 enum class SplineKind { linear, quadratic, cubic, bezier };
 /// How many straight pieces approximate each piece of a curve.

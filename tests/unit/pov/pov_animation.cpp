@@ -111,8 +111,9 @@ TEST_CASE("a scene that uses its clock is read for a moment of its flight") {
     CHECK(place_of(open_scene(text, path, fixed, {})) == 7);
     CHECK(!open_scene(text, path, fixed, {}).changes);
 
-    put(folder / "a.flight", "flythrough { duration 4  key { time 0 position <0,0,-5> look_at <0,0,0> }\n"
-                             "  key { time 4 position <5,0,-1> look_at <0,0,0> sky <0,1,0> angle 30 } }");
+    put(folder / "a.flight",
+        "flythrough { duration 4  key { time 0 position <0,0,-5> look_at <0,0,0> }\n"
+        "  key { time 4 position <5,0,-1> look_at <0,0,0> sky <0,1,0> angle 30 } }");
     const OpenedScene flown = at(1, text);
     CHECK(place_of(flown) == .25);
     REQUIRE(flown.scene.flythrough);
@@ -122,12 +123,17 @@ TEST_CASE("a scene that uses its clock is read for a moment of its flight") {
     CHECK(says(written, "key { time 0  position <0, 0, -5>  look_at <0, 0, 0> }"));
     put(folder / "a.flight", written);
     CHECK(at({}, text).scene.flythrough == flown.scene.flythrough);
+    // Keys without a sky have the camera's, not its picture's leaning up.
+    const std::string above = "camera { location <0,4,-3> look_at 0 } sphere { 0, 1 }";
+    CHECK(at(1, above).scene.camera.up == DVec3(0, -1, 0));
+    CHECK(at({}, "camera { location <0,4,-3> sky <1,0,0> look_at 0 rotate 90*z }").scene.camera.up.y < -.999);
     const auto fault = [&](const std::string& flight) {
         put(folder / "a.flight", flight);
         return fault_of([&] { at({}, text); }, "no error");
     };
-    const std::string plain = "flythrough { duration 4 key { time 0 position <0,0,-5> look_at <0,0,0> } "
-                              "key { time 4 position <0,5,0> look_at <0,0,0> } }";
+    const std::string plain =
+        "flythrough { duration 4 key { time 0 position <0,0,-5> look_at <0,0,0> } "
+        "key { time 4 position <0,5,0> look_at <0,0,0> } }";
     CHECK(says(fault("\nflythrough {"), "a.flight:2:1: '}' missing"));
     CHECK(says(fault(plain + "light { position <0,0,1> color <1,1,1> }"), "and nothing else"));
     CHECK(says(fault(plain), "a.flight: invalid camera at the key of 4 s: up is parallel"));

@@ -190,7 +190,9 @@ TEST_CASE("POV-Ray: a box that is flat is a rectangle") {
 
 TEST_CASE("POV-Ray: curved bodies become closed meshes") {
     for (const std::string& text :
-         {"superellipsoid { <.5, .5> }", "prism { conic_sweep 0, 1, 4, <0, 0>, <1, 0>, <0, 1>, <0, 0> }"}) {
+         {"superellipsoid { <.5, .5> }", "blob { threshold .6 sphere { 0, 1, 1 } cylinder { 0, x, .7, .9 } }",
+          "isosurface { function { x*x + y*y + z*z - .9 } }",
+          "prism { conic_sweep 0, 1, 4, <0, 0>, <1, 0>, <0, 1>, <0, 0> }"}) {
         const Scene scene = opened("difference { " + text + " sphere { 9, .1 } }").scene;
         CAPTURE(text);
         REQUIRE(scene.primitives.size() == 1);
@@ -198,6 +200,16 @@ TEST_CASE("POV-Ray: curved bodies become closed meshes") {
     }
     CHECK(contains(opened("superellipsoid { <1, 1> }").scene.primitives[0], {.57, .57, .57}));
     CHECK_FALSE(contains(opened("superellipsoid { <1, 1> }").scene.primitives[0], {.6, .6, .6}));
+}
+
+TEST_CASE("POV-Ray: triangles of a mesh with an inside run in any direction") {
+    const std::string corners =
+        "vertex_vectors { 4, 0, x, y, z } face_indices { 4, <0,2,1>, <0,1,3>, <0,2,3>, <3,2,1> }";
+    const Scene scene = whole("difference { mesh2 { " + corners + " inside_vector z } sphere { 9, .1 } }");
+    const Primitive& solid = shape<Difference>(scene).parts->at(0);
+    CHECK(contains(solid, {.2, .2, .2}));
+    CHECK_FALSE(contains(solid, {.4, .4, .4}));
+    CHECK(says(notes_of("\ndifference { mesh2 { " + corners + " } sphere { 9, .1 } }"), "left out: an open body"));
 }
 
 /// Checks that a mesh is closed and has this volume.

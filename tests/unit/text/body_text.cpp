@@ -129,8 +129,8 @@ TEST_CASE("what is no number, or follows a track, is left alone") {
                              "translate <track \"x\", 0, 1> }\n";
     const BodyText body = body_of(text, 0);
     CHECK(value(body, "rgb").fixed == "a pattern");
-    CHECK(value(body, "diffuse").fixed == "follows a track");
-    CHECK(value(body, "translate").fixed == "follows a track");
+    CHECK(value(body, "diffuse").fixed == "follows \"d\"");
+    CHECK(value(body, "translate").fixed == "follows \"x\"");
     // Without a text, as for scenes of POV-Ray.
     const BodyText read = body_text("", parse_scene(text, ""), 0, 0);
     CHECK(read.line == 0);
