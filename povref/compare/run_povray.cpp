@@ -195,7 +195,7 @@ PovRun run_povray_file(const PovFile& file, int threads, const std::atomic<bool>
         write_file(input, read_text(file.path) + "\n" + pov_camera(*file.camera, aspect, file.mirrored));
     }
     std::vector<std::string> words{"povray",
-                                   "+I" + input,
+                                   "+I\"" + input + '"',  // a name may have spaces
                                    "+O" + scratch.path("scene.ppm"),
                                    "+W" + std::to_string(file.width),
                                    "+H" + std::to_string(file.height),
@@ -208,7 +208,7 @@ PovRun run_povray_file(const PovFile& file, int threads, const std::atomic<bool>
                                    "Warning_Console=On",
                                    "Verbose=Off",
                                    file_gamma(file.gamma)};
-    for (const std::string& folder : file.library) words.push_back("+L" + fs::absolute(folder).string());
+    for (const std::string& folder : file.library) words.push_back("+L\"" + fs::absolute(folder).string() + '"');
     if (threads > 0) words.push_back("Work_Threads=" + std::to_string(threads));
     add_grid(words, file.grid);
     return finished(scratch, path.parent_path().string(), std::move(words), file.width, file.height, stop);

@@ -1,8 +1,16 @@
 #!/usr/bin/env bash
-# strahl crosscheck with stand-ins for povray: what it makes of nonsense, and that nothing is left when it is stopped.
+# strahl crosscheck, most of it with stand-ins for povray: what it makes of nonsense, and that nothing is left when it is
+# stopped.
 set -uo pipefail
 source "$(dirname "$0")/expect.sh"
 set -m # a shell without job control starts what it puts into the background with SIGINT ignored
+
+# POV-Ray itself, with spaces in the names of a file and of a folder of included ones.
+mkdir "in cluded"
+echo '#declare Radius = 1;' >"in cluded/radius.inc"
+echo '#include "radius.inc" camera { location -5*z look_at 0 } light_source { <-5,5,-5> 1 } sphere { 0, Radius }' \
+    >"two words.pov"
+expect 0 "| two words.pov " crosscheck "two words.pov" --size 32x24 --library "in cluded"
 
 mkdir tools tmp
 export PATH="$work/tools:$PATH" TMPDIR="$work/tmp"
