@@ -43,7 +43,7 @@ struct LatheKernel : ContourKernel<T> {
         const S zero(0), one(1), two(2), least(std::numeric_limits<Element<S>>::min());
         const Vec3<S> position = fma(t, ray.direction, ray.origin), p = turn(position - splat<S>(centre));
         const S radius = sqrt(fma(p.x, p.x, p.z * p.z)), per = one / max(radius, least);
-        // Where a contour is beyond the axis, its points have the opposite direction from there.
+        // Turns points to the other side where a contour is beyond the axis.
         const auto off = [&](const S& place, const S& x) {
             const S u = fma(place, fma(two, piece.hx, place * fma(place, piece.dx, piece.ex)), piece.ax) - x;
             const S v = fma(place, fma(two, piece.hy, place * fma(place, piece.dy, piece.ey)), piece.ay) - p.y;

@@ -1,4 +1,4 @@
-// Where lines cross the surface that a piece of a contour makes when it turns about an axis.
+// Finds where lines cross the surface that a piece of a contour makes when it turns about an axis.
 #pragma once
 #include <algorithm>
 #include <array>

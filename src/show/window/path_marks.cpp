@@ -9,7 +9,7 @@ PathMarks path_marks(const Flythrough& path, const Camera& scene_camera, std::op
     constexpr int steps = 400;
     constexpr double look = .15;  // of the way to look_at
     PathMarks marks;
-    // What is around the eye would cover the picture.
+    // Leaves out what is around the eye: it would cover the picture.
     const double nearest = length(view.camera.look_at - view.camera.position) / 20;
     const auto place = [&](const DVec3& point) {
         return length(point - view.camera.position) < nearest ? std::nullopt : place_in(view, point);
