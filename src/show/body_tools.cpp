@@ -58,11 +58,15 @@ void BodyTools::click(const View& view, const glm::dvec2& point, double reach) {
         notes.note("handles are there in perspective and orthographic views only");
 }
 
+void BodyTools::log_drawn() {
+    for (const std::string& line : std::exchange(to_log, {})) notes.log(line);
+}
+
 void BodyTools::log_choice() {
     if (!bodies.any()) return;
     const BodyText& text = bodies.body();
-    notes.log((bodies.light() ? "chosen: light " : "chosen: body ") + std::to_string(number() + 1) + ", " + text.kind +
-              (text.line > 0 ? ", line " + std::to_string(text.line) : ""));
+    to_log.push_back((bodies.light() ? "chosen: light " : "chosen: body ") + std::to_string(number() + 1) + ", " +
+                     text.kind + (text.line > 0 ? ", line " + std::to_string(text.line) : ""));
 }
 
 /// Returns the number of the body or the light chosen; -1 if there is none.
@@ -300,6 +304,7 @@ void BodyTools::take_shown() {
         drag.reset(), next.reset();
     }
     if (newest) {
+        to_log.emplace_back("the changed text is shown");
         if (std::exchange(undone, false)) bodies.find_point(*session.scene);
         awaited = false;
         if (const auto chosen = std::exchange(next, std::nullopt)) choose(*chosen), log_choice();

@@ -89,6 +89,8 @@ class BodyTools {
     const ChangedText& changes() const { return bodies.edited.changes(); }
     /// Returns true if there are changes that are not written and about which the user was not asked yet.
     bool asks();
+    /// To be called after each drawing: logs what the window shows now.
+    void log_drawn();
     /// Prints the lines that would be lost now.
     void print_unwritten() const;
 
@@ -118,6 +120,7 @@ class BodyTools {
     void log_choice();
 
     Session& session;
+    std::vector<std::string> to_log;  // after the next drawing
     WatchedScene& file;
     Notes& notes;
     Pace& pace;

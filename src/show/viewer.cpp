@@ -65,6 +65,7 @@ Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::unique_ptr<Reload
       panels(pace, o.play, o.scene.empty()),
       input(screen, session, panels, pace, keys.keys, o.play,
             {.perform = [this](Command command) { perform(command); },
+             .draw = [this] { draw(); },
              .browse =
                  [this](int key) {
                      if (key != GLFW_KEY_ESCAPE || file.waiting()) return welcome.key(key);
@@ -300,7 +301,6 @@ double Viewer::next_draw() const {
 
 void Viewer::draw() {
     const double began = pace.now();
-    if (began < next_draw()) return;
     notes.expire(), file.expire();
     const std::uint64_t before = picture.state().number;
     const bool update = picture.take([this](const Fresh& fresh) {
@@ -325,6 +325,7 @@ void Viewer::draw() {
             on_outline = panels.draw_outline(session, bodies.editor(), bodies.hidden(), file.messages());
     });
     input.release_keys();
+    bodies.log_drawn();
     pace.drawn(began);
     const Refinement& state = picture.state();
     if (pace.moving() && state.number != before) {
@@ -503,7 +504,7 @@ int Viewer::run(const std::atomic<bool>& interrupted) {
             picture.order(session, bodies.scene_shown(), screen.width(), screen.height());
             side.follow(session, view, !pace.moving() && picture.finished());
         }
-        draw();
+        if (pace.now() >= next_draw()) draw();
         picture.log_finished();
         input.hide_pointer();
         wait();

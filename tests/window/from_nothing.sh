@@ -5,7 +5,6 @@
 #   tests/window/from_nothing.sh STRAHL [FOLDER]
 #
 # With FOLDER it writes the pictures of that, from_nothing.jpg, and the scene, untitled.rt with its tracks, there.
-# It is none of the tests that ctest runs: fields tell nobody that they take letters, so that it waits for times.
 # Exit status: 0 all as expected, 1 not, 77 a tool is missing.
 set -uo pipefail
 source "$(dirname -- "$0")/window.sh"
@@ -24,33 +23,38 @@ shot() {
 }
 # point X Y [BUTTON]: clicks there with this button, or the left one.
 point() {
-    xdotool mousemove --window "$id" "$1" "$2" sleep 0.05 click "${3-1}" sleep 0.08
+    xdotool mousemove --window "$id" "$1" "$2" click "${3-1}"
 }
 # add ROW X Y: adds what this row of the list has where the view is clicked.
 add() {
-    xdotool key ctrl+a sleep 0.2
+    xdotool key ctrl+a
     point 84 $((266 + 26 * $1))
     point "$2" "$3"
     await 'chosen'
-    xdotool sleep 0.2 # until its panel is there
 }
-# type_at X Y TEXT: types it into a field, after a click with Ctrl.
+# type_at X Y TEXT: types it into a field, after a click with Ctrl, at once: the window keeps the order of events.
 type_at() {
-    xdotool mousemove --window "$id" "$1" "$2" sleep 0.1 keydown Control_L click 1 keyup Control_L sleep 0.3
-    xdotool type --delay 10 -- "$3"
-    xdotool key Return sleep 0.15
+    xdotool mousemove --window "$id" "$1" "$2" keydown Control_L click 1 keyup Control_L
+    xdotool type --delay 1 -- "$3"
+    xdotool key Return
+}
+# change X Y TEXT: types it into a field for a number of the text.
+change() {
+    type_at "$@"
+    await 'the changed text is shown'
 }
 # color Y RED GREEN BLUE: types a colour.
 color() {
-    type_at 662 "$1" "$2"
-    type_at 715 "$1" "$3"
-    type_at 768 "$1" "$4"
+    change 662 "$1" "$2"
+    change 715 "$1" "$3"
+    change 768 "$1" "$4"
 }
 # drag X Y DX DY: drags from there, in two steps and by round distances.
 drag() {
-    xdotool mousemove --window "$id" "$1" "$2" sleep 0.1 mousedown 1 sleep 0.1 keydown Control_L
-    xdotool mousemove_relative -- "$3" "$4" sleep 0.1 mousemove_relative -- "$3" "$4" sleep 0.1 mouseup 1
+    xdotool mousemove --window "$id" "$1" "$2" mousedown 1 keydown Control_L
+    xdotool mousemove_relative -- "$3" "$4" mousemove_relative -- "$3" "$4" mouseup 1
     xdotool keyup Control_L
+    await 'the changed text is shown'
 }
 # hold KEY SECONDS
 hold() {
@@ -61,7 +65,7 @@ hold() {
 # opens.
 follow() {
     point "$1" "$2"
-    xdotool sleep 0.2 type --delay 12 "$3"
+    xdotool type --delay 1 "$3"
     point "$4" $(($2 + 68))
     await "follows the track $3"
     await 'finished'
@@ -69,7 +73,6 @@ follow() {
 # way ROW: chooses this row of the list of ways to the next key.
 way() {
     point 430 662
-    xdotool sleep 0.1
     point 430 $((574 + 20 * $1))
 }
 
@@ -82,19 +85,19 @@ await 'finished'
 
 echo "-- a ball: added, made larger, lifted by its arrow, and red"
 add 0 430 470
-type_at 726 124 1.2
+change 726 124 1.2
 drag 429 358 0 -29
 color 176 .85 .12 .1
-type_at 726 202 .25
+change 726 202 .25
 shot 2
 
 echo "-- a ring and a cone"
 add 4 250 560
-type_at 662 98 -.61
-type_at 718 98 -.03
-type_at 726 150 1.7
+change 662 98 -.61
+change 718 98 -.03
+change 726 150 1.7
 color 228 .95 .7 .25
-type_at 726 254 .3
+change 726 254 .3
 add 3 520 330
 color 228 .2 .4 .75
 shot 3
@@ -118,8 +121,8 @@ shot 5
 
 echo "-- music, and a ball that bounces on each beat"
 cp "$here/../../scenes/beat.ogg" . # a person would bring music of their own
-type_at 246 688 125
-type_at 640 688 beat.ogg
+change 246 688 125
+change 640 688 beat.ogg
 point 420 400
 await 'chosen: body 2'
 follow 834 190 bounce 795

@@ -59,7 +59,7 @@ xdotool key F11
 await 'finished 800x400'
 still full.png --size 800x400 --depth 2
 shows full.png
-xdotool mousemove --window "$id" 700 300 mousedown 1 mousemove_relative 1 0 mouseup 1 click 1 key c
+xdotool mousemove --window "$id" 300 300 mousedown 1 mousemove_relative 1 0 mouseup 1 click 1 key c
 await 'camera copied'
 await 'look_at <0, 0, 0>'
 xdotool key F11

@@ -12,6 +12,7 @@
 namespace strahl {
 namespace {
 
+constexpr int to_settle = 3;    // drawings until a field that was clicked takes letters, or one that was left no more
 constexpr int after_input = 5;  // drawings until a panel has reacted to input, also by a field that takes letters
 
 Input& input_of(GLFWwindow* window) { return *static_cast<Input*>(glfwGetWindowUserPointer(window)); }
@@ -49,6 +50,17 @@ Input::Input(Screen& screen, const Session& session, Panels& panels, Pace& pace,
     glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { input_of(w).pace.redraw(); });
 }
 
+/// Draws until panels have reacted to what came before. They look at the pointer and at keys only while they are drawn:
+/// if drawing is slow, what is typed right after a click would be commands, or a click would meet another place.
+void Input::settle() {
+    screen.pointer = cursor;
+    for (int i = 0; i < to_settle && ImGui::GetFrameCount() < settled; ++i) handlers.draw();
+    screen.pointer.reset();
+}
+
+/// From now on the next event waits for so many drawings.
+void Input::unsettle(int drawings) { settled = std::max(settled, ImGui::GetFrameCount() + drawings); }
+
 /// Takes a key for the help, if that is shown. Returns false if it is none for that.
 bool Input::for_help(int key, int modifiers) {
     if (!panels.help_shown()) return false;
@@ -59,6 +71,7 @@ bool Input::for_help(int key, int modifiers) {
 }
 
 void Input::on_key(int key, int scancode, int action, int modifiers) {
+    settle();
     GLFWwindow* const window = screen.window();
     const bool typing = ImGui::GetIO().WantTextInput;
     const bool control = key == GLFW_KEY_LEFT_CONTROL || key == GLFW_KEY_RIGHT_CONTROL;
@@ -72,7 +85,11 @@ void Input::on_key(int key, int scancode, int action, int modifiers) {
             ImGui_ImplGlfw_KeyCallback(window, key, scancode, action, modifiers);
         pace.redraw(after_input);
     }
-    if (typing && action != GLFW_RELEASE) return;
+    if (typing && action != GLFW_RELEASE) {
+        const bool ends = key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER || key == GLFW_KEY_ESCAPE;
+        if (ends) unsettle(to_settle);
+        return;
+    }
     used = false;
     if (action != GLFW_RELEASE && for_help(key, modifiers)) return;
     if (panels.gallery && action != GLFW_RELEASE && handlers.browse(key)) return pace.redraw(after_input);
@@ -94,7 +111,7 @@ void Input::on_key(int key, int scancode, int action, int modifiers) {
     if (push && !combined && !fixed && !panels.gallery)
         controls.press(*push);
     else if (const auto command = keys.command_of_key(key, scancode, modifiers, third_level))
-        used = true, handlers.perform(*command);
+        used = true, unsettle(fixed ? 0 : to_settle), handlers.perform(*command);
 }
 
 void Input::release_keys() {
@@ -103,6 +120,7 @@ void Input::release_keys() {
 }
 
 void Input::on_character(unsigned character) {
+    settle();
     if (ImGui::GetIO().WantTextInput) {
         pace.redraw(after_input);
         return ImGui_ImplGlfw_CharCallback(screen.window(), character);
@@ -114,8 +132,11 @@ void Input::on_character(unsigned character) {
 }
 
 void Input::on_button(int button, int action, int modifiers) {
+    // Only a drawing finds out on what panel the pointer is.
+    if (panels.take_input() && action == GLFW_PRESS) unsettle(1);
+    settle();
     ImGui_ImplGlfw_MouseButtonCallback(screen.window(), button, action, modifiers);
-    if (panels.take_input()) pace.redraw(after_input);
+    if (panels.take_input()) pace.redraw(after_input), unsettle(to_settle);
     if (button != GLFW_MOUSE_BUTTON_LEFT) return;
     if (action == GLFW_PRESS && panels.help_shown()) return panels.toggle(Action::help);
     double x = 0, y = 0;
@@ -127,7 +148,7 @@ void Input::on_button(int button, int action, int modifiers) {
     } else {
         let_go();
         // A handle that was not dragged does not keep the user from choosing what is behind it.
-        if (pointer.release() && !fixed) handlers.click(pointed().x, pointed().y);
+        if (pointer.release() && !fixed) unsettle(to_settle), handlers.click(pointed().x, pointed().y);
     }
 }
 
@@ -170,6 +191,7 @@ void Input::show_hold() {
 }
 
 void Input::on_cursor(double x, double y) {
+    settle();
     pointer_moved = pace.now();
     cursor = {x, y};
     if (panels.take_input()) pace.redraw();
@@ -186,7 +208,9 @@ void Input::on_cursor(double x, double y) {
 }
 
 void Input::on_wheel(double notches) {
-    if (panels.take_input()) ImGui_ImplGlfw_ScrollCallback(screen.window(), 0, notches), pace.redraw(after_input);
+    if (ImGui::GetFrameCount() + 1 < settled) settle();  // notches add up until the next drawing
+    if (panels.take_input())
+        ImGui_ImplGlfw_ScrollCallback(screen.window(), 0, notches), pace.redraw(after_input), unsettle(1);
     if (!fixed && !on_panel()) handlers.turn_wheel(notches);
 }
 

@@ -25,6 +25,7 @@ enum class Hold { nothing, divider, handle };
 /// Functions that are called, while events are processed, for what the user does besides moving the camera.
 struct InputHandlers {
     std::function<void(Command)> perform;
+    std::function<void()> draw;              // draws the window at once
     std::function<bool(int)> browse;         // takes a key for the gallery, or returns false
     std::function<void(double)> turn_wheel;  // notches, up is positive
     std::function<void(std::string)> drop;   // the path of a file that is dropped onto the window
@@ -58,6 +59,8 @@ class Input {
     void hide_pointer();
 
   private:
+    void settle();
+    void unsettle(int drawings);
     void on_key(int key, int scancode, int action, int modifiers);
     void on_character(unsigned character);
     void on_button(int button, int action, int modifiers);
@@ -90,6 +93,7 @@ class Input {
     };
     std::vector<ReleasedKey> released;  // before panels could see that they were pressed
     bool used = false;  // the key whose character follows
+    int settled = 0;  // the number of the drawing by which panels have reacted to the last event
     double pointer_moved = 0;
     bool pointer_hidden = false;
     std::array<bool, 15> buttons{};  // of the gamepad, which are down

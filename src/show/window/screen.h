@@ -2,7 +2,9 @@
 #pragma once
 #include <algorithm>
 #include <functional>
+#include <glm/vec2.hpp>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -54,6 +56,8 @@ class Screen {
     double pixels_to_reach() const { return 6 * std::max(scale, 1.f); }
     /// The area of the picture in the window.
     ScreenArea area() const;
+    /// Where panels are to see the pointer, in units of the screen, if not where it is now.
+    std::optional<glm::dvec2> pointer;
 
   private:
     struct Functions;
