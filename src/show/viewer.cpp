@@ -98,6 +98,7 @@ Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::unique_ptr<Reload
       welcome(o.threads, notes, pace, glfwPostEmptyEvent),
       tracks(o.rocket, session, notes, pace, glfwPostEmptyEvent),
       sound(notes, pace) {
+    pace.motion.keeps_all = options.benchmark;
     if (!keys.faults.empty()) notes.fail(keys.faults);
     session.editor.words = first.words, session.exposure = o.exposure, session.keys_elsewhere = tracks.wanted();
     if (first.scene) session.take_tracks(first.tracks, true);

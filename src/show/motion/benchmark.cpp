@@ -46,7 +46,17 @@ ShownPicture shown_picture(double time, int level, int width, int height) {
     return {time, level, count(pixels_of(level, width, height))};
 }
 
-void MotionLog::begin(double now) { *this = {}, start = now; }
+void MotionLog::begin(double now) {
+    const bool all = keeps_all;
+    *this = {}, start = now, keeps_all = all;
+}
+
+void MotionLog::picture(const ShownPicture& picture) {
+    constexpr std::ptrdiff_t most = 10000;
+    if (!keeps_all && std::ssize(shown) == most) shown.erase(shown.begin(), shown.begin() + most / 2);
+    if (count++ == 0) first = picture.time;
+    shown.push_back(picture);
+}
 
 void MotionLog::drawn(double seconds) { drawing += seconds, ++draws; }
 
@@ -63,9 +73,8 @@ std::string MotionLog::report(double now) const {
     char text[200];
     const double seconds = now - start;
     std::snprintf(text, sizeof text,
-                  "%zu pictures in %.2f s (%.1f/s; the first after %.0f ms), %s, %.1f ms to draw each", shown.size(),
-                  seconds, seconds > 0 ? static_cast<double>(shown.size()) / seconds : 0,
-                  shown.empty() ? 0 : 1000 * (shown[0].time - start),
+                  "%zu pictures in %.2f s (%.1f/s; the first after %.0f ms), %s, %.1f ms to draw each", count, seconds,
+                  seconds > 0 ? static_cast<double>(count) / seconds : 0, count == 0 ? 0 : 1000 * (first - start),
                   sorted.empty() ? "none" : resolution_text(sorted[sorted.size() / 2]).c_str(), 1000 * draw_seconds());
     return text;
 }
@@ -124,14 +133,14 @@ std::string json_of(const Benchmark& b, const BenchmarkSetting& s) {
                    b.worst);
     json += "  \"resolutions\": {";
     for (auto at = b.levels.rbegin(); at != b.levels.rend(); ++at)
-        json += format("%s \"1/%d\": %.9g", at == b.levels.rbegin() ? "" : ",", steps_of(at->first).area(),
-                       at->second);
-    json += format(" },\n  \"pixels_per_second\": %.9g,\n  \"draw_seconds\": %.9g", b.pixels_per_second,
-                   s.draw_seconds);
+        json += format("%s \"1/%d\": %.9g", at == b.levels.rbegin() ? "" : ",", steps_of(at->first).area(), at->second);
+    json +=
+        format(" },\n  \"pixels_per_second\": %.9g,\n  \"draw_seconds\": %.9g", b.pixels_per_second, s.draw_seconds);
     if (const auto& q = b.quality)
-        json += format(",\n  \"quality\": { \"pictures\": %d, \"rms\": %.9g, \"p99\": %.9g, \"ssim\": %.9g, "
-                       "\"visible\": %.9g, \"flicker\": %.9g }",
-                       q->pictures, q->rms, q->p99, q->ssim, q->visible, q->flicker);
+        json += format(
+            ",\n  \"quality\": { \"pictures\": %d, \"rms\": %.9g, \"p99\": %.9g, \"ssim\": %.9g, "
+            "\"visible\": %.9g, \"flicker\": %.9g }",
+            q->pictures, q->rms, q->p99, q->ssim, q->visible, q->flicker);
     return json + "\n}\n";
 }
 

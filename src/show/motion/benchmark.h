@@ -23,11 +23,13 @@ ShownPicture shown_picture(double time, int level, int width, int height);
 class MotionLog {
   public:
     void begin(double now);
-    void picture(const ShownPicture& picture) { shown.push_back(picture); }
+    void picture(const ShownPicture& picture);
     void drawn(double seconds);
     /// The mean time to draw the window.
     double draw_seconds() const { return draws ? drawing / draws : 0; }
     const std::vector<ShownPicture>& pictures() const { return shown; }
+    /// Are all pictures kept, and not just the last ones? A flight may go on for hours.
+    bool keeps_all = false;
     /// Pictures per second over the last second.
     double rate(double now) const;
     /// "120 pictures in 2.0 s (60.0/s; the first after 9 ms), 1/2 of the pixels, 1.7 ms to draw each"
@@ -36,6 +38,8 @@ class MotionLog {
   private:
     double start = 0, drawing = 0;
     int draws = 0;
+    std::size_t count = 0;  // of the pictures
+    double first = 0;       // when the first one was shown
     std::vector<ShownPicture> shown;
 };
 

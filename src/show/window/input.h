@@ -25,13 +25,13 @@ enum class Hold { nothing, divider, handle };
 /// Functions that are called, while events are processed, for what the user does besides moving the camera.
 struct InputHandlers {
     std::function<void(Command)> perform;
-    std::function<void()> draw;              // draws the window at once
-    std::function<bool(int)> browse;         // takes a key for the gallery, or returns false
-    std::function<void(double)> turn_wheel;  // notches, up is positive
-    std::function<void(std::string)> drop;   // the path of a file that is dropped onto the window
-    std::function<void(double, double)> click;  // x and y in pixels of the window
-    std::function<Hold(double, double)> points_at;  // what is there to be held
-    std::function<void(double, double)> hold;       // takes hold of the handle there
+    std::function<void()> draw;                            // draws the window at once
+    std::function<bool(int)> browse;                       // takes a key for the gallery, or returns false
+    std::function<void(double)> turn_wheel;                // notches, up is positive
+    std::function<void(std::string)> drop;                 // the path of a file that is dropped onto the window
+    std::function<void(double, double)> click;             // x and y in pixels of the window
+    std::function<Hold(double, double)> points_at;         // what is there to be held
+    std::function<void(double, double)> hold;              // takes hold of the handle there
     std::function<void(Hold, double, double, bool)> pull;  // moves what is held; `steps`: by round distances
     std::function<void()> let_go;                          // of the handle
 };
@@ -92,8 +92,8 @@ class Input {
         int key, scancode, modifiers;
     };
     std::vector<ReleasedKey> released;  // before panels could see that they were pressed
-    bool used = false;  // the key whose character follows
-    int settled = 0;  // the number of the drawing by which panels have reacted to the last event
+    bool used = false;                  // the key whose character follows
+    int settled = 0;                    // the number of the drawing by which panels have reacted to the last event
     double pointer_moved = 0;
     bool pointer_hidden = false;
     std::array<bool, 15> buttons{};  // of the gamepad, which are down

@@ -190,6 +190,20 @@ TEST_CASE("figures of a flight are those of its times and levels") {
     CHECK(report_of(benchmark_of({}), setting) != "");
 }
 
+TEST_CASE("a flight of hours keeps the figures of its last pictures only, unless it is measured") {
+    for (const bool all : {false, true}) {
+        MotionLog log;
+        log.keeps_all = all;
+        log.begin(1);
+        for (int i = 0; i < 30000; ++i) log.picture({2 + i / 60., finest_level, 1000});
+        CHECK(log.keeps_all == all);
+        CHECK((all ? log.pictures().size() == 30000 : log.pictures().size() <= 10000));
+        CHECK(log.pictures().back().time == 2 + 29999 / 60.);
+        CHECK(log.rate(2 + 29999 / 60.) == doctest::Approx(61));
+        CHECK(log.report(501).starts_with("30000 pictures in 500.00 s (60.0/s; the first after 1000 ms)"));
+    }
+}
+
 namespace {
 
 ScreenImage grey(int width, int height, std::uint32_t brightness) {
