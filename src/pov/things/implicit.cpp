@@ -19,6 +19,7 @@ struct ValuesOnGrid {
     std::vector<double> values;
 
     ValuesOnGrid(const Inside& value, const Box& box, int cells) : box(box), cells(cells) {
+        values.reserve(number(0, 0, cells + 1));
         for (int k = 0; k <= cells; ++k)
             for (int j = 0; j <= cells; ++j)
                 for (int i = 0; i <= cells; ++i) {
@@ -73,12 +74,14 @@ MeshData level_surface(const Inside& value, const Box& box, int cells) {
     };
     MeshBuilder mesh;
     // From each point of the grid seven edges lead to points with larger coordinates. The cells around an edge share
-    // its point, which costs ten values of the function.
-    std::vector<std::int32_t> numbers(7 * grid.values.size(), -1);
+    // its point, which costs ten values of the function. The cells of a layer need the points of edges from its lower
+    // and its upper side only: those of odd and of even sides take turns.
+    const std::size_t side = 7 * grid.number(0, 0, 1);
+    std::vector<std::int32_t> numbers(2 * side, -1);
     std::vector<LevelPoint> known;
     const auto between_points = [&](GridPoint a, GridPoint b) {
         if (a.number > b.number) std::swap(a, b);
-        std::int32_t& number = numbers[7 * a.number + (b.corner - a.corner) - 1];
+        std::int32_t& number = numbers[(7 * a.number + (b.corner - a.corner) - 1) % (2 * side)];
         if (number < 0) {
             number = static_cast<std::int32_t>(known.size());
             const DVec3 p = crossing(value, a, b);
@@ -106,7 +109,8 @@ MeshData level_surface(const Inside& value, const Box& box, int cells) {
         const LevelPoint a = at(0, 0), b = at(0, 1), c = at(1, 1), d = at(1, 0);
         add(a, b, c, in_order), add(a, c, d, in_order);
     };
-    for (int k = 0; k < cells; ++k)
+    for (int k = 0; k < cells; ++k) {
+        std::fill_n(numbers.begin() + std::ptrdiff_t((k + 1) % 2 * side), side, -1);
         for (int j = 0; j < cells; ++j)
             for (int i = 0; i < cells; ++i) {
                 std::array<GridPoint, 8> corners;
@@ -121,6 +125,7 @@ MeshData level_surface(const Inside& value, const Box& box, int cells) {
                 for (const auto& [a, b] : between)
                     tetrahedron({corners[0], corners[std::size_t(a)], corners[std::size_t(b)], corners[7]});
             }
+    }
     return mesh.finish();
 }
 

@@ -73,15 +73,17 @@ Box Mesh::bounds(const glm::dmat4& matrix) const {
 }
 
 bool Mesh::contains(const DVec3& p) const {
-    if (open_side(*data)) return false;
     const Ray<double> ray{p, {0, 0, 1}, -1};
     bool inside = false;
     for (const auto& [a, b, c] : data->triangles) {
+        const DVec3 low = min(min(data->points[a], data->points[b]), data->points[c]);
+        const DVec3 high = max(max(data->points[a], data->points[b]), data->points[c]);
+        if (p.x < low.x || p.y < low.y || p.x > high.x || p.y > high.y || p.z > high.z) continue;
         const Span<double> span =
             TriangleKernel<double>{data->points[a], data->points[b], data->points[c]}.span(ray, -1.);
         inside ^= span.hit && span.far > 0;
     }
-    return inside;
+    return inside && !open_side(*data);
 }
 
 }  // namespace strahl

@@ -110,7 +110,7 @@ TEST_CASE("pictures of any size can be sampled") {
 
 TEST_CASE("an edge is a jump, not a gradual change") {
     ThreadPool pool(1);
-    const Scene scene = read_scene("crosscheck/highlights");
+    Scene scene = read_scene("crosscheck/highlights");
     const View view{.camera = scene.camera, .width = columns, .height = rows};
     Tracer tracer(scene, Precision::float64);
     int near = 0, nearer = 0;
@@ -121,6 +121,14 @@ TEST_CASE("an edge is a jump, not a gradual change") {
     CHECK(near > 0);
     CHECK(near < columns * rows / 2);
     CHECK(nearer < near);
+    // A slope of a million steps ends unfound, and is no edge.
+    scene = parse_scene("camera { position <0, 0, 9> look_at <0, 0, 0> sky <0, 1, 0> angle 20 }\n"
+                        "light { position <9, 9, 9> color <1, 1, 1> }\n"
+                        "sphere { <0, 0, 0>, 1 material { rgb <.8, .8, .8> } }\n",
+                        "ball");
+    Tracer ball(scene, Precision::float64);
+    CHECK(!on_edge(ball, {.camera = scene.camera, .width = 9, .height = 9}, pool, 4, 4, .5, 1e-9));
+    CHECK(on_edge(ball, {.camera = scene.camera, .width = 9, .height = 9}, pool, 4, 4, 4, 1e-9));
 }
 
 }  // namespace strahl::accuracy
