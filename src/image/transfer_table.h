@@ -28,6 +28,9 @@ class TransferTable {
         return (*this)(rgb[2]) | (*this)(rgb[1]) << 8 | (*this)(rgb[0]) << 16 | 0xff000000u;
     }
 
+    /// Returns the value in the middle of those with this code; of the last code, the least one.
+    double light(std::uint32_t code) const { return code < 255 ? (least[code] + least[code + 1]) / 2 : least[255]; }
+
   private:
     static constexpr int bins = 4096;
     double white = 1, bins_per_unit = bins;    // all light from `white` on has the last code

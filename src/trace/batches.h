@@ -58,6 +58,17 @@ class Batches {
         sink({tile, std::span<const Out>(values, 3 * pixels), std::span<const double>(most, prove ? pixels : 0)});
     }
 
+    /// Traces at most `scattered_pixels` points. Those of a batch that was stopped get no values.
+    void trace_list(std::span<const PicturePoint> points, float* rgb) {
+        const int count = static_cast<int>(points.size());
+        for (int i = 0; i < count; ++i)
+            workspace.pixels_x[i] = static_cast<T>(points[i].x), workspace.pixels_y[i] = static_cast<T>(points[i].y);
+        trace_batches(count, nullptr);
+        if (limits.stopped()) return;
+        for (int i = 0; i < count; ++i)
+            for (int c = 0; c < 3; ++c) rgb[3 * i + c] = finite<float>(workspace.sums[i].rgb[c]);
+    }
+
     /// Traces a tile of pixels with a grid of rays in each.
     void trace_grid(const Lattice& tile, const Sampling& sampling, const Sink& sink) {
         const int n = sampling.grid, pixels = tile.columns * tile.rows;

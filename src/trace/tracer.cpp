@@ -100,6 +100,16 @@ class TracerOf : public AnyTracer {
         });
     }
 
+    Counts traced(const Job& job, const PointList& list) {
+        const auto count = static_cast<int>(list.points.size());
+        const auto trace = [&](Batches<T>& batches, int i, int) {
+            const int first = i * scattered_pixels;
+            batches.trace_list(list.points.subspan(first, std::min(scattered_pixels, count - first)),
+                                list.rgb + 3 * std::ptrdiff_t(first));
+        };
+        return each(job, (count + scattered_pixels - 1) / scattered_pixels, 0, trace);
+    }
+
     Counts traced(const Job& job, const FilledLattice& filled) {
         const Lattice& lattice = filled.lattice;
         if (many_bodies()) return all_traced(job, filled);

@@ -52,8 +52,14 @@ struct CellPass {
     CellPicture& picture;
     int finest;
 };
+/// Places with one ray each, many at once. Their values go to `rgb`, 3 for each; they stay as they were where the job
+/// was stopped before.
+struct PointList {
+    std::span<const PicturePoint> points;
+    float* rgb;
+};
 /// The pixels that a tracer can be asked for: a lattice or a list with one ray in each pixel, or one of the above.
-using TracedPixels = std::variant<Lattice, std::span<const Pixel>, FilledLattice, SampledRegion, CellPass>;
+using TracedPixels = std::variant<Lattice, std::span<const Pixel>, FilledLattice, SampledRegion, CellPass, PointList>;
 
 class AnyTracer;
 

@@ -1,4 +1,4 @@
-// Chooses the tolerance or the resolution by the times of the last pictures.
+// Chooses the resolution by the times of the last pictures.
 #include "show/motion/resolution.h"
 
 #include <algorithm>
@@ -25,12 +25,6 @@ double RecentCosts::median() const {
     return sorted[sorted.size() / 2];
 }
 
-double Tolerance::choose(double pixels, double budget) const {
-    if (!costs.any()) return first;
-    const double fitting = costs.median() * pixels / budget;
-    return std::clamp(fitting > coarse ? std::max(coarse, fitting / 4) : fitting, finest, coarsest);
-}
-
 double allowed_seconds(int level, double budget) { return level <= sixteenth_level ? 4 * budget : budget; }
 
 double Resolution::seconds_for(int l) const {
@@ -43,10 +37,10 @@ void Resolution::observe(double pixels, double seconds) {
     ++since;
 }
 
-int Resolution::choose(int new_width, int new_height, double budget, int finest) {
+int Resolution::choose(int new_width, int new_height, double budget, int finest, double share) {
     width = new_width, height = new_height;
     if (!costs.any()) return std::min(level, finest);
-    const auto allowed = [&](int l) { return allowed_seconds(l, budget); };
+    const auto allowed = [&](int l) { return allowed_seconds(l, budget) * (l > ninth_level ? share : 1); };
     for (; level > 0 && seconds_for(level) > allowed(level); --level) since = 0;
     if (since >= patience && level < finest_level && seconds_for(level + 1) < headroom * allowed(level + 1))
         ++level, since = 0;

@@ -1,4 +1,4 @@
-// Adapts pictures in motion so that the frame rate holds: their tolerance, or their resolution.
+// Adapts the resolution of pictures in motion so that the frame rate holds.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -17,28 +17,6 @@ class RecentCosts {
     std::size_t count = 0;
 };
 
-/// Learns how long pictures take, and chooses the tolerance (see filled_lattice.h) with which one takes the time that
-/// is available. For that it assumes that the time is inversely proportional to the tolerance: where it falls less, the
-/// tolerance approaches the right one from one side. Beyond `coarse` little can be recognised: if that does not fit,
-/// the rate falls first, to a quarter.
-class Tolerance {
-  public:
-    /// In steps of 1/255 times pixels. With the finest everything is traced that could be seen.
-    static constexpr double finest = 24, coarse = 800, coarsest = 255 * 8, first = 400;
-
-    /// Reports that a picture of so many pixels took so many seconds with this tolerance.
-    void observe(double tolerance, double pixels, double seconds) { costs.add(tolerance * seconds / pixels); }
-    /// Returns the tolerance for a picture of so many pixels.
-    double choose(double pixels, double budget) const;
-    /// Returns the seconds that a picture with this tolerance may take, given the `budget` at full rate.
-    static double allowed_seconds(double tolerance, double budget) {
-        return tolerance >= coarse ? 4 * budget : budget;
-    }
-
-  private:
-    RecentCosts costs;
-};
-
 /// Returns the seconds that a picture of this level may take, given the `budget` at full rate.
 double allowed_seconds(int level, double budget);
 
@@ -52,8 +30,9 @@ class Resolution {
     /// Reports that `pixels` were traced in `seconds`.
     void observe(double pixels, double seconds);
 
-    /// Returns the level for the next picture, at most `finest`. `budget` is the time for it in seconds.
-    int choose(int width, int height, double budget, int finest);
+    /// Returns the level for the next picture, at most `finest`. `budget` is the time for it in seconds. Levels of more
+    /// than 1/9 of the pixels may take only this share of it.
+    int choose(int width, int height, double budget, int finest, double share = 1);
 
   private:
     double seconds_for(int level) const;

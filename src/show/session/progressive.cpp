@@ -18,11 +18,6 @@ Steps steps_of(int level) {
     return level_steps[static_cast<std::size_t>(level)];
 }
 
-int level_of(double share) {
-    const auto off = [&](const Steps& steps) { return std::abs(std::log(share * steps.area())); };
-    return static_cast<int>(std::ranges::min_element(level_steps, {}, off) - level_steps.begin());
-}
-
 Lattice pixels_of(int level, int width, int height) {
     const Steps steps = steps_of(level);
     return {0, 0, steps_below(width, steps.x), steps_below(height, steps.y), steps.x, steps.y};

@@ -19,15 +19,12 @@ struct Steps {
 /// one fits the time well.
 inline constexpr std::array<Steps, 13> level_steps{{{16, 16}, {8, 16}, {8, 8}, {6, 8}, {6, 6}, {4, 6}, {4, 4},
                                                     {3, 4}, {3, 3}, {2, 3}, {2, 2}, {1, 2}, {1, 1}}};
-inline constexpr int sixteenth_level = 6, finest_level = static_cast<int>(level_steps.size()) - 1;
+inline constexpr int sixteenth_level = 6, ninth_level = 8, finest_level = static_cast<int>(level_steps.size()) - 1;
 /// All pixels are averages over their squares, as in stills.
 inline constexpr int averaged_level = finest_level + 1;
-/// As a limit of pictures in motion: rays go where the picture needs them, not to pixels of equal distances.
-inline constexpr int uneven_level = averaged_level;
+/// As a limit of pictures in motion: some of the time goes to rays where the picture changes most (motion/sharpener.h).
+inline constexpr int sharpened_level = averaged_level;
 Steps steps_of(int level);
-
-/// Returns the level that has about as many pixels as this share of all.
-int level_of(double share);
 
 /// Returns the pixels of a level, 0 <= level <= finest_level.
 Lattice pixels_of(int level, int width, int height);

@@ -110,10 +110,10 @@ Answer Session::perform(Command command, double now) {
             return {"depth " + std::to_string(depth()), ""};
         case Action::finer:
         case Action::coarser:
-            finest = std::clamp(finest + (command.action == Action::finer ? 1 : -1), 0, uneven_level);
-            return {"motion quality: " + (finest == uneven_level   ? "rays where they are needed"
-                                           : finest == finest_level ? "full"
-                                                                    : "at most " + resolution_text(finest)),
+            finest = std::clamp(finest + (command.action == Action::finer ? 1 : -1), 0, sharpened_level);
+            return {"motion quality: " + (finest == sharpened_level ? "sharpened"
+                                           : finest == finest_level  ? "equal distances"
+                                                                     : "at most " + resolution_text(finest)),
                     ""};
         case Action::expose:
             return expose(command.number);

@@ -89,7 +89,7 @@ class Session {
     TrackKeys track_keys;
     bool keys_elsewhere = false;  // an editor of tracks has the keys, and they cannot be changed here
     double speed = 1;           // units of the scene per second
-    int finest = finest_level;  // level in motion
+    int finest = sharpened_level;  // level in motion
     Exposure exposure;          // of the picture and of stills
     /// The view that a window of this size shows now.
     View view(int window_width, int window_height) const;

@@ -16,7 +16,6 @@ constexpr double most_off = 3. / 255;
 
 /// Pictures that took as many rays as this level and have them where they are needed are as good at edges as cells of 2
 /// pixels: the first pass would not be better.
-constexpr int sharp_level = sixteenth_level;
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -119,17 +118,13 @@ void TraceThread::announce(std::unique_lock<std::mutex>& lock) {
 /// Chooses the pixels of the first picture that are traced, and returns the level of their lattice.
 int TraceThread::choose(FilledLattice& filled) {
     const View& view = order.view;
-    const bool uneven = order.finest == uneven_level && !tracer->many_bodies();
     const int finest = order.moving ? std::min(order.finest, finest_level) : finest_level;
-    const int level = uneven ? finest_level : resolution.choose(view.width, view.height, order.budget, finest);
+    const int level =
+        resolution.choose(view.width, view.height, order.budget, finest, sharpens() ? Sharpener::first_share : 1);
     filled.lattice = pixels_of(level, view.width, view.height);
     filled.contrast = most_off / steepest(order.scene->settings.assumed_gamma) / gain_of(order.exposure);
-    if (uneven) filled.tolerance = tolerance.choose(count(filled.lattice), order.budget);
-    const bool coarsest = uneven ? filled.tolerance == Tolerance::coarsest : level == 0;
     std::lock_guard lock(mutex);
-    planned = coarsest ? 0
-              : uneven ? Tolerance::allowed_seconds(filled.tolerance, order.budget)
-                       : allowed_seconds(level, order.budget);
+    planned = level == 0 ? 0 : allowed_seconds(level, order.budget);
     return level;
 }
 
@@ -143,28 +138,29 @@ void TraceThread::first_picture() {
     building = Clock::time_point();
     const auto start = Clock::now();
     FilledLattice filled;
-    int level = choose(filled);
+    const int level = choose(filled);
     const Lattice& pixels = filled.lattice;
     const Steps steps{pixels.step_x, pixels.step_y};
     ScreenImage& traced = steps == Steps{} ? spare : coarse;
     traced.resize(pixels.columns, pixels.rows);
     filled.colors = traced.pixels.data();
     filled.encode = [this](const double* rgb) { return table->pixel(rgb); };
-    const Counts rays = tracer->trace({view, pool, {}, &stop}, filled);
-    const double seconds = seconds_since(start);
-    const bool even = filled.tolerance == 0;
-    if (built && even) resolution.observe(count(pixels), seconds);  // a stopped one would have taken even longer
-    if (built && !even) tolerance.observe(filled.tolerance, count(pixels), seconds);
+    const Job job{view, pool, {}, &stop};
+    Counts rays = tracer->trace(job, filled);
+    const auto seconds = [&] { return seconds_since(start); };
+    if (built) resolution.observe(count(pixels), seconds());  // a stopped one would have taken even longer
     if (stop) return;
-    if (!even) level = level_of(static_cast<double>(rays.camera) / count(pixels));
-    done = even || level < sharp_level ? level : std::max(level, passes[0].level);
+    done = level;
     if (!(steps == Steps{})) {
         spare.resize(view.width, view.height);
         expand(coarse, steps, spare, pool);
     }
+    if (const double left = order.budget - seconds(); sharpens() && left > 0)
+        rays += sharpener.sharpen(*tracer, job, *table, coarse, steps, left, seconds, spare);
+    if (stop) return done = -1, void();
     std::unique_lock lock(mutex);
     shown.replace(spare);
-    state = {order.number, order.scene, view, level, 0, seconds, rays};
+    state = {order.number, order.scene, view, level, 0, seconds(), rays};
     complete = state.finished() && !next;
     announce(lock);
 }

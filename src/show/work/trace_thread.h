@@ -12,6 +12,7 @@
 #include "num/thread_pool.h"
 #include "show/motion/resolution.h"
 #include "show/motion/screen_image.h"
+#include "show/motion/sharpener.h"
 #include "trace/cells/cell_picture.h"
 #include "trace/tracer.h"
 
@@ -24,7 +25,7 @@ struct Order {
     View view;
     bool moving = false;        // pictures in motion are not refined: the next one comes soon
     double budget = 0.01;       // seconds for the first, coarse picture
-    int finest = uneven_level;  // level of the first picture in motion
+    int finest = sharpened_level;  // level of the first picture in motion
     Exposure exposure{};
 };
 
@@ -91,6 +92,7 @@ class TraceThread {
     void loop(std::stop_token quit);
     bool accept(std::stop_token quit);
     void first_picture();
+    bool sharpens() const { return order.moving && order.finest == sharpened_level; }
     int choose(FilledLattice& filled);
     void refine();
     void announce(std::unique_lock<std::mutex>& lock);
@@ -100,7 +102,7 @@ class TraceThread {
     std::optional<Tracer> tracer;
     std::optional<TransferTable> table;
     Resolution resolution;
-    Tolerance tolerance;
+    Sharpener sharpener;
     ScreenImage coarse;                // the traced pixels of a level
     ScreenImage spare;                 // pictures are made here and then swapped with the one on the screen
     int done = -1;                     // the finest level of `order` that is complete

@@ -14,9 +14,6 @@ namespace strahl {
 struct FilledLattice {
     Lattice lattice;
     double contrast = 0;
-    /// Cells whose samples differ by d steps of the screen's 255 in a channel are not divided if d times their side is
-    /// at most this; so rays go where most of the picture is off. 0: all cells that are not smooth are divided.
-    double tolerance = 0;
     /// Returns the colour of a pixel with these values: four channels of 8 bits.
     std::function<std::uint32_t(const double* rgb)> encode{};
     /// All pixels of the lattice, row by row. Those that were not reached when the job was stopped are as before.

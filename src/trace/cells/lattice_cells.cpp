@@ -9,7 +9,6 @@ namespace strahl {
 namespace {
 
 constexpr int most_seen = 3;    // different signatures in a cell that is worth dividing
-constexpr int least_range = 20;  // of the colours in a cell, as far as five samples can tell
 constexpr int coarsest = 8;     // the side of cells that a tile begins with
 
 int count_signatures(const std::array<const CellSample*, 4>& corners, const CellSample& middle) {
@@ -154,17 +153,13 @@ void LatticeCells::advance(const LatticeCell& cell) {
     const std::array<int, 5> own = samples_of(cell);
     const Corners corners{&samples[own[0]], &samples[own[1]], &samples[own[2]], &samples[own[3]]};
     const CellSample& middle = samples[own[4]];
-    const double tolerance = lattice->tolerance;
-    const int range = tolerance > 0 ? std::max(range_of(colors_of(own)), least_range) : 255;
-    if (range * size <= tolerance) return filled.push_back(cell);
     const bool alike = cell.sides ? even_sides(cell, corners) : looks_smooth(corners, middle, lattice->contrast);
     if (alike && (cell.sides || !hides(cell, corners))) {
         if (cell.sides || !middle.uneven) return filled.push_back(cell);
         parts.push_back({x, y, size, true});
         return ask({{x + half, y}, {x + size, y + half}, {x + half, y + size}, {x, y + half}});
     }
-    if (size == (tolerance > 0 ? 2 : 4)) return leave(cell);
-    if (2 * range > tolerance && count_signatures(corners, middle) > most_seen) return leave(cell);
+    if (size == 4 || count_signatures(corners, middle) > most_seen) return leave(cell);
     for (const LatticeCell& part :
          {LatticeCell{x, y, half}, {x + half, y, half}, {x, y + half, half}, {x + half, y + half, half}})
         if (within(part.x, part.y)) parts.push_back(part), ask(part);

@@ -2,11 +2,9 @@
 //
 // In motion there is time for some of the pixels only, and where the picture is smooth a few tell all. Cells have their
 // corners on pixels. A cell whose corners and middle saw the same is filled between its corners, and where that is a
-// pattern that varies only if the middles of its sides agree as well. Others are divided, unless their samples differ
-// so little, or they are so small, that rays are better spent elsewhere; then they are filled between corners and
-// middle. A cell that saw more than three things is not divided: all its pixels are traced.
-// Without a tolerance nothing but what is smooth is filled, and pixels of cells of 4 pixels are all traced, by blocks,
-// so that packs are those of a plain lattice. Pixels that are traced have the values that they have in one.
+// pattern that varies only if the middles of its sides agree as well. Others are divided. In those of 4 pixels, and in
+// cells that saw more than three things, all pixels are traced, by blocks, so that packs are those of a plain lattice.
+// Pixels that are traced have the values that they have in one.
 #pragma once
 #include <array>
 #include <cstdint>

@@ -25,6 +25,10 @@ struct Lattice {
 struct Pixel {
     int x, y;
 };
+/// A place in the picture, in pixels. Pixels have their middles at whole numbers.
+struct PicturePoint {
+    float x, y;
+};
 
 /// Values of one tile: red, green, blue of each pixel of `lattice`, row by row, linear and unclamped. Float for
 /// float32, double for the two others.

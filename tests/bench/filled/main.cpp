@@ -43,7 +43,7 @@ Run run(Tracer& tracer, const View& view, ThreadPool& pool, const Lattice& latti
         }
     };
     const auto encode = [&](const double* rgb) { return table.pixel(rgb); };
-    const FilledLattice filled{lattice, contrast, 0, encode, result.colors.data()};
+    const FilledLattice filled{lattice, contrast, encode, result.colors.data()};
     const std::clock_t start = std::clock();
     result.rays = contrast > 0 ? tracer.trace({view, pool, {}}, filled) : tracer.trace({view, pool, keep}, lattice);
     result.seconds = double(std::clock() - start) / CLOCKS_PER_SEC;
@@ -140,7 +140,7 @@ void fly(Shot& shot, int moments) {
         const TransferTable table(shot.scene.settings.assumed_gamma);
         const auto encode = [&](const double* rgb) { return table.pixel(rgb); };
         const auto filled = [&](const Lattice& l) {
-            tracer.trace(job, FilledLattice{l, shot.contrast, 0, encode, colors.data()});
+            tracer.trace(job, FilledLattice{l, shot.contrast, encode, colors.data()});
         };
         ++plain_levels.at(std::size_t(finest_that_fits(plain) + 1)),
             ++filled_levels.at(std::size_t(finest_that_fits(filled) + 1));

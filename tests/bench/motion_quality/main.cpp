@@ -20,6 +20,7 @@
 #include "show/motion/quality.h"
 #include "show/motion/resolution.h"
 #include "show/motion/screen_image.h"
+#include "show/motion/sharpener.h"
 #include "show/session/session.h"
 #include "text/parse.h"
 #include "trace/tracer.h"
@@ -30,7 +31,7 @@ namespace {
 struct Flown {
     std::string scene, folder, picture;
     bool one = false;   // one ray in each pixel, whatever it takes
-    bool even = false;  // equal distances between traced pixels
+    bool even = false;  // equal distances between traced pixels, and nothing else
     int width = 480, height = 270, frames = 60, shown = 30;
     double start = 0, fps = 60, speed = 1;
     double budget = 2 * .8 / 60;  // seconds of processor time: .8 of a 60th of a second on two threads
@@ -78,7 +79,7 @@ int run(const Flown& options) {
     Tracer tracer(*scene, Precision::float32);
     const double contrast = 3. / 255 / steepest(scene->settings.assumed_gamma);  // as in the window
     const auto encode = [&](const double* rgb) { return table.pixel(rgb); };
-    Tolerance tolerance;
+    Sharpener sharpener;
     Resolution resolution;
     QualityLog log;
     std::map<int, int> levels;
@@ -91,27 +92,21 @@ int run(const Flown& options) {
         const double start = processor_seconds();
         if (options.one) {
             if (frame >= 0) image = traced_picture(tracer, view, pool, table, {.grid = 1});
-        } else if (!options.even) {
-            image.resize(view.width, view.height);
-            const FilledLattice filled{.lattice = pixels_of(finest_level, view.width, view.height),
-                                       .contrast = contrast,
-                                       .tolerance = tolerance.choose(double(view.width) * view.height, options.budget),
-                                       .encode = encode,
-                                       .colors = image.pixels.data()};
-            const Counts rays = tracer.trace({view, pool, {}}, filled);
-            tolerance.observe(filled.tolerance, count(filled.lattice), processor_seconds() - start);
-            if (frame >= 0) ++levels[level_of(static_cast<double>(rays.camera) / count(filled.lattice))];
         } else {
-            const int level = resolution.choose(view.width, view.height, options.budget, finest_level);
+            const int level = resolution.choose(view.width, view.height, options.budget, finest_level,
+                                                options.even ? 1 : Sharpener::first_share);
             const Lattice pixels = pixels_of(level, view.width, view.height);
             ScreenImage coarse;
             coarse.resize(pixels.columns, pixels.rows);
-            tracer.trace({view, pool, {}}, FilledLattice{pixels, contrast, 0, encode, coarse.pixels.data()});
-            resolution.observe(count(pixels), processor_seconds() - start);
+            const auto seconds = [&] { return processor_seconds() - start; };
+            tracer.trace({view, pool, {}}, FilledLattice{pixels, contrast, encode, coarse.pixels.data()});
+            resolution.observe(count(pixels), seconds());
             if (image.resize(view.width, view.height); level == finest_level)
                 image = std::move(coarse);
             else
                 expand(coarse, steps_of(level), image, pool);
+            if (const double left = options.budget - seconds(); !options.even && left > 0)
+                sharpener.sharpen(tracer, {view, pool, {}}, table, coarse, steps_of(level), left, seconds, image);
             if (frame >= 0) ++levels[level];
         }
         if (frame < 0) continue;
@@ -128,7 +123,7 @@ int run(const Flown& options) {
                 std::filesystem::path(options.scene).stem().c_str(), options.width, options.height,
                 options.one    ? "one ray a pixel"
                 : options.even ? "even"
-                               : "uneven",
+                               : "sharpened",
                 1000 * options.budget, 1000 * seconds / options.frames,
                 quality.rms, quality.p99, quality.ssim, 100 * quality.visible, quality.flicker);
     for (auto at = levels.rbegin(); at != levels.rend(); ++at)

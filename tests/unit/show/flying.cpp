@@ -171,7 +171,7 @@ TEST_CASE("depth and resolution stay within their limits") {
     CHECK(session.depth() == 256);
     CHECK(session.finest == 0);
     for (int i = 0; i < 20; ++i) session.perform({Action::finer}, 0);
-    CHECK(session.finest == uneven_level);
+    CHECK(session.finest == sharpened_level);
 }
 
 TEST_CASE("after a change of the file the camera stays, unless the file's camera changed") {

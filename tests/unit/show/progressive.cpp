@@ -95,10 +95,10 @@ namespace {
 
 /// Several pictures of a scene whose pixels have this cost.
 std::vector<int> run(Resolution& resolution, int pictures, double seconds_per_pixel, double budget,
-                     int finest = finest_level) {
+                     int finest = finest_level, double share = 1) {
     std::vector<int> levels;
     for (int i = 0; i < pictures; ++i) {
-        const int level = resolution.choose(640, 480, budget, finest);
+        const int level = resolution.choose(640, 480, budget, finest, share);
         const double pixels = count(pixels_of(level, 640, 480));
         resolution.observe(pixels, pixels * seconds_per_pixel);
         levels.push_back(level);
@@ -126,43 +126,6 @@ TEST_CASE("the resolution settles at the budget and stays there") {
     CHECK(run(resolution, 100, 1e-12, budget, 3).back() == 3);
 }
 
-TEST_CASE("the tolerance settles where pictures take the budget, however time falls with it") {
-    constexpr double pixels = 640 * 480, budget = 0.010;
-    for (const double power : {.5, .8, 1., 1.3})
-        for (const double fixed : {0., .3}) {  // share of the budget that pictures take in any case
-            Tolerance tolerance;
-            const auto seconds = [&](double t) {
-                return budget * (fixed + (1 - fixed) * std::pow(t / 300, -power));
-            };
-            for (int i = 0; i < 60; ++i) {
-                const double t = tolerance.choose(pixels, budget);
-                tolerance.observe(t, pixels, seconds(t));
-            }
-            const double settled = tolerance.choose(pixels, budget);
-            CHECK(seconds(settled) == doctest::Approx(budget).epsilon(.02));
-            for (int i = 0; i < 2; ++i) tolerance.observe(settled, pixels, .5);  // slow for another reason
-            CHECK(tolerance.choose(pixels, budget) == doctest::Approx(settled).epsilon(.02));
-            CHECK(tolerance.choose(pixels / 2, budget) == doctest::Approx(settled / 2).epsilon(.02));
-        }
-    Tolerance tolerance;
-    const auto after = [&](double cost) {  // in budgets, with a tolerance of 1
-        for (int i = 0; i < 5; ++i) tolerance.observe(1, pixels, cost * budget);
-        return tolerance.choose(pixels, budget);
-    };
-    CHECK(after(1) == Tolerance::finest);
-    CHECK(after(3 * Tolerance::coarse) == Tolerance::coarse);  // the rate falls first
-    CHECK(Tolerance::allowed_seconds(Tolerance::coarse, budget) == 4 * budget);
-    CHECK(after(8 * Tolerance::coarse) == 2 * Tolerance::coarse);
-    CHECK(after(1e9) == Tolerance::coarsest);
-}
-
-TEST_CASE("a level has about the share of the pixels that it is found by") {
-    for (int level = 0; level <= finest_level; ++level)
-        CHECK(level_of(count(pixels_of(level, 640, 480)) / (640. * 480)) == level);
-    CHECK(level_of(1e-6) == 0);
-    CHECK(level_of(1.3) == finest_level);
-}
-
 TEST_CASE("below 1/16 of the pixels the rate falls first") {
     Resolution resolution;
     const double budget = 0.010, sixteenth = count(pixels_of(sixteenth_level, 640, 480));
@@ -170,6 +133,14 @@ TEST_CASE("below 1/16 of the pixels the rate falls first") {
     CHECK(run(resolution, 100, 3.9 * budget / sixteenth, budget).back() == sixteenth_level);
     CHECK(run(resolution, 100, 5.5 * budget / sixteenth, budget).back() == sixteenth_level - 1);
     CHECK(run(resolution, 100, 0.4 * budget / sixteenth, budget).back() == sixteenth_level + 2);
+}
+
+TEST_CASE("levels of more than 1/9 of the pixels leave a share of the time") {
+    Resolution resolution;
+    const double budget = 0.010, ninth = count(pixels_of(ninth_level, 640, 480));
+    CHECK(run(resolution, 100, .4 * budget / ninth, budget, finest_level, .5).back() == ninth_level);
+    CHECK(run(resolution, 100, .8 * budget / ninth, budget, finest_level, .5).back() == ninth_level);
+    CHECK(run(resolution, 100, .18 * budget / ninth, budget, finest_level, .5).back() == ninth_level + 2);
 }
 
 TEST_CASE("one or two slow pictures change nothing") {

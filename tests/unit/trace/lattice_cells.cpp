@@ -34,14 +34,14 @@ View view_of(const Scene& scene, int width, int height) {
 }
 
 Traced traced(const Scene& scene, const View& view, const Lattice& part, bool filled, int threads = 2,
-              Simd simd = Simd::automatic, double tolerance = 0) {
+              Simd simd = Simd::automatic) {
     ThreadPool pool(threads);
     Tracer tracer(scene, Precision::float32, simd);
     const std::size_t count = std::size_t(part.columns) * part.rows;
     Traced pixels{std::vector<std::uint32_t>(count), {}};
     if (filled) {
         pixels.rays =
-            tracer.trace({view, pool, {}}, FilledLattice{part, contrast, tolerance, encoded, pixels.colors.data()});
+            tracer.trace({view, pool, {}}, FilledLattice{part, contrast, encoded, pixels.colors.data()});
         return pixels;
     }
     std::vector<double> rgb(3 * count);
@@ -147,56 +147,6 @@ TEST_CASE("worlds of very many bodies are traced as they are") {
 }
 
 /// Returns the root mean square of the differences of all pixels.
-double rms(const Traced& a, const Traced& b) {
-    double squares = 0;
-    for (const double off : differences(a, b)) squares += off * off;
-    return std::sqrt(squares / double(a.colors.size()));
-}
-
-TEST_CASE("with a tolerance rays go where the picture is off most") {
-    for (const std::string name : {"article", "flythrough", "mirror_ball"}) {
-        CAPTURE(name);
-        const Scene scene = read_scene(name);
-        const View view = view_of(scene, 640, 480);
-        const Lattice all{.columns = view.width, .rows = view.height};
-        const Traced plain = traced(scene, view, all, false);
-        double last_off = 0;
-        std::uint64_t last_rays = plain.rays.camera;
-        for (const double tolerance : {24., 100., 400., 1000., 2040.}) {
-            const Traced filled = traced(scene, view, all, true, 2, Simd::automatic, tolerance);
-            CHECK(rms(plain, filled) > last_off);
-            CHECK(filled.rays.camera < last_rays);
-            last_off = rms(plain, filled), last_rays = filled.rays.camera;
-        }
-        CHECK(last_rays == 70 * (81 + 64) + 10 * (45 + 32));  // corners and middles of the cells of 80 tiles
-        // Fewer rays than a lattice of every third pixel leave less than half of its squared error.
-        const Traced uneven = traced(scene, view, all, true, 2, Simd::automatic, 300);
-        const Lattice third{0, 0, 214, 160, 3, 3};
-        Traced coarse = traced(scene, view, third, false), wide{std::vector<std::uint32_t>(plain.colors.size()), {}};
-        for (int i = 0; i < 640 * 480; ++i) wide.colors[i] = coarse.colors[i / 640 / 3 * 214 + i % 640 / 3];
-        CAPTURE(uneven.rays.camera);
-        CAPTURE(coarse.rays.camera);
-        CAPTURE(rms(plain, uneven));
-        CAPTURE(rms(plain, wide));
-        CHECK(rms(plain, uneven) < .7 * rms(plain, wide));
-    }
-}
-
-TEST_CASE("with a tolerance, too, pixels depend neither on threads, lanes nor crops") {
-    const Scene scene = random_scene(17, {.camera_inside = true});
-    const View view = view_of(scene, 203, 141);
-    const Lattice all{.columns = view.width, .rows = view.height};
-    for (const double tolerance : {24., 350., 700., 3000.}) {
-        const auto made = [&](const Lattice& part, int threads, Simd simd = Simd::automatic) {
-            return traced(scene, view, part, true, threads, simd, tolerance);
-        };
-        const Traced picture = made(all, 2);
-        CHECK(picture.colors == made(all, 3).colors);
-        CHECK(picture.colors == made(all, 1, Simd::scalar).colors);
-        CHECK(made({64, 32, 70, 45}, 1).colors == colors_of(picture, all.columns, {64, 32, 70, 45}));
-    }
-}
-
 TEST_CASE("a picture that is stopped keeps the pixels that were not reached") {
     const Scene scene = read_scene("article");
     const View view = view_of(scene, 640, 480);
@@ -206,7 +156,7 @@ TEST_CASE("a picture that is stopped keeps the pixels that were not reached") {
     const Lattice all{.columns = view.width, .rows = view.height};
     std::vector<std::uint32_t> colors(640 * 480, 0x01020304);
     const auto encode = [&](const double*) { return stop = true, 0u; };
-    tracer.trace({view, pool, {}, &stop}, FilledLattice{all, contrast, 0, encode, colors.data()});
+    tracer.trace({view, pool, {}, &stop}, FilledLattice{all, contrast, encode, colors.data()});
     const auto reached = std::ranges::count(colors, 0u);
     CHECK(reached >= 1);
     CHECK(reached <= 2 * 64 * 64);  // a tile of each thread

@@ -1,0 +1,106 @@
+// Pictures in motion, sharpened where they change most.
+#include "show/motion/sharpener.h"
+
+#include <doctest/doctest.h>
+
+#include <atomic>
+#include <cmath>
+#include <string>
+
+#include "num/thread_pool.h"
+#include "show/motion/quality.h"
+#include "tests/unit/scenes.h"
+
+namespace strahl::sharpening {
+
+constexpr int width = 331, height = 243;  // no multiples of steps or blocks
+
+/// A scene, its view, and pictures of it.
+struct Pictures {
+    explicit Pictures(const std::string& name, int threads = 2)
+        : scene(read_scene(name)), pool(threads), tracer(scene, Precision::float32) {}
+
+    /// Returns a picture of a level, sharpened with so many rays after the first ones; with none, as it was.
+    ScreenImage sharpened(int level, double rays, const std::atomic<bool>* stop = nullptr) {
+        const Lattice pixels = pixels_of(level, width, height);
+        ScreenImage traced{pixels.columns, pixels.rows, {}}, whole;
+        const auto keep = [&](const Tile& tile) {
+            const std::vector<std::uint32_t> colors = encoded(tile, table);
+            const Lattice& part = tile.lattice;
+            store({part.x / pixels.step_x, part.y / pixels.step_y, part.columns, part.rows}, colors.data(), traced);
+        };
+        traced.resize(pixels.columns, pixels.rows), whole.resize(width, height);
+        tracer.trace({view, pool, keep}, pixels);
+        if (level == finest_level)
+            whole = traced;
+        else
+            expand(traced, steps_of(level), whole, pool);
+        if (rays <= 0) return whole;
+        // By this clock each picture takes a second, so that the rays of the second are as many times those of the
+        // first.
+        double time = 0;
+        const auto clock = [&] { return time += .5; };
+        Sharpener sharpener;
+        ScreenImage first = whole;
+        const Job job{view, pool, {}, stop};
+        const Counts before = sharpener.sharpen(tracer, job, table, traced, steps_of(level), 1, clock, first);
+        CHECK(before.camera <= 4096);
+        const double times = before.camera > 0 ? rays / static_cast<double>(before.camera) / 2 : 1;
+        taken = sharpener.sharpen(tracer, job, table, traced, steps_of(level), times, clock, whole);
+        return whole;
+    }
+    ScreenImage finished() { return traced_picture(tracer, view, pool, table, {}); }
+
+    double rms(const ScreenImage& image) {
+        QualityLog log;
+        log.add(image, finished(), false);
+        return log.quality().rms;
+    }
+
+    Scene scene;
+    ThreadPool pool;
+    Tracer tracer;
+    TransferTable table{scene.settings.assumed_gamma};
+    View view{.camera = scene.camera, .width = width, .height = height};
+    Counts taken;
+};
+
+TEST_CASE("the more rays sharpen a picture, the better it is, and it soon beats one ray in each pixel") {
+    for (const std::string name : {"article", "flythrough", "mirror_ball"}) {
+        CAPTURE(name);
+        Pictures pictures(name);
+        double last = pictures.rms(pictures.sharpened(ninth_level, 0));
+        const double one = pictures.rms(pictures.sharpened(finest_level, 0));
+        for (const double share : {.04, .12, .36}) {
+            CAPTURE(share);
+            const double rays = share * width * height, off = pictures.rms(pictures.sharpened(ninth_level, rays));
+            CHECK(static_cast<double>(pictures.taken.camera) <= 1.02 * rays);
+            CHECK(off < last);
+            last = off;
+        }
+        CHECK(last < .8 * one);  // with less than half of its rays
+        CHECK(pictures.rms(pictures.sharpened(finest_level, .2 * width * height)) < .8 * one);
+    }
+}
+
+TEST_CASE("sharpened pictures do not depend on threads, and all levels can be sharpened") {
+    for (int level = 0; level <= finest_level; ++level) {
+        CAPTURE(level);
+        Pictures one("article", 1), three("article", 3);
+        const ScreenImage plain = one.sharpened(level, 0), sharp = one.sharpened(level, 9000);
+        CHECK(sharp.pixels == three.sharpened(level, 9000).pixels);
+        CHECK(one.rms(sharp) < one.rms(plain));
+    }
+}
+
+TEST_CASE("a smooth picture needs no sharpening, and a stopped job changes nothing") {
+    Pictures pictures("article");
+    const std::atomic<bool> stop = true;
+    const ScreenImage plain = pictures.sharpened(ninth_level, 0);
+    CHECK(pictures.sharpened(ninth_level, 9000, &stop).pixels == plain.pixels);
+    pictures.view.camera.fov = 1e-3;
+    CHECK(pictures.sharpened(ninth_level, 9000).pixels == pictures.sharpened(ninth_level, 0).pixels);
+    CHECK(pictures.taken.camera == 0);
+}
+
+}  // namespace strahl::sharpening
