@@ -89,21 +89,25 @@ Counts Sharpener::trace(Tracer& tracer, const Job& job) {
 Counts Sharpener::sharpen(Tracer& tracer, const Job& job, const TransferTable& table, const ScreenImage& traced,
                           Steps steps, double seconds, const std::function<double()>& clock, ScreenImage& whole) {
     const double start = clock();
+    const auto all = static_cast<double>(whole.pixels.size());
+    if (choices.any()) seconds -= choices.median() * all;
+    if (seconds <= 0) return {};
     const double fitting = costs.any() ? seconds / costs.median() : first_rays;
-    double count = 0;
+    double tracing = 0, count = 0;
     Counts rays;
     const auto pixel = [&](const PicturePoint& point) -> std::uint32_t& {
         return whole
             .pixels[static_cast<std::size_t>(point.y + .5f) * whole.width + static_cast<std::size_t>(point.x + .5f)];
     };
     const auto trace_all = [&](int rays_of_pixel, const auto& color) {
+        const double before = clock();
         rays += trace(tracer, job);
         if (job.stopped()) return;
         const auto pixels = static_cast<int>(points.size()) / rays_of_pixel;
         share_out(job.pool, pixels, 4096, [&](int first, int last) {
             for (int i = first * rays_of_pixel; i < last * rays_of_pixel; i += rays_of_pixel) color(i);
         });
-        count += static_cast<double>(points.size());
+        tracing += clock() - before, count += static_cast<double>(points.size());
     };
 
     if (const int others = steps.area() - 1; others > 0) {
@@ -135,7 +139,9 @@ Counts Sharpener::sharpen(Tracer& tracer, const Job& job, const TransferTable& t
             mean[c] = (table.light(color >> 8 * (2 - c) & 255) + rgb[3 * i + c] + rgb[3 * i + 3 + c]) / 3;
         color = table.pixel(mean);
     });
-    if (count > 0 && !job.stopped()) costs.add((clock() - start) / count);
+    if (job.stopped()) return rays;
+    choices.add((clock() - start - tracing) / all);
+    if (count > 0) costs.add(tracing / count);
     return rays;
 }
 

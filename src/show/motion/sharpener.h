@@ -39,7 +39,7 @@ class Sharpener {
     void choose(const ScreenImage& image, double most, const Place& place, ThreadPool& pool);
     Counts trace(Tracer& tracer, const Job& job);
 
-    RecentCosts costs;                   // seconds for a ray, with all that is done for it
+    RecentCosts costs, choices;          // seconds for a ray, and for the choice of rays for each pixel of a picture
     std::vector<std::uint8_t> contrast;  // of each pixel of a picture, see compare()
     std::vector<std::vector<PicturePoint>> rows;
     std::vector<PicturePoint> points;

@@ -36,17 +36,18 @@ struct Pictures {
         else
             expand(traced, steps_of(level), whole, pool);
         if (rays <= 0) return whole;
-        // By this clock each picture takes a second, so that the rays of the second are as many times those of the
-        // first.
-        double time = 0;
-        const auto clock = [&] { return time += .5; };
+        // By this clock tracing takes a second each time, and so does what is done before, between and after that.
+        int calls = 0;
+        const auto clock = [&] { return double(calls++); };
         Sharpener sharpener;
         ScreenImage first = whole;
         const Job job{view, pool, {}, stop};
         const Counts before = sharpener.sharpen(tracer, job, table, traced, steps_of(level), 1, clock, first);
         CHECK(before.camera <= 4096);
-        const double times = before.camera > 0 ? rays / static_cast<double>(before.camera) / 2 : 1;
-        taken = sharpener.sharpen(tracer, job, table, traced, steps_of(level), times, clock, whole);
+        const double traced_twice = level == finest_level ? 0 : 1, choices = calls - 2 - traced_twice;
+        CHECK(sharpener.sharpen(tracer, job, table, traced, steps_of(level), .9 * choices, clock, first).camera == 0);
+        const double seconds = before.camera > 0 ? (1 + traced_twice) * rays / static_cast<double>(before.camera) : 1;
+        taken = sharpener.sharpen(tracer, job, table, traced, steps_of(level), choices + seconds, clock, whole);
         return whole;
     }
     ScreenImage finished() { return traced_picture(tracer, view, pool, table, {}); }
@@ -80,7 +81,7 @@ TEST_CASE("the more rays sharpen a picture, the better it is, and it soon beats 
         }
         CHECK(pictures.rms(pictures.sharpened(finest_level, .2 * width * height)) < .9 * one);
         if (name == "mirror_ball") continue;  // nearly all of its pixels differ from their neighbours
-        CHECK(last < .8 * one);  // with less than half of its rays
+        CHECK(last < .8 * one);               // with less than half of its rays
     }
 }
 
