@@ -125,6 +125,8 @@ await 'depth 18'
 still shallow.png --size 320x240 --time "$seconds" --depth 18
 shows shallow.png
 xdotool key comma
+await "motion quality: equal distances"
+xdotool key comma
 await 'at most 1/2 of the pixels'
 xdotool key p r p ctrl+z shift+c
 await 'key 3 added at 63 s'
