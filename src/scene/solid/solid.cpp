@@ -102,7 +102,8 @@ SolidDetails::Repeat repeat_of(const SolidPattern& own) {
     // Values of most kinds are between 0 and 1 by themselves.
     const bool beyond = begins_anew(own.solid) || own.solid == Solid::marble || own.solid == Solid::wood;
     const bool limited = own.frequency == 0 || (own.frequency == 1 && own.phase == 0 && !beyond);
-    if (!is_known(own) || own.wave > 1) return Repeat::never;
+    if (!is_known(own)) return Repeat::never;
+    if (own.wave > 1) return Repeat::ramp;  // means are those of colours after the wave
     return own.wave == 1 ? Repeat::triangle : limited ? Repeat::never : Repeat::ramp;
 }
 
@@ -136,11 +137,20 @@ SolidDetails details_of(const SolidPattern& own) {
     if (own.solid == Solid::marble) most = std::fabs(own.turbulence.x);
     if (own.solid == Solid::agate) most += 4;
     if (own.solid == Solid::wood && most > 0) add(2 * most, .5), most *= 2 * std::numbers::pi;
+    const auto variance = [&] {
+        double sum = 0;
+        for (int i = 0; i < all.count; ++i) sum += all.sizes[i].deviation * all.sizes[i].deviation;
+        return sum;
+    };
+    const double without = own.solid == Solid::wood ? 0 : variance();
     double strength = .25 * most * slope, fineness = 1;  // .25: the deviation of noise
     for (int i = 0; i < static_cast<int>(own.octaves) && strength > 0; ++i) {
         add(fineness, std::min(strength, .5));
         strength *= std::fabs(own.omega), fineness *= std::fabs(own.lambda);
     }
+    // Turbulence only moves points: values deviate no more than without it.
+    const double share = without > 0 ? std::min(1., std::sqrt(without / variance())) : 1;
+    for (int i = 0; i < all.count; ++i) all.sizes[i].deviation *= share;
     return all;
 }
 

@@ -9,6 +9,7 @@
 #include "num/lattice_noise.h"
 #include "num/vec_math.h"
 #include "scene/solid/solid.h"
+#include "scene/solid/solid_lanes.h"
 
 namespace strahl {
 namespace {
@@ -373,9 +374,70 @@ ValueGrid values_over(const SolidPattern& solid, const SolidDetails& details, co
     return grid;
 }
 
+/// Do values go through a wave that is not linear before colours are looked up?
+template <class T>
+bool has_wave(const PatternKernel<T>& pattern, const SolidDetails* details) {
+    return details && details->known && pattern.solid->wave > 1;
+}
+/// Are values 0 everywhere beyond a distance?
+bool ends_somewhere(Solid solid) {
+    return solid == Solid::boxed || solid == Solid::cylindrical || solid == Solid::planar || solid == Solid::spherical;
+}
+/// Returns what a wave makes of a value, by a table; off by up to .00005.
+double tabled_wave(const SolidPattern& solid, double value) {
+    if (!(std::abs(value) < furthest)) return 0;
+    constexpr int steps = 512;
+    static const auto waves = [] {
+        std::array<std::array<double, steps + 1>, 6> all;
+        for (std::size_t k = 0; k < all.size(); ++k)
+            for (std::size_t i = 0; i <= steps; ++i)
+                all[k][i] = waved(SolidPattern{.wave = static_cast<double>(k)}, static_cast<double>(i) / steps);
+        return all;
+    }();
+    const double at = steps * fraction(value / 1.00001), whole = std::floor(at);  // where waved() repeats
+    const double* const wave = waves[static_cast<std::size_t>(std::min(solid.wave, 5.))].data();
+    const auto i = static_cast<std::size_t>(std::clamp(whole, 0., steps - 1.));
+    return wave[i] + (at - whole) * (wave[i + 1] - wave[i]);
+}
+/// Returns the least and the largest value that a wave makes of values from `low` to `high`.
+std::pair<double, double> range_of_wave(const SolidPattern& solid, double low, double high) {
+    // Sines turn at a quarter and at three quarters, scallops at halves, and cubic waves begin anew at whole numbers.
+    const double first = solid.wave >= 2 && solid.wave < 3 ? .25 : 0, apart = solid.wave < 4 ? .5 : 1;
+    const double last_turn = std::floor((high - first) / apart), turns = last_turn - std::floor((low - first) / apart);
+    if (!(turns < 2) || (turns > 0 && solid.wave >= 4)) return {0, 1};
+    const double ends[2] = {tabled_wave(solid, low), tabled_wave(solid, high)};
+    const double turn = turns > 0 ? std::round(tabled_wave(solid, first + apart * last_turn)) : ends[0];
+    return {std::min({ends[0], ends[1], turn}), std::max({ends[0], ends[1], turn})};
+}
+/// Returns the mean of the colours of values that change by a and by b along the sides of an area, after their wave. A
+/// short part of a wave is taken for straight; the mean of others is that of `most` values (a power of two), spread
+/// evenly in both directions and alike on both sides.
+template <class T>
+DVec3 mean_of_wave(const SolidPattern& solid, const MapFunction<T>& map, double x, double a, double b, int most) {
+    const double length = std::abs(a) + b, low = x - length / 2, high = x + length / 2;
+    if (length < .125 && (solid.wave < 4 || std::floor(low) == std::floor(high))) {
+        const double middle = tabled_wave(solid, x), rise = tabled_wave(solid, high) - tabled_wave(solid, low);
+        const double reach = std::abs(rise) / 2, slope = length < shortest ? 0 : rise / length;
+        return map.is_linear(middle - reach, middle + reach) ? map.value(middle)
+                                                             : mean_of(map, middle, slope * a, slope * b);
+    }
+    // Values of most kinds are between 0 and 1 before they repeat: a box around them ends there.
+    const bool beyond = solid.solid == Solid::marble || solid.solid == Solid::wood || goes_on(solid);
+    const double end = solid.phase + solid.frequency;
+    const double first = beyond ? -HUGE_VAL : std::min(solid.phase, end);
+    const double last = beyond || solid.frequency == 0 ? HUGE_VAL : std::max(solid.phase, end);
+    DVec3 sum(0);
+    for (int i = 0; i < most; ++i) {
+        const double along = (i + .5) / most - .5, down = ((3 * i + 1) % most + .5) / most - .5;
+        sum += map.value(tabled_wave(solid, std::clamp(x + a * along + b * down, first, last)));
+    }
+    return (1. / most) * sum;
+}
+
 template <class T>
 Fold fold_of(const PatternKernel<T>& pattern, const SolidDetails* details) {
     using Repeat = SolidDetails::Repeat;
+    if (has_wave(pattern, details)) return Fold::limit;
     if (details)
         return details->repeat == Repeat::ramp    ? Fold::repeat
                : details->repeat == Repeat::never ? Fold::limit
@@ -423,6 +485,7 @@ PatternMean mean_of_grid(const PatternKernel<T>& pattern, const ColorStopKernel<
                          const SolidDetails* details, double* weights) {
     ValueGrid grid = given;
     const Fold fold = fold_of(pattern, details);
+    const bool wave = has_wave(pattern, details), may_end = details && ends_somewhere(pattern.solid->solid);
     const double spread = grid.spread * std::sqrt(12.);  // the width of a box of this deviation
     struct Piece {
         double x, a, b;
@@ -433,9 +496,10 @@ PatternMean mean_of_grid(const PatternKernel<T>& pattern, const ColorStopKernel<
             for (int i = 0; i < grid.columns; ++i) {
                 const double* const top = &grid.values[j * (grid.columns + 1) + i];
                 const double* const bottom = top + grid.columns + 1;
+                const bool over = may_end && top[0] == top[1] && top[0] == bottom[0] && top[0] == bottom[1];
                 visit(Piece{(top[0] + top[1] + bottom[0] + bottom[1]) / 4,
                             (top[1] - top[0] + bottom[1] - bottom[0]) / 2,
-                            length_of((bottom[0] - top[0] + bottom[1] - top[1]) / 2, spread), top, bottom});
+                            length_of((bottom[0] - top[0] + bottom[1] - top[1]) / 2, over ? 0 : spread), top, bottom});
             }
     };
     const auto mean_by = [&](const MapFunction<T>& map) {
@@ -443,8 +507,11 @@ PatternMean mean_of_grid(const PatternKernel<T>& pattern, const ColorStopKernel<
         each_piece([&](const Piece& own) {
             const auto& [x, a, b, top, bottom] = own;
             const double reach = (std::abs(a) + b) / 2;
+            const auto at = [&](double v) { return map.value(wave ? waved(*pattern.solid, v) : v); };
             if (details && details->jumps)
-                sum += .25 * (map.value(top[0]) + map.value(top[1]) + map.value(bottom[0]) + map.value(bottom[1]));
+                sum += .25 * (at(top[0]) + at(top[1]) + at(bottom[0]) + at(bottom[1]));
+            else if (wave)
+                sum += mean_of_wave(*pattern.solid, map, x, a, b, grid.rows * grid.columns < 8 ? 16 : 8);
             else
                 sum += map.is_linear(x - reach, x + reach) ? map.value(x) : mean_of(map, x, a, b);
         });
@@ -456,8 +523,9 @@ PatternMean mean_of_grid(const PatternKernel<T>& pattern, const ColorStopKernel<
         const double reach = 1.5 * (std::abs(own.a) + own.b);
         low = std::min(low, own.x - reach), high = std::max(high, own.x + reach);
     });
-    const bool has_jump = map.has_jump(low, high);
-    const bool detailed = grid.cells > finely || high - low > .25 || has_jump;
+    const auto [least, most] = wave ? range_of_wave(*pattern.solid, low, high) : std::pair(low, high);
+    const bool has_jump = map.has_jump(least, most);
+    const bool detailed = grid.cells > finely || most - least > .25 || has_jump;
     if (has_jump && !(details && details->jumps)) grid = refined(given);
     const DVec3 color = mean_by(map);
     const bool known = std::abs(color.x) + std::abs(color.y) + std::abs(color.z) < furthest;

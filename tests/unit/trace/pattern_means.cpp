@@ -117,6 +117,46 @@ TEST_CASE("means of solid patterns are near those of many points") {
     CHECK(rms < points_rms / 5);
 }
 
+TEST_CASE("solid patterns with waves keep their light where they are finer than what a pixel shows") {
+    // A wave of a mean is not the mean of a wave; beyond a distance `spherical` is 0, whatever turbulence does.
+    for (const Solid kind : {Solid::quilted, Solid::bozo, Solid::spherical})
+        for (const double wave : {2., 3., 4.}) {
+            const SolidPattern solid{.solid = kind, .turbulence = {.3, .3, .6}, .frequency = 5, .wave = wave};
+            CAPTURE(solid_names[static_cast<std::size_t>(kind)]);
+            CAPTURE(wave);
+            PatternKernel<double> pattern{};
+            pattern.form = PatternForm::solid, pattern.stops = 6, pattern.solid = &solid;
+            Dice dice(7);
+            DVec3 means(0), points(0);
+            constexpr int tries = 40, in_each = 400;
+            for (int i = 0; i < tries; ++i) {
+                const PatternArea area{{dice.in(-9, 9), dice.in(-9, 9), 0}, {.9, .2, 0}, {-2, 5, 0}};
+                means += mean_over(pattern, six.data(), area).color;
+                for (int k = 0; k < in_each; ++k) {
+                    const DVec3 at = area.middle + dice.in(-.5, .5) * area.across + dice.in(-.5, .5) * area.down;
+                    points += 1. / in_each * mapped(six, value_at(solid, at));
+                }
+            }
+            for (int c = 0; c < 3; ++c) CHECK(std::abs(means[c] - points[c]) / tries < .05);
+        }
+}
+
+TEST_CASE("turbulence only moves points: values deviate no more than without it") {
+    const auto variance_of = [](const SolidPattern& solid) {
+        const SolidDetails details = details_of(solid);
+        double sum = 0;
+        for (int i = 0; i < details.count; ++i) sum += details.sizes[i].deviation * details.sizes[i].deviation;
+        return sum;
+    };
+    for (const Solid kind : {Solid::bozo, Solid::bumps, Solid::granite, Solid::quilted, Solid::wrinkles}) {
+        const double without = variance_of({.solid = kind});
+        for (const double far : {.01, .5, 3.}) {
+            CAPTURE(far);
+            CHECK(variance_of({.solid = kind, .turbulence = {far, 0, far}}) < 1.001 * without);
+        }
+    }
+}
+
 TEST_CASE("the mean of granite is that of many points, on a floor at a whole number, too") {
     // A floor seen from far away: no grain is left of it.
     constexpr Stops grey{{{0, 0, {0, 0, 0}}, {1, 1, {1, 1, 1}}}};
