@@ -150,14 +150,15 @@ void TraceThread::first_picture() {
     const auto seconds = [&] { return seconds_since(start); };
     if (built) resolution.observe(count(pixels), seconds());  // a stopped one would have taken even longer
     if (stop) return;
-    done = level;
     if (!(steps == Steps{})) {
         spare.resize(view.width, view.height);
         expand(coarse, steps, spare, pool);
     }
     if (const double left = order.budget - seconds(); sharpens() && left > 0)
         rays += sharpener.sharpen(*tracer, job, *table, coarse, steps, left, seconds, spare);
-    if (stop) return done = -1, void();
+    if (stop) return;
+    // Edges of a sharpened picture are finer than those of the first pass.
+    done = sharpens() && level >= sixteenth_level ? std::max(level, passes[0].level) : level;
     std::unique_lock lock(mutex);
     shown.replace(spare);
     state = {order.number, order.scene, view, level, 0, seconds(), rays};
