@@ -14,8 +14,8 @@ namespace {
 /// Largest contrast of a cell that is filled; its pixels may be off by half of it on the screen.
 constexpr double most_off = 3. / 255;
 
-/// Pictures that took as many rays as this level and have them where they are needed are as good at edges as cells of 2
-/// pixels: the first pass would not be better.
+/// Sharpened pictures from this level on are finer at edges than cells of 2 pixels: they leave out the first pass.
+constexpr int sharp_level = sixteenth_level;
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -157,8 +157,7 @@ void TraceThread::first_picture() {
     if (const double left = order.budget - seconds(); sharpens() && left > 0)
         rays += sharpener.sharpen(*tracer, job, *table, coarse, steps, left, seconds, spare);
     if (stop) return;
-    // Edges of a sharpened picture are finer than those of the first pass.
-    done = sharpens() && level >= sixteenth_level ? std::max(level, passes[0].level) : level;
+    done = sharpens() && level >= sharp_level ? std::max(level, passes[0].level) : level;
     std::unique_lock lock(mutex);
     shown.replace(spare);
     state = {order.number, order.scene, view, level, 0, seconds(), rays};
