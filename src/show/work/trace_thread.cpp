@@ -16,6 +16,8 @@ constexpr double most_off = 3. / 255;
 
 /// Sharpened pictures from this level on are finer at edges than cells of 2 pixels: they leave out the first pass.
 constexpr int sharp_level = sixteenth_level;
+/// The share of the budget after which sharpening ends: drawing may share the processors with it.
+constexpr double sharpening_until = .85;
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -154,7 +156,7 @@ void TraceThread::first_picture() {
         spare.resize(view.width, view.height);
         expand(coarse, steps, spare, pool);
     }
-    if (const double left = order.budget - seconds(); sharpens() && left > 0)
+    if (const double left = sharpening_until * order.budget - seconds(); sharpens() && left > 0)
         rays += sharpener.sharpen(*tracer, job, *table, coarse, steps, left, seconds, spare);
     if (stop) return;
     done = sharpens() && level >= sharp_level ? std::max(level, passes[0].level) : level;
