@@ -304,7 +304,6 @@ Tracer::~Tracer() = default;
 Tracer::Tracer(Tracer&&) noexcept = default;
 Tracer& Tracer::operator=(Tracer&&) noexcept = default;
 const Scene& Tracer::scene() const { return own->scene(); }
-bool Tracer::many_bodies() const { return own->many_bodies(); }
 Precision Tracer::precision() const { return own->precision; }
 Simd Tracer::simd() const { return own->simd; }
 void Tracer::prepare(const View& view, ThreadPool& pool) { own->prepare(view, pool); }

@@ -82,8 +82,6 @@ class Tracer {
     /// Returns the scene at the time of the last view, with unions split (split_unions.h). At time 0 motions may be as
     /// declared.
     const Scene& scene() const;
-    /// Returns whether there are so many bodies that a FilledLattice gets a ray in each pixel.
-    bool many_bodies() const;
     Precision precision() const;
     Simd simd() const;
 

@@ -56,7 +56,7 @@ class Screen {
     double pixels_to_reach() const { return 6 * std::max(scale, 1.f); }
     /// The area of the picture in the window.
     ScreenArea area() const;
-    /// Where panels are to see the pointer, in units of the screen, if not where it is now.
+    /// Tells panels that the pointer is there, in units of the screen; without it they see it where it is now.
     std::optional<glm::dvec2> pointer;
 
   private:

@@ -34,7 +34,7 @@ struct Refinement {
     std::uint64_t number = 0;            // of the order; 0 before the first
     std::shared_ptr<const Scene> scene;  // of the order, like `view`
     View view;
-    int level = 0;       // the finest that is complete, or that took about as many rays
+    int level = 0;       // the finest that is complete
     double share = 0;    // of its passes that is done
     double seconds = 0;  // spent tracing them
     Counts rays;

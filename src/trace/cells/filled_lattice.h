@@ -9,8 +9,8 @@ namespace strahl {
 
 /// Pixels of a lattice, with rays only where the picture is not smooth: what lies between is interpolated (see
 /// lattice_cells.h). Filled pixels are off by at most half of `contrast`, in linear values, but for a few: this is no
-/// bound. Worlds of very many bodies get a ray in each pixel (see Tracer::many_bodies). A crop must begin at multiples
-/// of 8 pixels of the lattice.
+/// bound. Worlds of more than 10,000 bodies, or 1,000 if something moves, get a ray in each pixel. A crop must begin at
+/// multiples of 8 pixels of the lattice.
 struct FilledLattice {
     Lattice lattice;
     double contrast = 0;

@@ -146,7 +146,6 @@ TEST_CASE("worlds of very many bodies are traced as they are") {
     CHECK(traced(scene, view, all, true).rays.camera == 64 * 48);
 }
 
-/// Returns the root mean square of the differences of all pixels.
 TEST_CASE("a picture that is stopped keeps the pixels that were not reached") {
     const Scene scene = read_scene("article");
     const View view = view_of(scene, 640, 480);
