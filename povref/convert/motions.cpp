@@ -31,6 +31,8 @@ std::string share_text(const Spline& spline) {
 std::string between_text(const Window<MotionKey>& w) {
     const MotionKey &from = *w.key[1], &to = *w.key[2];
     std::string text = "    #declare Over = (clock - " + text_of(from.time) + ")/" + text_of(w.seconds[1]) + ";\n";
+    if (from.ease != 0 || to.ease != 0)
+        text += "    #declare Over = " + cubic(0., 1., 1 - from.ease, 1 - to.ease, "Over") + ";\n";
     if (from.scale != to.scale) {
         DVec3 m, n;
         for (int c = 0; c < 3; ++c) {

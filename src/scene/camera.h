@@ -106,6 +106,7 @@ struct Keyframe {
     DVec3 look_at{0};
     std::optional<double> fov;
     std::optional<DVec3> up;
+    double ease = 0;  // by what share the movement is slower here, see eased()
     bool operator==(const Keyframe&) const = default;
 };
 

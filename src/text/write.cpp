@@ -243,7 +243,7 @@ std::string write_key(const Keyframe& key, EyeWords words) {
         "key { time " + text_of(key.time) + "  position " + text_of(key.position) + "  look_at " + text_of(key.look_at);
     if (key.up) text += words.sky ? "  sky " + text_of(DVec3(0) - *key.up) : "  up " + text_of(*key.up);
     if (key.fov) text += words.angle ? "  angle " + text_of(2 * *key.fov) : "  fov " + text_of(*key.fov);
-    return text + " }";
+    return text + (key.ease == 0 ? "" : "  ease " + text_of(key.ease)) + " }";
 }
 
 std::string write_flythrough(const Flythrough& path, EyeWords words) {
@@ -255,6 +255,7 @@ std::string write_flythrough(const Flythrough& path, EyeWords words) {
 
 std::string write_music(const Music& music) {
     return "music { bpm " + text_of(music.bpm) + "  rows " + text_of(music.rows) +
+           (music.offset == 0 ? "" : "  offset " + text_of(music.offset)) +
            (music.sound.empty() ? "" : "  sound \"" + music.sound + "\"") + " }\n";
 }
 

@@ -123,7 +123,9 @@ std::string summary(const Scene& scene) {
             return !track.keys.empty() && std::ranges::find(names, track.name) != names.end();
         });
         text << "  tracks       " << names.size() << ", " << saved << " with keys; " << scene.music.bpm
-             << " beats a minute of " << scene.music.rows << " rows\n";
+             << " beats a minute of " << scene.music.rows << " rows";
+        if (scene.music.offset > 0) text << ", the first at " << scene.music.offset << " s";
+        text << '\n';
         for (const std::string& message : unfollowed_tracks(scene))
             text << "               " << printable(message) << '\n';
     }

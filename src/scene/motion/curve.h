@@ -1,4 +1,5 @@
-// Smooth curves through keys in time, which flythroughs and motions follow. A key is a struct with a `time`.
+// Smooth curves through keys in time, which flythroughs and motions follow. A key is a struct with a `time` and an
+// `ease`.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -46,6 +47,10 @@ struct Spline {
 };
 /// The spline for the chords between keys: [1] is that of this interval, [0] and [2] are those beside.
 Spline spline(const Interval& interval, const std::array<DVec3, 3>& chords);
+
+/// The share of an interval that counts as over when the share t is, so that speed is multiplied by 1 - a at its start
+/// and by 1 - b at its end: with 1 it stops there. It rises with t for a and b from 0 to 1, and is t for 0 and 0.
+inline double eased(double t, double a, double b) { return t - a * t * (1 - t) * (1 - t) + b * t * t * (1 - t); }
 
 /// The four keys around a time between [1] and [2]. At the ends of an open curve a neighbour is missing.
 template <class Key>
@@ -123,7 +128,8 @@ Moment<Key> moment_among(const std::vector<Key>& keys, double period, double tim
     const int i = static_cast<int>(after - keys.begin()) - 1;
     if (time == keys[i].time || (!closed && i == count - 1)) return {&keys[i], {}};
     Moment<Key> moment{nullptr, window_between(keys.data(), count, period, i)};
-    moment.window.h = (time - keys[i].time) / moment.window.seconds[1];
+    const double over = (time - keys[i].time) / moment.window.seconds[1];
+    moment.window.h = eased(over, moment.window.key[1]->ease, moment.window.key[2]->ease);
     return moment;
 }
 

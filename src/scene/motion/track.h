@@ -36,12 +36,13 @@ struct Music {
     double bpm = 120;   // beats per minute
     double rows = 8;    // per beat
     std::string sound;  // an Ogg Vorbis file, as the scene names it, heard from the start of the flight; or empty
-    /// The row at a time; a whole number if it is one up to rounding.
+    double offset = 0;  // when the first beat is, row 0: seconds from the start of the flight, 0 or more
+    /// The row at a time, negative before the first beat; a whole number if it is one up to rounding.
     double row_at(double seconds) const {
-        const double row = seconds * (bpm * rows / 60), whole = std::round(row);
+        const double row = (seconds - offset) * (bpm * rows / 60), whole = std::round(row);
         return std::fabs(row - whole) < 1e-6 ? whole : row;
     }
-    double time_of(double row) const { return row * 60 / (bpm * rows); }
+    double time_of(double row) const { return offset + row * 60 / (bpm * rows); }
     bool operator==(const Music&) const = default;
 };
 

@@ -29,6 +29,7 @@ struct MotionKey {
     double time = 0;  // seconds
     DVec3 translate{0}, rotate{0}, scale{1};
     std::vector<Follow> follows{};  // numbers of it that follow tracks; only if it is the only key
+    double ease = 0;                // by what share the movement is slower here, see eased()
     bool operator==(const MotionKey&) const = default;
 };
 /// A transformation that changes with time, see scene/motion/motion.h. Either there are two or more keys, whose times

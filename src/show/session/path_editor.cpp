@@ -43,9 +43,9 @@ Keyframe key_of(const Camera& camera, const Camera& scene_camera, double time) {
 
 Flythrough with_key(Flythrough path, const Keyframe& key) {
     if (const auto there = key_at(path, key.time)) {
-        const double time = path.keys[*there].time;
+        const auto [time, ease] = std::pair(path.keys[*there].time, path.keys[*there].ease);
         path.keys[*there] = key;
-        path.keys[*there].time = time;
+        path.keys[*there].time = time, path.keys[*there].ease = ease;
     } else {
         path.keys.insert(std::ranges::upper_bound(path.keys, key.time, {}, &Keyframe::time), key);
     }

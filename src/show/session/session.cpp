@@ -242,7 +242,8 @@ Answer Session::add_key(double now) {
 Answer Session::change_key(std::size_t number, const Keyframe& key, bool merged, double now) {
     const Camera there = camera_of(key, scene->camera);
     const auto within = [](double v) { return coordinates.contains(v); };
-    bool sound = there.fov > 0 && (there.fov < 90 || angular(there.projection)) && within(key.time);
+    bool sound =
+        there.fov > 0 && (there.fov < 90 || angular(there.projection)) && within(key.time) && shares.contains(key.ease);
     for (int i = 0; i < 3; ++i) sound &= within(there.position[i]) && within(there.look_at[i]);
     if (!sound) return {"these values make no camera", ""};
     if (const char* const why = degenerate(there)) return {std::string("the camera sees nothing there: ") + why, ""};

@@ -16,15 +16,7 @@ constexpr const char* digits = "%.4g";
 /// Draws a slider for a share, else numbers that are dragged or typed. Returns whether they have changed.
 bool draw_numbers(const BodyValue& value, std::vector<double>& numbers) {
     const NumberRange& range = value.range;
-    if (range.low == 0 && range.high == 1) {
-        // ImGui lets sliders be typed into with Ctrl only, and other numbers after a double click as well.
-        bool& control = ImGui::GetIO().KeyCtrl;
-        const bool held = std::exchange(control, control || ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left));
-        const bool changed = ImGui::SliderScalar("##slider", ImGuiDataType_Double, numbers.data(), &range.low,
-                                                 &range.high, "%.3f", ImGuiSliderFlags_AlwaysClamp);
-        control = held;
-        return changed;
-    }
+    if (range.low == 0 && range.high == 1) return draw_share(numbers[0]);
     double largest = 0;
     for (const double number : numbers) largest = std::max(largest, std::abs(number));
     const float speed = range.whole ? .1f : static_cast<float>(std::clamp(largest, .1, 1e6) / 200);
@@ -71,6 +63,16 @@ std::string numbers_text(const std::vector<double>& numbers) {
 }
 
 }  // namespace
+
+bool draw_share(double& share) {
+    // ImGui lets sliders be typed into with Ctrl only, and other numbers after a double click as well.
+    bool& control = ImGui::GetIO().KeyCtrl;
+    const bool held = std::exchange(control, control || ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left));
+    const bool changed = ImGui::SliderScalar("##share", ImGuiDataType_Double, &share, &shares.low, &shares.high, "%.3f",
+                                             ImGuiSliderFlags_AlwaysClamp);
+    control = held;
+    return changed;
+}
 
 BodyInput BodyPanel::draw(const BodyEditor& editor, const std::string& file, float reserved) {
     BodyInput input;

@@ -12,7 +12,8 @@
 
 #include "scene/moving_scene.h"
 #include "show/session/track_keys.h"
-#include "text/reading/parameter.h"
+#include "show/window/body_panel.h"
+#include "text/blocks/blocks.h"
 
 namespace strahl {
 namespace {
@@ -131,10 +132,11 @@ void Timeline::draw_grid(const Music& music, float top, float bottom) const {
     const auto draw = [&](double seconds, float least, ImU32 color) {
         const double pixels = double(length) * seconds / range;
         if (!(pixels >= double(least))) return;
-        for (double i = std::ceil(from / seconds); i * seconds <= from + range; ++i)
-            list.AddLine({x_of(i * seconds), top}, {x_of(i * seconds), bottom}, color);
+        const double first = std::max(std::ceil((from - music.offset) / seconds), 0.);
+        for (double time = 0, i = first; (time = music.offset + i * seconds) <= from + range; ++i)
+            list.AddLine({x_of(time), top}, {x_of(time), bottom}, color);
     };
-    const double row = music.time_of(1);
+    const double row = music.time_of(1) - music.offset;
     draw(row, 7, beat_color), draw(music.rows * row, 4, beat_color), draw(4 * music.rows * row, 4, line_color);
 }
 
@@ -198,8 +200,13 @@ void Timeline::bar(const TimelineView& view, TimelineInput& input) {
     const auto here = key_at(view.editor.path(), view.time);
     for (std::size_t i = 0; i < keys.size(); ++i) {
         const float x = x_of(keys[i].time), r = 0.4f * font;
-        list.AddQuadFilled({x - r, middle}, {x, middle - r}, {x + r, middle}, {x, middle + r},
-                           here == i ? here_color : key_color);
+        const ImU32 color = here == i ? here_color : key_color;
+        if (keys[i].ease == 0) {
+            list.AddQuadFilled({x - r, middle}, {x, middle - r}, {x + r, middle}, {x, middle + r}, color);
+            continue;
+        }
+        list.AddTriangleFilled({x - r, middle - r}, {x + r, middle - r}, {x, middle}, color);
+        list.AddTriangleFilled({x + r, middle + r}, {x - r, middle + r}, {x, middle}, color);
     }
     draw_moment(view, corner.y, middle + 0.6f * font);
     ImGui::PopClipRect();
@@ -346,6 +353,17 @@ void Timeline::values(const TimelineView& view, TimelineInput& input) {
     if (fov != before) draft.fov = fov / times;
     if (typed && draft != key) input.change = {*here, draft, false};
     typing &= !typed;
+    Keyframe eased = key;
+    const Parameter ease = ease_parameter(eased.ease)[0];
+    const float width = 6 * ImGui::GetFontSize();
+    if (ImGui::GetItemRectMax().x + width + ImGui::CalcTextSize(ease.name.data()).x + 2 * style.ItemSpacing.x <= right)
+        ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(ease.name.data());
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(width);
+    if (draw_share(eased.ease)) input.change = {*here, eased, std::exchange(value_held, true)};
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", ease.help);
 }
 
 /// Draws the values of the key of a track that is chosen.
@@ -411,16 +429,22 @@ void Timeline::music(const TimelineView& view, TimelineInput& input) {
         ImGui::SetNextItemWidth(4.5f * font);
         if (ImGui::DragScalar(id, ImGuiDataType_Double, &value, speed, &least, &most, form,
                               ImGuiSliderFlags_AlwaysClamp) &&
-            value != 0)
+            value >= least)
             input.music = {draft_music, std::exchange(value_held, true)};
         typing_music |= ImGui::IsItemActive();
         ImGui::SameLine();
     };
     number("music: beats per minute", "##bpm", draft_music.bpm, 1, 1000, .5f, "%.5g");
     number("rows per beat", "##rows", draft_music.rows, 1, 256, .05f, "%.0f");
+    number("first beat at", "##offset", draft_music.offset, 0, seconds.high, .01f, "%.5g s");
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float beside = ImGui::CalcTextSize("soundchoose").x + 2 * (style.ItemSpacing.x + style.FramePadding.x);
+    if (ImGui::GetContentRegionAvail().x < 8 * font + beside) ImGui::NewLine();
+    const float left_over = ImGui::GetContentRegionAvail().x - beside;
+    ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("sound");
     ImGui::SameLine();
-    ImGui::SetNextItemWidth(15 * font);
+    ImGui::SetNextItemWidth(std::clamp(left_over, 8 * font, 15 * font));
     if (ImGui::InputTextWithHint("##sound", "an .ogg file beside the scene", draft_sound.data(), draft_sound.size(),
                                  ImGuiInputTextFlags_EnterReturnsTrue)) {
         draft_music.sound = draft_sound.data();

@@ -92,7 +92,7 @@ bool TrackEditor::follow() {
         return news.save;
     }
     const double moment = session.flight.flying() ? session.flight.time(now) : session.time;
-    rocket->tell_row(static_cast<int>(std::min(std::floor(music.row_at(moment)), 1e9)));
+    rocket->tell_row(static_cast<int>(std::clamp(std::floor(music.row_at(moment)), 0., 1e9)));
     return news.save;
 }
 

@@ -105,8 +105,13 @@ inline std::array<Parameter, 2> time_parameters(TimeText& when, const char* help
     return {{{"time", &when.time, seconds, help, required, "beat"},
              {"beat", &when.beat, seconds, "the same in beats of the `music` above"}}};
 }
-inline std::array<Parameter, 8> key_parameters(TimeText& when, EyeText& eye) {
-    return joined(time_parameters(when, "when the camera is there, in seconds"), eye_parameters(eye, "the camera's"));
+inline std::array<Parameter, 1> ease_parameter(double& ease) {
+    return {{{"ease", &ease, shares, "by what share the movement is slower at the key; with 1 it stops there"}}};
+}
+inline std::array<Parameter, 9> key_parameters(TimeText& when, EyeText& eye, double& ease) {
+    return joined(
+        joined(time_parameters(when, "when the camera is there, in seconds"), eye_parameters(eye, "the camera's")),
+        ease_parameter(ease));
 }
 inline std::array<Parameter, 2> flythrough_parameters(Flythrough& path) {
     return {
@@ -119,13 +124,14 @@ struct MotionKeyText {
     TimeText when;
     Scale scale;
     DVec3 rotate{0}, translate{0};
+    double ease = 0;
 };
-inline std::array<Parameter, 5> motion_parameters(MotionKeyText& key) {
+inline std::array<Parameter, 6> motion_parameters(MotionKeyText& key) {
     const std::array<Parameter, 3> place{
         {{"scale", &key.scale, anything, "factors; each keeps its sign from key to key", "`1`"},
          {"rotate", &key.rotate, anything, "degrees about x, then y, then z"},
          {"translate", &key.translate, coordinates, "by how much the body moves"}}};
-    return joined(time_parameters(key.when, "the time of the key in seconds"), place);
+    return joined(joined(time_parameters(key.when, "the time of the key in seconds"), place), ease_parameter(key.ease));
 }
 
 inline std::array<Parameter, 11> light_parameters(Light& light) {
@@ -176,9 +182,10 @@ inline std::array<Parameter, 13> fog_parameters(Fog& fog) {
          {"generator", &fog.generator, positive, "POV-Ray's noise_generator: 1, 2 or 3"}}};
 }
 
-inline std::array<Parameter, 2> music_parameters(Music& music) {
+inline std::array<Parameter, 3> music_parameters(Music& music) {
     return {{{"bpm", &music.bpm, positive, "beats per minute"},
-             {"rows", &music.rows, row_counts, "rows of the tracks per beat"}}};
+             {"rows", &music.rows, row_counts, "rows of the tracks per beat"},
+             {"offset", &music.offset, seconds, "when the first beat is, row 0, in seconds from the start"}}};
 }
 
 /// The words that may stand in `music` besides those.
@@ -211,6 +218,7 @@ void each_block(const Visit& visit) {
     CameraText camera;
     EyeText eye;
     TimeText when;
+    double ease = 0;
     Flythrough path;
     MotionKeyText moment;
     Light light;
@@ -228,7 +236,7 @@ void each_block(const Visit& visit) {
     visit("fog", fog_parameters(fog));
     visit("global_settings", settings_parameters(settings));
     visit("flythrough", flythrough_parameters(path));
-    visit("key", key_parameters(when, eye));
+    visit("key", key_parameters(when, eye, ease));
     visit("motion", motion_parameters(moment));
     visit("music", music_parameters(music));
 }

@@ -65,12 +65,13 @@ void CameraBlocks::key(std::string_view word, Flythrough& read_path, std::vector
     Block block{word};
     TimeText when;
     EyeText eye;
-    auto parameters = key_parameters(when, eye);
+    double ease = 0;
+    auto parameters = key_parameters(when, eye, ease);
     reader.block(block, parameters);
     reader.require(block, parameters);
     reader.set_time(when.time, when.beat, parameters[1].at, block);
     outer.absorb(block);
-    read_path.keys.push_back({when.time, eye.position, eye.look_at, eye.half_angle(), eye.down()});
+    read_path.keys.push_back({when.time, eye.position, eye.look_at, eye.half_angle(), eye.down(), ease});
     words.push_back({word, parameters[when.beat ? 1 : 0].at, {}, eye.up.has_value(), eye.sky.has_value()});
 }
 

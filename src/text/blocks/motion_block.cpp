@@ -44,7 +44,7 @@ Motion read_motion(BlockReader& reader, const TextLimits& limits, std::string_vi
         reader.require(own, parameters);
         reader.set_time(text.when.time, text.when.beat, parameters[1].at, own);
         block.absorb(own);
-        motion.keys.push_back({text.when.time, text.translate, text.rotate, text.scale.by});
+        motion.keys.push_back({text.when.time, text.translate, text.rotate, text.scale.by, {}, text.ease});
         words.push_back({inner, parameters[text.when.beat ? 1 : 0].at, parameters[2].at});
     };
     Block block{word};

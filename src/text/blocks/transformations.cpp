@@ -29,7 +29,7 @@ std::string text_of(const Motion& motion, const std::string& new_line) {
     for (const MotionKey& key : motion.keys) {
         text.append(inner).append("key { time ").append(text_of(key.time));
         for (const Transformation& step : steps_of(key)) text.append("  ").append(text_of(step));
-        text += " }";
+        text += (key.ease == 0 ? "" : "  ease " + text_of(key.ease)) + " }";
     }
     return text.append(new_line).append("}");
 }

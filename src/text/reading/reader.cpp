@@ -122,7 +122,7 @@ void BlockReader::read(Parameter& parameter, std::string_view word, Block& block
 
 void BlockReader::set_time(double& time, const std::optional<double>& beat, std::string_view at, Block& block) {
     if (!beat || !block.good()) return;
-    if (music) time = *beat * 60 / music->bpm;
+    if (music) time = music->offset + *beat * 60 / music->bpm;
     if (music && seconds.contains(time)) return;
     fault(block, at, music ? "this beat is later than 1e9 seconds"
                            : "the length of a beat is unknown: put 'music { bpm 120 }' above");

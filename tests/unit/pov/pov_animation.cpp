@@ -113,12 +113,13 @@ TEST_CASE("a scene that uses its clock is read for a moment of its flight") {
 
     put(folder / "a.flight",
         "flythrough { duration 4  key { time 0 position <0,0,-5> look_at <0,0,0> }\n"
-        "  key { time 4 position <5,0,-1> look_at <0,0,0> sky <0,1,0> angle 30 } }");
+        "  key { time 4 position <5,0,-1> look_at <0,0,0> sky <0,1,0> angle 30 ease 1 } }");
     const OpenedScene flown = at(1, text);
     CHECK(place_of(flown) == .25);
     REQUIRE(flown.scene.flythrough);
     CHECK(flown.scene.flythrough->keys[0].position == DVec3(0, 0, 5));  // mirrored, as the scene is
     CHECK(flown.scene.flythrough->keys[1].fov == 15);
+    CHECK(flown.scene.flythrough->keys[1].ease == 1);
     const std::string written = pov::with_flight("", flown.scene.flythrough, flown.mirrored);
     CHECK(says(written, "key { time 0  position <0, 0, -5>  look_at <0, 0, 0> }"));
     put(folder / "a.flight", written);

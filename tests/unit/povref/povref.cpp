@@ -280,6 +280,12 @@ TEST_CASE("an animation holds every frame's camera") {
     CHECK(has(moved.pov, "#if (clock > 1 & clock < 3)"));
     CHECK(count(moved.pov, "#declare Motion_") == 1);
     CHECK(count(moved.pov, " transform { Motion_1 }") == 2);
+    CHECK(has(moved.pov, "#declare Over = (clock - 1)/2;\n    #declare Share ="));
+    const Scene eased = parse_scene(
+        camera + "sphere { <0, 0, 0>, 1 motion { key { time 1 } key { time 3 translate <0, 0, 8> ease .75 } } }",
+        "test");
+    CHECK(has(write_pov(eased, request).pov,
+              "#declare Over = (clock - 1)/2;\n    #declare Over = Cubic(0, 1, 1, 0.25, Over);\n"));
     request.fps = 0, request.time = 3;
     CHECK(count(write_pov(moving, request).pov, " translate <0, 0, 8>") == 2);
 }

@@ -206,6 +206,42 @@ TEST_CASE("velocity is continuous, at keys with uneven times and at the seam of 
     CHECK(greatest_jolt(path, -.01, .001, 20) > 1);  // an open path starts at full speed, a jump that is measured
 }
 
+TEST_CASE("ease slows the flight down at its keys, on the same way") {
+    Flythrough path{9,
+                    false,
+                    {{0, {0, 0, 0}, {0, 50, 0}, 20., {}},
+                     {3, {3, 0, 0}, {0, 50, 0}, 30., {}},
+                     {6, {6, 3, 0}, {0, 50, 0}, 40., {}},
+                     {9, {9, 9, 0}, {0, 50, 0}, 50., {}}}};
+    const Flythrough even = path;
+    constexpr double h = 1e-6;
+    const auto speed = [&](const Flythrough& flown, double time) {
+        const auto at = [&](double t) { return camera_at(flown, scene_camera, t).position; };
+        return length(at(time + h) - at(time)) / h;
+    };
+    path.keys[1].ease = .25, path.keys[2].ease = 1;
+    for (const double time : {3 - 2 * h, 3.}) CHECK(speed(path, time) == doctest::Approx(.75 * speed(even, time)));
+    for (const double time : {6 - 2 * h, 6.}) CHECK(speed(path, time) < 1e-4);
+    CHECK(speed(path, 0) == doctest::Approx(speed(even, 0)));
+    for (const Keyframe& key : path.keys)
+        CHECK(camera_at(path, scene_camera, key.time) == camera_of(key, scene_camera));
+    // It is never anywhere else than the flight without ease, which is at the same place at another time, and goes on.
+    double before = 0;
+    for (double time = 3.1; time < 6; time += .1) {
+        const double t = (time - 3) / 3, over = t - .25 * t * (1 - t) * (1 - t) + t * t * (1 - t);
+        CHECK(over > before);
+        before = over;
+        const Camera camera = camera_at(path, scene_camera, time), other = camera_at(even, scene_camera, 3 + 3 * over);
+        check_near(camera.position, other.position, 1e-12);
+        CHECK(camera.fov == doctest::Approx(other.fov));
+    }
+    for (double time = 0; time < 3; time += .1) {
+        Flythrough first = path;
+        first.keys[1].ease = 0;
+        CHECK(camera_at(first, scene_camera, time) == camera_at(even, scene_camera, time));
+    }
+}
+
 TEST_CASE("a loop repeats every duration; a last key at its end is the first again") {
     const Keyframe a{0, {0, 0, 0}, {0, 50, 0}, {}, {}}, b{2, {5, 1, 0}, {1, 50, 0}, {}, {}},
         c{5, {6, 7, 2}, {2, 50, 1}, {}, {}};

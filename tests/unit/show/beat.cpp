@@ -35,6 +35,8 @@ TEST_CASE("music is added behind the camera, and changed in place") {
     const std::string own = "music { rows 4 /* four */  bpm 60 // slow\n }\n" + scene_text;
     CHECK(with_music(own, music_of(own)) == own);
     CHECK(with_music(own, {61.5, 4, ""}) == "music { rows 4 /* four */  bpm 61.5 // slow\n }\n" + scene_text);
+    CHECK(with_music(own, {60, 4, "", 1.25}) ==
+          "music { rows 4 /* four */  bpm 60 // slow\n  offset 1.25 }\n" + scene_text);
     const std::string bare = "music {}\n" + scene_text;
     CHECK(music_of(with_music(bare, {90, 3, ""})) == Music{90, 3, ""});
     CHECK(with_music(bare, {}) == bare);

@@ -115,6 +115,15 @@ TEST_CASE("values of a key are typed, and a drag of it is undone at once") {
     CHECK(session.change_key(2, key, false, 0).note == "these values make no camera");
     key.fov = NAN;
     CHECK(session.change_key(2, key, false, 0).note == "these values make no camera");
+    key.fov = 30, key.ease = 1.1;
+    CHECK(session.change_key(2, key, false, 0).note == "these values make no camera");
+    // Set anew, a key keeps its ease.
+    key.ease = .5;
+    CHECK(session.change_key(2, key, false, 0).note == "");
+    session.camera.position = {1, 2, 7};
+    session.perform({Action::set_key}, 0);
+    CHECK(session.editor.path().keys[2].position.y == 2);
+    CHECK(session.editor.path().keys[2].ease == .5);
 }
 
 TEST_CASE("a flight by hand becomes a path of few keys, within the distance that is reported") {

@@ -36,6 +36,9 @@ TEST_CASE("a path is written into a scene, and all else stays as it is") {
     newer = path, newer.keys[1].time = 3;  // moved to another time its comment goes with it
     changed(newer, "key{time 2.0 position <2,0,0> look_at <0,0,0>}",
             "key { time 3  position <2, 0, 0>  look_at <0, 0, 0> }");
+    newer = path, newer.keys[1].ease = .5;
+    changed(newer, "key{time 2.0 position <2,0,0> look_at <0,0,0>}",
+            "key { time 2  position <2, 0, 0>  look_at <0, 0, 0>  ease 0.5 }");
     newer = path, newer.duration = 12;
     changed(newer, "duration 8", "duration 12");
     newer = path, newer.loop = false;

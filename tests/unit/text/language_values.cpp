@@ -168,6 +168,7 @@ TEST_CASE("invalid flythroughs") {
     check_fault(path("duration 2", "0", "2.5"), "4:40: this is after the end, set by 'duration' in line 2");
     check_fault(path("duration 0", "0", "1"),
                 "2:23: 'duration' of 'flythrough' must be greater than 0 (at least 2.3e-308) and at most 1e9, not '0'");
+    check_fault(path("duration 2", "0 ease 1.5", "1"), "3:52: 'ease' of 'key' must be from 0 to 1, not '1.5'");
     check_fault(path("duration 2", "-1", "1"), "3:45: 'time' of 'key' must be from 0 to 1e9, not '-1'");
     check_fault(path("loop duration 2", "0", "2"),
                 "4:40: at this time the loop is back at its first key: make this key equal to that in line 3, or "

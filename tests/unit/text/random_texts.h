@@ -169,6 +169,7 @@ class RandomScenes {
         for (int i = 2 + below(3); i > 0; --i) {
             const double time = (own.keys.empty() ? 0 : own.keys.back().time) + uniform(1e-9, 5);
             own.keys.push_back({time, {number(9), 0, number(9)}, {0, number(400), 0}, sign * uniform(.5, 2)});
+            own.keys.back().ease = ease_at(time);
         }
         return own;
     }
@@ -238,12 +239,19 @@ class RandomScenes {
             if (chance(2)) key.fov = uniform(1e-9, 90);
             if (chance(2)) key.up = position();
             if (degenerate(camera_of(key, scene_camera))) continue;
+            key.ease = ease_at(time);
             path.keys.push_back(key);
             time += uniform(1e-9, 5);
             --i;
         }
         path.duration = time;
         return path;
+    }
+
+    /// That of every third key, by digits of its time.
+    static double ease_at(double time) {
+        const double share = 1e6 * time - std::floor(1e6 * time);
+        return share < 2. / 3 ? 0 : std::round(share * 8) == 8 ? 1 : 3 * share - 2;
     }
 
     std::mt19937 random;

@@ -50,11 +50,11 @@ TEST_CASE("a motion is exactly at its keys, and waits before the first and after
 TEST_CASE("what moves follows the curve of the flight") {
     Flythrough path{4, false, {}};
     Motion motion;
-    const double times[] = {0, 1, 1.5, 4};
+    const double times[] = {0, 1, 1.5, 4}, eases[] = {0, 0, .5, 1};
     const DVec3 places[] = {{0, 0, 0}, {3, 1, 0}, {3, 4, 2}, {-2, 4, 9}};
     for (int i = 0; i < 4; ++i) {
-        path.keys.push_back({times[i], places[i], {50, 60, 70}, {}, {}});
-        motion.keys.push_back({times[i], places[i], {}, DVec3(1)});
+        path.keys.push_back({times[i], places[i], {50, 60, 70}, {}, {}, eases[i]});
+        motion.keys.push_back({times[i], places[i], {}, DVec3(1), {}, eases[i]});
     }
     for (double time = -.5; time < 5; time += .07)
         CHECK(key_at(motion, time).translate == camera_at(path, {}, time).position);
@@ -258,7 +258,7 @@ TEST_CASE("mistakes in motions") {
     check_motion("key { time 0 scale -1 }\nkey { time 2 }",
                  "4:1: 'scale' would pass 0 on the way to this key: give it the sign of the key before, in line 3");
     check_motion("key { time 0 position <0,0,0> } key { time 1 }",
-                 "3:23: unknown word 'position' in 'key'; known here: time, beat, scale, rotate, translate");
+                 "3:23: unknown word 'position' in 'key'; known here: time, beat, scale, rotate, translate, ease");
     check_motion("key { time 0 time 1 } key { time 2 }", "3:23: a second 'time'; the first is in line 3");
     check_motion("kye { time 0 }", "3:10: unknown word 'kye' in 'motion'; did you mean 'key'?");
     check_fault(

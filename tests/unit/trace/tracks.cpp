@@ -104,6 +104,10 @@ TEST_CASE("rows are counted by beats, and rounding does not miss one") {
         }
     CHECK(Music{120, 8, {}}.time_of(32) == 2);
     CHECK(Music{120, 8, {}}.row_at(.7) == doctest::Approx(11.2));
+    const Music late{120, 8, {}, 1.5};
+    CHECK(late.time_of(32) == 3.5);
+    CHECK(late.row_at(3.5) == 32);
+    CHECK(late.row_at(1) == -8);
 }
 
 TEST_CASE("what follows tracks is written as it was read") {
@@ -173,6 +177,12 @@ TEST_CASE("a scene lasts until the last key of the tracks that it follows") {
     CHECK(flight_of(scene)->duration == 0);
     scene.tracks = {{"x", {{0, 0, {}}, {10, 0, {}}}}, {"y", {{90, 1, {}}}}};
     CHECK(flight_of(scene)->duration == 5);
+    scene.music.offset = 1;
+    CHECK(flight_of(scene)->duration == 6);
+    scene.tracks[0].keys = {{0, 0, Interpolation::linear}, {10, 5, {}}};
+    const auto place = [&](double time) { return at(scene, time).primitives[0].transformations; };
+    for (const double time : {0., .5, 1.}) CHECK(place(time).empty());
+    CHECK(place(3) == std::vector<Transformation>{Translate{{2, 0, 0}}});
     CHECK(flight_of(with_eye("light { position <0,0,9> color <track \"x\",1,1> }")));
     CHECK(flight_of(parse("camera { position <0,-9,0> look_at <0,0,0> up <0,0,-1> fov track \"x\" 9 }"))->keys.empty());
 }
@@ -202,6 +212,7 @@ TEST_CASE("mistakes in what follows tracks") {
     check_fault("light { position <0,0,9> color <1,1,track \"x\" -1> }",
                 "2:47: 'color' of 'light' must be from 0 to 1e9, not '-1'");
     check_fault("music { rows 1.5 }", "2:14: 'rows' of 'music' must be a whole number from 1 to 256, not '1.5'");
+    check_fault("music { offset -1 }", "2:16: 'offset' of 'music' must be from 0 to 1e9, not '-1'");
     check_fault("music { bpm 0 }", "2:13: 'bpm' of 'music' must be from 1e-9 to 1e9, not '0'");
     check_fault("music { }\nmusic { }", "3:1: a second 'music'; the first is in line 2");
     check_fault(
@@ -219,6 +230,9 @@ TEST_CASE("keys can stand at beats of the music") {
                         " } key { " + second + " scale 2 } } }");
     };
     CHECK(scene("beat 3", "beat 4.5") == scene("time 2", "time 3"));
+    const std::string late = "music { bpm 90 offset .5 }\nsphere { <0,0,0>, 1 motion { key { ";
+    CHECK(with_eye(late + "beat 0 } key { beat 3 scale 2 } } }") ==
+          with_eye(late + "time .5 } key { time 2.5 scale 2 } } }"));
     const std::string keys = "} key { time 9 scale 2 } } }";
     check_fault("sphere { <0,0,0>, 1 motion { key { beat 1 " + keys,
                 "2:36: the length of a beat is unknown: put 'music { bpm 120 }' above");
