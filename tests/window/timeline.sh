@@ -26,9 +26,9 @@ echo "-- a key is dragged on the timeline, and written"
 # The key that is not at the moment of the flight, which is the second one, is the only thing of this colour.
 xdotool key Home sleep 0.5
 import -window "$id" shot.png
-read -r x y < <(convert shot.png -crop 640x100+0+300 +repage txt:- | sed -n 's/^\([0-9]*\),\([0-9]*\):.*#8CCCFF.*/\1 \2/p' | sort -n | sed -n '$p')
+read -r x y < <(convert shot.png -crop 640x170+0+230 +repage txt:- | sed -n 's/^\([0-9]*\),\([0-9]*\):.*#8CCCFF.*/\1 \2/p' | sort -n | sed -n '$p')
 [[ -n ${x-} ]] || fault "there is no key on the timeline"
-xdotool mousemove --window "$id" $((x - 3)) $((y + 300)) sleep 0.2 mousedown 1 sleep 0.2
+xdotool mousemove --window "$id" $((x - 3)) $((y + 230)) sleep 0.2 mousedown 1 sleep 0.2
 xdotool mousemove_relative 40 0 sleep 0.2 mousemove_relative 60 0 sleep 0.2 mouseup 1 sleep 0.2 key F2
 await 'path written into'
 time=$(sed -n 's/.*key { time \([0-9.]*\) .*/\1/p' scene.rt | tail -n 1)
@@ -39,6 +39,20 @@ echo "-- one undo takes back the whole drag; written again"
 xdotool mousemove --window "$id" 300 100 key ctrl+z
 await 'undone'
 xdotool key F2
+await 'path written into'
+cmp second.rt scene.rt || fault "undone is not what was written before"
+
+echo "-- the ease of a key is typed after a double click on its slider, and written; undone"
+xdotool key Home sleep 0.5
+import -window "$id" shot.png
+read -r x y < <(convert shot.png txt:- | sed -n 's/^\([0-9]*\),\([0-9]*\):.*#3D85E0.*/\1 \2/p' | sed -n '1p')
+[[ -n ${x-} ]] || fault "there is no slider on the timeline"
+xdotool mousemove --window "$id" $((x + 30)) $((y + 4)) sleep 0.2 click --repeat 2 1 type .5
+xdotool key Return sleep 0.2 mousemove --window "$id" 300 100 key F2
+await 'path written into'
+[[ $(diff second.rt scene.rt | grep -c '^>') == 1 && $(<scene.rt) == *'  ease 0.5 }'* ]] ||
+    fault "the ease: $(diff second.rt scene.rt)"
+xdotool key ctrl+z key ctrl+z key F2 # the first click moved the slider
 await 'path written into'
 cmp second.rt scene.rt || fault "undone is not what was written before"
 
