@@ -249,8 +249,11 @@ void BodyTools::toggle(Action action) {
     }
     if (!bodies.any()) return notes.note("click a body first; its handles then move, turn or scale it");
     if (bodies.read_only()) return notes.note("the text of this scene is changed in an editor: F4 opens it");
-    if (bodies.light()) return notes.note("handles of lights only move them");
-    mode = mode == HandleMode::scale ? HandleMode::move : static_cast<HandleMode>(static_cast<int>(mode) + 1);
+    const bool spot = spot_chosen();
+    if (bodies.light() && !spot) return notes.note("handles of this light only move it");
+    if (spot && mode == HandleMode::scale) mode = HandleMode::move;  // as they are shown
+    mode = mode == (spot ? HandleMode::turn : HandleMode::scale) ? HandleMode::move
+                                                                 : static_cast<HandleMode>(static_cast<int>(mode) + 1);
     notes.note(mode == HandleMode::move   ? "handles move; with Ctrl by round distances"
                : mode == HandleMode::turn ? "handles turn; with Ctrl by 15 degrees"
                                           : "handles scale; with Ctrl by tenths");
@@ -340,8 +343,14 @@ void BodyTools::place_handles(const View& view, double scale) {
         centre = box.finite() ? box.centre() : bodies.choice()->point;
         if (mode == HandleMode::scale) axes = own_axes();
     }
-    handles.emplace(bodies.light() ? HandleMode::move : mode, centre, axes, handle_pixels * scale, view);
+    const bool moves = bodies.light() && (!spot_chosen() || mode == HandleMode::scale);
+    handles.emplace(moves ? HandleMode::move : mode, centre, axes, handle_pixels * scale, view);
     find_pointed();
+}
+
+/// Is a spotlight chosen, or its target?
+bool BodyTools::spot_chosen() const {
+    return bodies.light() && session.scene->lights[std::size_t(bodies.light()->light)].spot;
 }
 
 /// Returns the axes of the body chosen, along which it is scaled.

@@ -114,6 +114,7 @@ class BodyTools {
     void place_handles(const View& view, double scale);
     void drag_on();
     std::optional<ChangedBody> changed_body() const;
+    bool spot_chosen() const;
     std::array<DVec3, 3> own_axes();
     void find_pointed();
     int number() const;

@@ -27,12 +27,6 @@ DVec3 turned(const Axes& axes, const DVec3& v) { return v.x * axes[0] + v.y * ax
 DVec3 turned_back(const Axes& axes, const DVec3& v) {
     return {dot_product(axes[0], v), dot_product(axes[1], v), dot_product(axes[2], v)};
 }
-/// Returns the vector after a turn about an axis (Rodrigues' formula).
-DVec3 turned(const DVec3& v, const TurnBy& turn) {
-    const double angle = turn.degrees * std::numbers::pi / 180, cosine = std::cos(angle);
-    return cosine * v + std::sin(angle) * cross_product(turn.axis, v) +
-           (1 - cosine) * dot_product(turn.axis, v) * turn.axis;
-}
 
 /// Returns the degrees about x, y and z of a rotation: of all that make it those nearest to `before`.
 DVec3 degrees_of(const Axes& axes, const DVec3& before) {
@@ -73,6 +67,13 @@ bool patterned(const Material& material) {
 }
 
 }  // namespace
+
+/// By Rodrigues' formula.
+DVec3 turned(const DVec3& v, const TurnBy& turn) {
+    const double angle = turn.degrees * std::numbers::pi / 180, cosine = std::cos(angle);
+    return cosine * v + std::sin(angle) * cross_product(turn.axis, v) +
+           (1 - cosine) * dot_product(turn.axis, v) * turn.axis;
+}
 
 double rounded(double value, double before, int decimals) {
     const double scale = std::pow(10., std::abs(decimals));

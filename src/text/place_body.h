@@ -23,6 +23,8 @@ struct TurnBy {
     double degrees = 0;   // counter-clockwise seen from the tip of the axis
     DVec3 about{0};       // a point that stays where it is
 };
+/// Returns the vector after a turn about an axis, not about a point of it.
+DVec3 turned(const DVec3& v, const TurnBy& turn);
 /// Factors along the body's own axes, see PlacedBody::axes().
 struct ScaleBy {
     DVec3 factors{1};

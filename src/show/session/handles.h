@@ -46,6 +46,7 @@ class Handles {
     /// Returns what a drag of a handle from one point to another does. With `steps` it moves by round distances, turns
     /// by 15 degrees, and scales by tenths.
     Placing drag(Handle handle, const glm::dvec2& from, const glm::dvec2& to, bool steps) const;
+    HandleMode handle_mode() const { return mode; }
     /// Returns how many decimals of coordinates can be seen here.
     int decimals() const;
 

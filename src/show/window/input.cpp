@@ -54,7 +54,9 @@ Input::Input(Screen& screen, const Session& session, Panels& panels, Pace& pace,
 /// if drawing is slow, what is typed right after a click would be commands, or a click would meet another place.
 void Input::settle() {
     screen.pointer = cursor;
+    const int before = ImGui::GetFrameCount();
     for (int i = 0; i < to_settle && ImGui::GetFrameCount() < settled; ++i) handlers.draw();
+    if (ImGui::GetFrameCount() != before) pace.redraw(1);  // these show what was known before the command
     screen.pointer.reset();
 }
 

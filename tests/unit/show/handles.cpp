@@ -199,6 +199,21 @@ TEST_CASE("lights have marks that can be chosen and dragged; those that move or 
     const Scene moved = parse_scene(drag->text(place + glm::dvec2(50, 20), false), "test");
     CHECK(pixels_between(*place_in(view, moved.lights[1].spot->look_at), place + glm::dvec2(50, 20)) < 1);
     CHECK(moved.lights[1].position == DVec3(2, 0, 3));
+    // Circles turn the spotlight about the end of its axis that is chosen.
+    for (const bool by_target : {false, true}) {
+        const LightPoint point{1, by_target};
+        editor.choose(point, *scene);
+        const Handles circles(HandleMode::turn, position_of(*scene, point), world, 80, view);
+        const glm::dvec2 middle = *place_in(view, position_of(*scene, point));
+        const auto turn = Drag::begin(editor, *scene, circles, Handle::all, middle + glm::dvec2(90, 0), why);
+        REQUIRE(turn);
+        const Light spot = parse_scene(turn->text(middle + glm::dvec2(0, -90), true), "test").lights[1];
+        const DVec3 stays = by_target ? spot.spot->look_at : spot.position;
+        CHECK(stays == position_of(*scene, point));
+        CHECK(length(spot.position - spot.spot->look_at) == doctest::Approx(std::sqrt(13.)).epsilon(.01));
+        const DVec3 other = by_target ? spot.position : spot.spot->look_at;
+        CHECK(length(other - position_of(*scene, {1, !by_target})) > 1);
+    }
     CHECK(!drag_of({3, false}));
     CHECK(why == "this light has a motion, which is changed in the text");
     CHECK(!drag_of({2, false}));
