@@ -41,51 +41,78 @@ struct CompiledFunction : FunctionThing {
     int variables = 0;  // arguments, then variables of loops
     int levels = 1;
 
-    void evaluate(const double* given, double* result) const override {
-        static thread_local long steps_left = 0;
+    void evaluate(const double* given, double* result) const override { execute(given, result); }
+    void evaluate_lanes(const Lanes* given, Lanes* result) const override { execute(given, result); }
+
+  private:
+    /// Evaluates the function for one list of arguments, or for some at once.
+    template <class S>
+    void execute(const S* given, S* result) const {
         const bool outermost = levels_open == 0;
-        double numbers[most_numbers];
+        S numbers[most_numbers];
         std::copy_n(given, arguments, numbers);
         if (outermost) steps_left = most_steps;
         ++levels_open;
-        *result = run(0, instructions.size(), numbers, numbers + variables, steps_left)[-1];
+        *result = run(0, instructions.size(), numbers, numbers + variables)[-1];
         --levels_open;
     }
-
-  private:
-    double* run(std::size_t first, std::size_t last, double* numbers, double* top, long& steps_left) const;
+    template <class S>
+    S* run(std::size_t first, std::size_t last, S* numbers, S* top) const;
     static inline thread_local int levels_open = 0;
+    static inline thread_local long steps_left = 0;
 };
+
+using Lanes = FunctionThing::Lanes;
+
+/// Sets all lanes to values of a function of their numbers.
+template <class S, class Of>
+void set_each(S& to, const Of& value_of_lane) {
+    if constexpr (std::is_same_v<S, double>)
+        to = value_of_lane(0);
+    else
+        for (std::size_t lane = 0; lane < to.size(); ++lane) to[lane] = value_of_lane(lane);
+}
+double lane_of(const double& value, std::size_t) { return value; }
+double lane_of(const Lanes& value, std::size_t lane) { return value[lane]; }
+void call_function(const FunctionThing& function, const double* given, double* result) {
+    function.evaluate(given, result);
+}
+void call_function(const FunctionThing& function, const Lanes* given, Lanes* result) {
+    function.evaluate_lanes(given, result);
+}
 
 double truncated(double value) {
     return value > -2147483649. && value < 2147483648. ? std::trunc(value) : -2147483648.;
 }
 
 /// Executes instructions, and returns the stack with their result on top: no number if there are no steps left.
-double* CompiledFunction::run(std::size_t first, std::size_t last, double* numbers, double* top,
-                              long& steps_left) const {
-    double* const base = top;
+template <class S>
+S* CompiledFunction::run(std::size_t first, std::size_t last, S* numbers, S* top) const {
+    S* const base = top;
+    const auto set = [](S& to, double value) { set_each(to, [&](std::size_t) { return value; }); };
     const auto stop = [&] {
-        *base = std::numeric_limits<double>::quiet_NaN();
+        set(*base, std::numeric_limits<double>::quiet_NaN());
         return base + 1;
     };
     if ((steps_left -= static_cast<long>(last - first) + 1) < 0) return stop();
     for (std::size_t i = first; i < last; ++i) {
         const Instruction& step = instructions[i];
-        const auto unary = [&](auto&& operation) { top[-1] = operation(top[-1]); };
+        const auto unary = [&](auto&& operation) {
+            set_each(top[-1], [&, own = top[-1]](std::size_t i) { return operation(lane_of(own, i)); });
+        };
         const auto binary = [&](auto&& operation) {
             --top;
-            top[-1] = operation(top[-1], top[0]);
+            set_each(top[-1], [&](std::size_t i) { return operation(lane_of(top[-1], i), lane_of(top[0], i)); });
         };
         switch (step.operation) {
             case constant:
-                *top++ = step.number;
+                set(*top++, step.number);
                 break;
             case variable:
                 *top++ = numbers[step.index];
                 break;
             case negate:
-                top[-1] = -top[-1];
+                unary([](double v) { return -v; });
                 break;
             case '+':
                 binary([](double a, double b) { return a + b; });
@@ -199,7 +226,7 @@ double* CompiledFunction::run(std::size_t first, std::size_t last, double* numbe
                 binary([](double a, double b) { return std::fmod(a, b); });
                 break;
             case word("pow"):
-                binary([](double a, double b) { return std::pow(a, b); });
+                binary([](double a, double b) { return b == 2 ? a * a : std::pow(a, b); });
                 break;
             case word("min"):
             case word("max"):
@@ -211,29 +238,46 @@ double* CompiledFunction::run(std::size_t first, std::size_t last, double* numbe
                 break;
             case word("select"): {
                 top -= step.count;
-                const double by = top[0];
-                *top = by < 0 ? top[1] : step.count == 4 && by > 0 ? top[3] : top[2];
+                set_each(*top, [&](std::size_t i) {
+                    const double by = lane_of(top[0], i);
+                    return lane_of(by < 0 ? top[1] : step.count == 4 && by > 0 ? top[3] : top[2], i);
+                });
                 ++top;
                 break;
             }
             case call: {
-                double results[5];
+                S results[5];
                 top -= step.count;
-                called[step.index]->evaluate(top, results);
+                call_function(*called[step.index], top, results);
                 if (steps_left < 0) return stop();
-                *top++ = component_of(results, static_cast<int>(step.number));
+                set_each(*top++, [&](std::size_t i) {
+                    double own[5];
+                    for (int k = 0; k < called[step.index]->results; ++k) own[k] = lane_of(results[k], i);
+                    return component_of(own, static_cast<int>(step.number));
+                });
                 break;
             }
             case word("sum"):
             case word("prod"): {
                 top -= 2;
                 const bool adds = step.operation == word("sum");
-                double at = top[0], total = adds ? 0 : 1;
-                for (const double end = top[1]; at <= end; ++at) {
+                S at = top[0], total;
+                const S end = top[1];
+                set(total, adds ? 0 : 1);
+                const auto goes_on = [&](std::size_t i) { return lane_of(at, i) <= lane_of(end, i); };
+                const auto any_goes_on = [&] {
+                    bool any = false;
+                    for (std::size_t i = 0; i < sizeof(S) / sizeof(double); ++i) any |= goes_on(i);
+                    return any;
+                };
+                for (; any_goes_on(); set_each(at, [&](std::size_t i) { return lane_of(at, i) + 1; })) {
                     numbers[step.index] = at;
-                    const double value = run(i + 1, i + 1 + step.count, numbers, top, steps_left)[-1];
+                    const S value = run(i + 1, i + 1 + step.count, numbers, top)[-1];
                     if (steps_left < 0) return stop();
-                    total = adds ? total + value : total * value;
+                    set_each(total, [&](std::size_t i) {
+                        const double own = lane_of(value, i), sum = lane_of(total, i);
+                        return !goes_on(i) ? sum : adds ? sum + own : sum * own;
+                    });
                 }
                 *top++ = total;
                 i += step.count;
@@ -583,6 +627,27 @@ class FunctionReader {
 };
 
 }  // namespace
+
+void FunctionThing::evaluate_lanes(const Lanes* given, Lanes* result) const {
+    std::array<double, 64> own;
+    double found[5];
+    for (std::size_t lane = 0; lane < given->size(); ++lane) {
+        for (int k = 0; k < arguments; ++k) own[std::size_t(k)] = given[k][lane];
+        evaluate(own.data(), found);
+        for (int k = 0; k < results; ++k) result[k][lane] = found[k];
+    }
+}
+
+void FunctionThing::evaluate_all(std::span<const DVec3> points, double* values) const {
+    for (std::size_t first = 0; first < points.size(); first += 8) {
+        Lanes given[3], result;
+        const std::size_t last = points.size() - 1;
+        for (std::size_t lane = 0; lane < 8; ++lane)
+            for (int k = 0; k < 3; ++k) given[k][lane] = points[std::min(first + lane, last)][k];
+        evaluate_lanes(given, &result);
+        std::copy_n(result.begin(), std::min<std::size_t>(8, points.size() - first), values + first);
+    }
+}
 
 std::shared_ptr<const FunctionThing> Interpreter::State::function(std::array<int, 2>* size) {
     const Depth guard(*this);

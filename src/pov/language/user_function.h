@@ -1,5 +1,8 @@
 // Functions of numbers that a scene declares: function { ... }.
 #pragma once
+#include <array>
+#include <span>
+
 #include "pov/language/value.h"
 
 namespace strahl::pov {
@@ -11,6 +14,12 @@ struct FunctionThing : Thing {
     int results = 1;  // 3 for a transformation, 2 to 5 for a spline, 5 for a pigment
     /// Evaluates the function; `given` has `arguments` numbers, `result` room for `results`. Safe in several threads.
     virtual void evaluate(const double* given, double* result) const = 0;
+    /// Eight values, of as many evaluations at once.
+    using Lanes = std::array<double, 8>;
+    /// Evaluates the function for eight lists of arguments.
+    virtual void evaluate_lanes(const Lanes* given, Lanes* result) const;
+    /// Writes the values at points, of a function with one result.
+    void evaluate_all(std::span<const DVec3> points, double* values) const;
     /// The value at a point, of a function with one result.
     double at(const DVec3& point) const {
         const double given[3]{point.x, point.y, point.z};

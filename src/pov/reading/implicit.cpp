@@ -142,8 +142,10 @@ void PovReader::read_blob(Interpreter& in, ObjectThing& object) {
     if (parts.empty()) return object.left_out("a blob without parts");
     set_surface(object, "blob", [threshold, parts, box](int cells) {
         const BlobField field(parts, box);
-        const Inside value = [&](const DVec3& p) { return field.value(threshold, p); };
-        return level_surface(value, box, cells);
+        const Inside inside = [&](std::span<const DVec3> points, double* values) {
+            for (const DVec3& p : points) *values++ = field.value(threshold, p);
+        };
+        return level_surface(inside, box, cells);
     });
 }
 
@@ -191,12 +193,15 @@ void PovReader::read_isosurface(Interpreter& in, ObjectThing& object) {
             return ball ? length(p - middle) - half.x
                         : std::max({off.x - half.x, off.y - half.y, off.z - half.z});
         };
-        const Inside value = [&](const DVec3& p) {
-            const double own = function->at(p) - threshold;
-            return open ? own : std::max(own, beyond(p));
+        const Inside inside = [&](std::span<const DVec3> points, double* values) {
+            function->evaluate_all(points, values);
+            for (const DVec3& p : points) {
+                const double own = *values - threshold;
+                *values++ = open ? own : std::max(own, beyond(p));
+            }
         };
         const DVec3 margin = (open ? 0. : .02) * box.size();
-        return level_surface(value, {box.low - margin, box.high + margin}, cells);
+        return level_surface(inside, {box.low - margin, box.high + margin}, cells);
     });
 }
 
@@ -222,11 +227,13 @@ bool PovReader::read_implicit(Interpreter& in, std::uint16_t code, ObjectThing& 
 
 void PovReader::set_polynomial(ObjectThing& object, int order, const std::vector<double>& coefficients) {
     set_surface(object, order == 2 ? "quadric" : "polynomial", [order, coefficients](int cells) {
-        const Inside value = [&](const DVec3& p) { return polynomial(order, coefficients, p); };
-        Box region = region_of(value, {DVec3(-reach), DVec3(reach)});
-        for (int i = 0; i < 2 && !region.empty(); ++i) region = region_of(value, region);
-        if (region.empty()) region = region_of(value, {DVec3(-2), DVec3(2)});
-        return region.empty() ? MeshData() : level_surface(value, region, cells);
+        const Inside inside = [&](std::span<const DVec3> points, double* values) {
+            for (const DVec3& p : points) *values++ = polynomial(order, coefficients, p);
+        };
+        Box region = region_of(inside, {DVec3(-reach), DVec3(reach)});
+        for (int i = 0; i < 2 && !region.empty(); ++i) region = region_of(inside, region);
+        if (region.empty()) region = region_of(inside, {DVec3(-2), DVec3(2)});
+        return region.empty() ? MeshData() : level_surface(inside, region, cells);
     });
     object.approximated("of a polynomial the part within 20 of its origin is there");
 }

@@ -9,12 +9,13 @@
 
 namespace strahl::pov {
 
-/// A function of points that is below 0 inside a body.
-using Inside = std::function<double(const DVec3&)>;
+/// A function of points that is below 0 inside a body; writes the values of all points that it is given.
+using Inside = std::function<void(std::span<const DVec3> points, double* values)>;
 
-/// Returns the surface on which a function is 0, within a box that is divided into so many cells along each axis. The
-/// normals are those of the function's slope.
-MeshData level_surface(const Inside& value, const Box& box, int cells);
+/// Returns the surface on which a function is 0, within a box that is divided into so many cells along each axis, an
+/// even number. The normals are those of the function's slope. A part of the surface may be missed if it is smaller than
+/// two cells and apart from all others.
+MeshData level_surface(const Inside& inside, const Box& box, int cells);
 
 /// A body that becomes a mesh once it is shown: standard include files declare many that no scene uses.
 struct LevelSurface {
@@ -32,6 +33,6 @@ struct LevelSurface {
 double polynomial(int order, std::span<const double> coefficients, const DVec3& p);
 
 /// Returns a box around all places where a function of a box is below 0, as far as a coarse grid shows them.
-Box region_of(const Inside& value, const Box& within);
+Box region_of(const Inside& inside, const Box& within);
 
 }  // namespace strahl::pov
