@@ -54,6 +54,12 @@ bool shines(const ObjectThing& object) {
 
 }  // namespace
 
+bool MaterialMaker::lit() {
+    if (!any_light)
+        any_light = std::ranges::any_of(contents.objects, [](const PlacedObject& own) { return shines(*own.object); });
+    return *any_light;
+}
+
 bool MaterialMaker::has_pattern(const TextureThing& texture) {
     return std::ranges::any_of(texture.layers, [](const LayerValues& layer) {
         return layer.blend || layer.pigment.blend || layer.normal.blend;
@@ -311,8 +317,7 @@ Material MaterialMaker::plain_material_of(const TextureThing& texture, const Int
             shaded |= std::fabs(shadow[c] - through[c]) > 1e-6;
         }
         if (coloured) notes.approximated(place, "light that is seen through a body keeps its colour");
-        const auto lit = [](const PlacedObject& placed) { return shines(*placed.object); };
-        if (shaded && !use.no_shadow && std::ranges::any_of(contents.objects, lit))
+        if (shaded && !use.no_shadow && lit())
             notes.approximated(place, "the shadow of a transparent body has the body's colour");
         if (material.ior != 1 && std::fabs(material.reflection + material.refraction - lost) > 1e-6)
             notes.approximated(place, "total reflection is weaker");

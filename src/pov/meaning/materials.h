@@ -1,6 +1,7 @@
 // Makes a scene's materials of POV-Ray's textures and interiors.
 #pragma once
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "pov/meaning/pigments.h"
@@ -57,6 +58,8 @@ class MaterialMaker {
     Material layered_material_of(const TextureThing& texture, const InteriorThing* interior, const MaterialUse& use,
                                  const Steps& way);
     static bool has_pattern(const TextureThing& texture);
+    /// Has the scene a light?
+    bool lit();
     Material material_of(const TextureThing& texture, const InteriorThing* interior, const MaterialUse& use,
                          const Steps& way);
     void set_finish(Material& material, const FinishThing& finish, const MaterialUse& use);
@@ -64,6 +67,7 @@ class MaterialMaker {
     NoteTaker notes;
     PigmentMaker pigments;
     const PovContents& contents;
+    std::optional<bool> any_light;
     std::map<std::tuple<std::shared_ptr<const TextureThing>, std::shared_ptr<const InteriorThing>, bool, bool>, int>
         plain;  // materials without patterns
 };

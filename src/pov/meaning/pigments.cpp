@@ -26,7 +26,10 @@ ColorStop between(const ColorStop& a, const ColorStop& b, double share, double a
 }  // namespace
 
 PigmentMaker::Mean PigmentMaker::mean_of(const MapEntry& entry) {
-    if (const auto* const pigment = dynamic_cast<const PigmentThing*>(entry.thing.get())) return mean_of(*pigment);
+    if (const auto* const pigment = dynamic_cast<const PigmentThing*>(entry.thing.get())) {
+        const auto known = means.find(entry.thing);
+        return known != means.end() ? known->second : means[entry.thing] = mean_of(*pigment);
+    }
     return {color_of(entry.color), decimal(entry.color.filter), decimal(entry.color.transmit)};
 }
 
@@ -151,19 +154,32 @@ ColorStop PigmentMaker::stop_of(const Blend& blend, const MapEntry& entry, doubl
         notes.approximated(blend.place, "patterns that are nested deeply are their mean colours");
         return stop;
     }
-    ++patterns_around;
     Moves inside = moves_inside(blend);
+    const auto place = std::pair(entry.thing, patterns_around);
+    if (const auto known = inside.empty() ? made_stops.find(place) : made_stops.end();
+        known != made_stops.end()) {
+        stop = known->second, stop.at = at;
+        return stop;
+    }
+    const bool alike = inside.empty();  // wherever the pattern around it is
+    ++patterns_around;
     std::swap(around, inside);
     const Look look = look_of(*nested, {}, false);
     std::swap(around, inside);
     --patterns_around;
-    if (!look.pigment.pattern) return {at, look.pigment.color, look.filter, look.transmit};
+    if (!look.pigment.pattern) {
+        stop = {at, look.pigment.color, look.filter, look.transmit};
+        if (alike) made_stops[place] = stop;
+        return stop;
+    }
     if (look.filter + look.transmit > 0 && !look.pigment.clear())
         notes.approximated(blend.place, "a picture that lets light through is opaque");
     Pattern inner = *look.pigment.pattern;
     // The space of the pattern around it is POV-Ray's.
     if (mirrored) inner.transformations.push_back(Scale{{1, 1, -1}});
-    return {at, Color(0), 0, 0, std::make_shared<const Pattern>(std::move(inner))};
+    stop = {at, Color(0), 0, 0, std::make_shared<const Pattern>(std::move(inner))};
+    if (alike) made_stops[place] = stop;
+    return stop;
 }
 
 std::shared_ptr<const Pixels> PigmentMaker::pixels_of(const Blend& blend) {

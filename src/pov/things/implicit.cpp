@@ -95,8 +95,7 @@ CellTriangles triangles_through(int inside) {
         for (std::size_t k = 2; k + 1 < loop.size(); ++k)
             if (lies_in_face(middle, k)) ++middle, k = 1;
         for (std::size_t k = 1; k + 1 < loop.size(); ++k)
-            triangles.push_back(
-                {loop[middle], loop[(middle + k) % loop.size()], loop[(middle + k + 1) % loop.size()]});
+            triangles.push_back({loop[middle], loop[(middle + k) % loop.size()], loop[(middle + k + 1) % loop.size()]});
     }
     return triangles;
 }
@@ -106,7 +105,10 @@ CellTriangles triangles_through(int inside) {
 class SurfaceGrid {
   public:
     SurfaceGrid(const Inside& inside, const Box& box, int cells)
-        : grid{box, cells}, inside(inside), blocks(cells / 2), values(grid.number(0, 0, cells + 1), unknown),
+        : grid{box, cells},
+          inside(inside),
+          blocks(cells / 2),
+          values(grid.number(0, 0, cells + 1), unknown),
           visited(std::size_t(blocks * blocks * blocks)) {
         for (int k = 0; k <= cells; k += 2)
             for (int j = 0; j <= cells; j += 2)
@@ -247,25 +249,30 @@ MeshData level_surface(const Inside& inside, const Box& box, int cells) {
                 if (number < 0) {
                     number = static_cast<std::int32_t>(crossings.size());
                     const int x2 = x + (edge.axis == 0), y2 = y + (edge.axis == 1), z2 = z + (edge.axis == 2);
-                    crossings.push_back({grid.point(x, y, z), grid.point(x2, y2, z2), {}, surface.value(x, y, z),
+                    crossings.push_back({grid.point(x, y, z),
+                                         grid.point(x2, y2, z2),
+                                         {},
+                                         surface.value(x, y, z),
                                          surface.value(x2, y2, z2)});
                 }
                 own[std::size_t(n)] = number;
             }
-            mesh.triangles.push_back({own[std::size_t(triangle[0])], own[std::size_t(triangle[1])],
-                                      own[std::size_t(triangle[2])]});
+            mesh.triangles.push_back(
+                {own[std::size_t(triangle[0])], own[std::size_t(triangle[1])], own[std::size_t(triangle[2])]});
         }
     });
     find_crossings(inside, crossings);
     const double step = length(box.size()) / cells * 1e-3;
     std::vector<DVec3> beside;
     for (const Crossing& own : crossings)
-        for (const DVec3& way : {DVec3(step, 0, 0), DVec3(0, step, 0), DVec3(0, 0, step)}) beside.push_back(own.p + way);
+        for (const DVec3& way : {DVec3(step, 0, 0), DVec3(0, step, 0), DVec3(0, 0, step)})
+            beside.push_back(own.p + way);
     const std::vector<double> values = values_at(inside, beside);
     for (std::size_t n = 0; n < crossings.size(); ++n) {
         mesh.points.push_back(crossings[n].p);
         const DVec3 slope = DVec3(values[3 * n], values[3 * n + 1], values[3 * n + 2]) - crossings[n].at_p;
-        mesh.normals.push_back(std::max({std::fabs(slope.x), std::fabs(slope.y), std::fabs(slope.z)}) < outside / 2 ? slope : DVec3(0));
+        mesh.normals.push_back(
+            std::max({std::fabs(slope.x), std::fabs(slope.y), std::fabs(slope.z)}) < outside / 2 ? slope : DVec3(0));
     }
     const auto at = [&](std::int32_t n) -> const DVec3& { return mesh.points[std::size_t(n)]; };
     std::erase_if(mesh.triangles, [&](const MeshData::Corners& own) {

@@ -13,8 +13,8 @@ namespace strahl::pov {
 using Inside = std::function<void(std::span<const DVec3> points, double* values)>;
 
 /// Returns the surface on which a function is 0, within a box that is divided into so many cells along each axis, an
-/// even number. The normals are those of the function's slope. A part of the surface may be missed if it is smaller than
-/// two cells and apart from all others.
+/// even number. The normals are those of the function's slope. A part of the surface may be missed if it is smaller
+/// than two cells and apart from all others.
 MeshData level_surface(const Inside& inside, const Box& box, int cells);
 
 /// A body that becomes a mesh once it is shown: standard include files declare many that no scene uses.

@@ -10,6 +10,9 @@ namespace strahl::pov {
 
 /// Returns the number that was written: of all decimals that round to this float the shortest.
 inline double decimal(float v) {
+    if (std::fabs(v) < 1e6f)
+        for (double unit = 1; unit <= 1e6; unit *= 10)
+            if (const double few = std::nearbyint(v * unit) / unit; static_cast<float>(few) == v) return few;
     char digits[32];
     const auto end = std::to_chars(digits, digits + sizeof digits, v).ptr;
     double result = v;

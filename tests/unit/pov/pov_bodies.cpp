@@ -416,15 +416,19 @@ TEST_CASE("POV-Ray: blobs, polynomials and isosurfaces become meshes near their 
     is(distances("isosurface { function { x*x + y*y + z*z } threshold 4 contained_by { box { -3, 3 } } }"), 2);
     CHECK(opened("isosurface { function { 1 } }").scene.primitives.empty());
     // Noise as fine as the grid cuts its cells in all ways; the surface is closed, and keeps to its container.
-    const Scene noise = opened("#declare N = function { internal(76) }"
-                               "isosurface { function { N(19 * x, 23 * y, 21 * z) } threshold .5 }").scene;
+    const Scene noise = opened(
+                            "#declare N = function { internal(76) }"
+                            "isosurface { function { N(19 * x, 23 * y, 21 * z) } threshold .5 }")
+                            .scene;
     const Mesh& mesh = shape<Mesh>(noise);
     CHECK_FALSE(mesh.open());
     CHECK(mesh.data->triangles.size() > 10'000);
     CHECK(std::ranges::all_of(mesh.data->points, [](const DVec3& p) { return length(p) < 1.75; }));
     // Operators, calls and loops, at eight points at once: planes at x = 2/3 and 1/3.
-    const Scene planes = opened("#declare F = function(a) { select(a - 1, 3 * a, 0) + prod(i, 1, 3, a) * 0 }"
-                                "isosurface { function { -min(F(x) - sum(i, 0, 1, i) * 1, 2 - F(x)) } }").scene;
+    const Scene planes = opened(
+                             "#declare F = function(a) { select(a - 1, 3 * a, 0) + prod(i, 1, 3, a) * 0 }"
+                             "isosurface { function { -min(F(x) - sum(i, 0, 1, i) * 1, 2 - F(x)) } }")
+                             .scene;
     const Box slab = shape<Mesh>(planes).bounds();
     CHECK(slab.low.x == doctest::Approx(1. / 3).epsilon(.001));
     CHECK(slab.high.x == doctest::Approx(2. / 3).epsilon(.001));
