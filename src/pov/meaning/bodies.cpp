@@ -382,6 +382,7 @@ void SceneMaker::drop_shadow_copies() {
         gone[i] = own.no_image, own.no_reflection = false;
     }
     std::vector<Primitive> kept;
+    kept.reserve(shown.size());
     for (std::size_t i = 0; i < shown.size(); ++i) {
         if (gone[i]) continue;
         const auto& [no_shadow, no_image, no_reflection, place] = shown[i];

@@ -18,32 +18,33 @@ bool same_finish(const LayerValues& a, const LayerValues& b) {
 
 /// Returns a texture for a pattern of textures: their pigments in the pattern, with the finish and the normal of the
 /// one that it shows most. That is the same if they differ in their pigments only.
-LayerValues without_blend(const LayerValues& layer, const NoteTaker& notes) {
+std::shared_ptr<const LayerValues> without_blend(const LayerValues& layer, const NoteTaker& notes) {
+    const std::shared_ptr<const LayerValues> itself(std::shared_ptr<void>(), &layer);
     if (layer.blend.ignored == word("material_map"))
         notes.left_out(layer.place, "all textures of a material_map but the first");
-    if (!layer.blend || !layer.blend.map || layer.blend.map->entries.empty()) return layer;
-    std::vector<LayerValues> parts;
+    if (!layer.blend || !layer.blend.map || layer.blend.map->entries.empty()) return itself;
+    std::vector<std::shared_ptr<const LayerValues>> parts;
     auto pigments = std::make_shared<MapThing>(*layer.blend.map);
     std::size_t most = 0;
     double width = -1;
     for (std::size_t i = 0; i < pigments->entries.size(); ++i) {
         MapEntry& entry = pigments->entries[i];
         const auto* const texture = dynamic_cast<const TextureThing*>(entry.thing.get());
-        if (!texture) return layer;
+        if (!texture) return itself;
         if (texture->layers.size() > 1)
             notes.approximated(layer.blend.place, "of layers in a pattern of textures the uppermost is shown");
         parts.push_back(without_blend(texture->layers.back(), notes));
-        entry.thing = std::make_shared<PigmentThing>(parts.back().pigment);
+        entry.thing = std::make_shared<PigmentThing>(parts.back()->pigment);
         const double before = i > 0 ? pigments->entries[i - 1].at : 0;
         const double own = (i + 1 < pigments->entries.size() ? pigments->entries[i + 1].at : 1) - before;
         if (own > width) width = own, most = i;
     }
-    if (!std::ranges::all_of(parts, [&](const LayerValues& part) { return same_finish(part, parts[most]); }))
+    if (!std::ranges::all_of(parts, [&](const auto& part) { return same_finish(*part, *parts[most]); }))
         notes.approximated(layer.blend.place, "the finish of a pattern of textures is that of one of them");
-    LayerValues own = parts[most];
-    append(own.normal.blend.steps, layer.blend.steps);
-    own.pigment.blend = layer.blend;
-    own.pigment.blend.map = std::move(pigments);
+    auto own = std::make_shared<LayerValues>(*parts[most]);
+    append(own->normal.blend.steps, layer.blend.steps);
+    own->pigment.blend = layer.blend;
+    own->pigment.blend.map = std::move(pigments);
     return own;
 }
 
@@ -169,7 +170,8 @@ Material MaterialMaker::layered_material_of(const TextureThing& texture, const I
     if (count < texture.layers.size())
         notes.approximated(texture.layers[0].place, "of the layers of a texture the upper eight are shown");
     for (std::size_t i = texture.layers.size() - count; i < texture.layers.size(); ++i) {
-        const LayerValues values = without_blend(texture.layers[i], notes);
+        const auto shown = without_blend(texture.layers[i], notes);
+        const LayerValues& values = *shown;
         Look look = pigments.look_of(values.pigment, way, use.mapped);
         if (look.pigment.pattern && std::holds_alternative<ImagePattern>(look.pigment.pattern->kind) &&
             look.filter + look.transmit > 0)
@@ -237,7 +239,7 @@ Material MaterialMaker::material_of(const TextureThing& texture, const InteriorT
 Material MaterialMaker::plain_material_of(const TextureThing& texture, const InteriorThing* interior,
                                           const MaterialUse& use, const Steps& way) {
     struct Layer {
-        LayerValues values;
+        std::shared_ptr<const LayerValues> values;
         Look look;
         Color lit{0}, glow{0};  // shares of the light that is scattered and of ambient light
         double opacity = 1;
@@ -245,9 +247,9 @@ Material MaterialMaker::plain_material_of(const TextureThing& texture, const Int
     std::vector<Layer> layers;
     for (const LayerValues& own : texture.layers) {
         Layer layer{.values = without_blend(own, notes), .look = {}};
-        layer.look = pigments.look_of(layer.values.pigment, way, use.mapped);
+        layer.look = pigments.look_of(layer.values->pigment, way, use.mapped);
         if (layer.look.varies)
-            notes.approximated(layer.values.place, "transparency that varies in a pattern is its mean");
+            notes.approximated(layer.values->place, "transparency that varies in a pattern is its mean");
         layers.push_back(std::move(layer));
     }
     Color through(1);  // the light that all layers let through
@@ -255,9 +257,9 @@ Material MaterialMaker::plain_material_of(const TextureThing& texture, const Int
         const Color color = layer->look.pigment.color;
         const double f = layer->look.filter, t = layer->look.transmit;
         layer->opacity = 1 - f - t;
-        layer->lit = through * color * (layer->opacity * layer->values.finish.diffuse);
+        layer->lit = through * color * (layer->opacity * layer->values->finish.diffuse);
         layer->glow = through * color * layer->opacity *
-                      (layer->values.finish.ambient + layer->values.finish.emission / max_of(contents.ambient_light));
+                      (layer->values->finish.ambient + layer->values->finish.emission / max_of(contents.ambient_light));
         through = through * (color * f + Color(t));
     }
     // The layer that scatters most is shown.
@@ -269,9 +271,10 @@ Material MaterialMaker::plain_material_of(const TextureThing& texture, const Int
         count += strength(layers[i]) > 0;
     }
     const Layer& shown = layers[best];
-    const FinishThing& finish = shown.values.finish;
+    const FinishThing& finish = shown.values->finish;
     if (count > 1 && !use.shadow_only)
-        notes.approximated(shown.values.place, "of the layers of a texture the one that scatters most light is shown");
+        notes.approximated(shown.values->place, "of the layers of a texture the one that scatters most light is shown");
+    if (notes.only_asked && *notes.only_asked) return {};
 
     const Pigment pigment = shown.look.opaque();
     Material material{.rgb = pigment, .reflection = 0, .diffuse = 0, .ambient = 0, .specular = 0, .pow = 40};
@@ -283,7 +286,7 @@ Material MaterialMaker::plain_material_of(const TextureThing& texture, const Int
     material.ambient = coefficient(mean(ambient) * shown.opacity * above);
     if (!is_grey(ambient) && !use.shadow_only)
         notes.approximated(finish.place, "coloured ambient light of a body is grey");
-    material.bump = pigments.bump_of(layers.back().values.normal, way, use.mapped);
+    material.bump = pigments.bump_of(layers.back().values->normal, way, use.mapped);
     const double lost = finish.refraction.value_or(1);
     through = through * lost;
     material.refraction = share(mean(through));
@@ -292,21 +295,21 @@ Material MaterialMaker::plain_material_of(const TextureThing& texture, const Int
         material.ior = std::clamp(decimal(static_cast<float>(ior)), 1e-9, 1e9);
     }
     // The highlights of all layers are added; the strongest is shown.
-    const auto shine = [](const Layer& layer) { return layer.values.finish.phong + layer.values.finish.specular; };
+    const auto shine = [](const Layer& layer) { return layer.values->finish.phong + layer.values->finish.specular; };
     std::size_t brightest = best;
     for (std::size_t i = 0; i < layers.size(); ++i)
         if (shine(layers[i]) > shine(layers[brightest])) brightest = i;
-    FinishThing highlights = layers[brightest].values.finish;
+    FinishThing highlights = layers[brightest].values->finish;
     for (const Layer& layer : layers)
-        if (mean(layer.values.finish.reflection.most) > mean(highlights.reflection.most))
-            highlights.reflection = layer.values.finish.reflection;
+        if (mean(layer.values->finish.reflection.most) > mean(highlights.reflection.most))
+            highlights.reflection = layer.values->finish.reflection;
     set_finish(material, highlights, use);
 
     if (material.refraction > 0) {
         const bool unlit = material.diffuse == 0 && material.ambient == 0;
         if (unlit && !use.no_shadow) material.rgb = Pigment(coefficients(through / material.refraction));
         if (use.shadow_only) return material;
-        const TextPlace place = shown.values.place;
+        const TextPlace place = shown.values->place;
         constexpr int deep = 20;  // enough for rays through nine clear bodies
         if ((!interior || interior->ior == 1) && contents.max_trace_level < deep)
             notes.approximated(place, "rays that pass a clear body count for max_trace_level");

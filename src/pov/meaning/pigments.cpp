@@ -156,8 +156,7 @@ ColorStop PigmentMaker::stop_of(const Blend& blend, const MapEntry& entry, doubl
     }
     Moves inside = moves_inside(blend);
     const auto place = std::pair(entry.thing, patterns_around);
-    if (const auto known = inside.empty() ? made_stops.find(place) : made_stops.end();
-        known != made_stops.end()) {
+    if (const auto known = inside.empty() ? made_stops.find(place) : made_stops.end(); known != made_stops.end()) {
         stop = known->second, stop.at = at;
         return stop;
     }

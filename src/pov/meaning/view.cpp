@@ -197,13 +197,18 @@ SceneMaker::SceneMaker(Interpreter& in, ReadPixels read_pixels, const PovContent
 
 /// Keeps the materials that are used, in the order in which they are.
 void SceneMaker::settle_materials() {
-    Materials used;
+    std::vector<int> numbers(materials.materials.list.size(), -1);
     const auto settle = [&](const auto& self, Primitive& primitive) -> void {
-        primitive.material = used.number(materials[primitive.material]);
+        int& number = numbers[static_cast<std::size_t>(primitive.material)];
+        if (number < 0) {
+            number = static_cast<int>(scene.materials.size());
+            scene.materials.push_back(materials[primitive.material]);
+        }
+        primitive.material = number;
         change_parts(primitive, [&](Primitive& part) { self(self, part); });
     };
+    scene.materials.clear();
     for (Primitive& primitive : scene.primitives) settle(settle, primitive);
-    scene.materials = std::move(used.list);
 }
 
 std::vector<Primitive> SceneMaker::bodies_of(const ObjectThing& object) {

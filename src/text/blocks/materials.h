@@ -104,9 +104,13 @@ class Materials {
   public:
     int number(const Material& material) {
         if (!list.empty() && list[last] == material) return last;
-        const auto [entry, is_new] = numbers.try_emplace(material, static_cast<int>(list.size()));
-        if (is_new) list.push_back(material);
-        return last = entry->second;
+        const std::size_t hash = MaterialHash()(material);
+        for (auto [entry, end] = numbers.equal_range(hash); entry != end; ++entry)
+            if (list[static_cast<std::size_t>(entry->second)] == material) return last = entry->second;
+        last = static_cast<int>(list.size());
+        numbers.emplace(hash, last);
+        list.push_back(material);
+        return last;
     }
     /// Gives a body that was read, and its parts, their materials; before, these are numbers among `written`. A part
     /// starts from the material of its composite, wherever that stands in the text.
@@ -118,7 +122,7 @@ class Materials {
     std::vector<Material> list;
 
   private:
-    std::unordered_map<Material, int, MaterialHash> numbers;
+    std::unordered_multimap<std::size_t, int> numbers;  // by the hashes of materials
     int last = 0;
 };
 
