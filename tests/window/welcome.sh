@@ -90,6 +90,16 @@ start_log 'gallery of' view --size 640x480
 xdotool key BackSpace Escape
 closed
 
+echo "-- a program that was copied to elsewhere says where it has looked for scenes"
+installed=$strahl
+mkdir copied
+cp "$strahl" copied/strahl
+strahl=$work/copied/strahl
+start_log "none in $work/share/strahl/scenes" view --size 640x480
+strahl=$installed
+xdotool key Escape
+closed
+
 echo "-- the user's keys apply, in the help as well; an error in their file is told"
 mkdir -p config/strahl
 printf 'add-key = F3\nopen = F3\n' >config/strahl/keys

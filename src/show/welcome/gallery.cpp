@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <filesystem>
 #include <system_error>
@@ -43,14 +44,28 @@ GallerySection section_of(const char* title, const fs::path& folder, bool begins
     return section;
 }
 
+/// Returns the folders where installed scenes may be.
+std::array<fs::path, 2> scene_folders() {
+    std::error_code error;
+    const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
+    return {(program / "../share/strahl/scenes").lexically_normal(),
+            (program / "../../scenes").lexically_normal()};  // of a program in build/release
+}
+
 }  // namespace
 
 std::string installed_scenes() {
     std::error_code error;
-    const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
-    for (const char* const folder : {"../share/strahl/scenes", "../../scenes"})  // the latter from build/release
-        if (fs::is_directory(program / folder / "templates", error)) return (program / folder).lexically_normal();
+    for (const fs::path& folder : scene_folders())
+        if (fs::is_directory(folder / "templates", error)) return folder;
     return "";
+}
+
+std::string missing_scenes() {
+    if (!installed_scenes().empty()) return "";
+    const auto [installed, built] = scene_folders();
+    return "no scenes are installed with this program: there are none in " + installed.string() + " and none in " +
+           built.string();
 }
 
 std::vector<GallerySection> gallery_of(const std::string& scenes, const std::vector<std::string>& recent) {

@@ -20,6 +20,8 @@ struct GallerySection {
 /// Returns the folder of the scenes that were installed with the program, or that it was built with; "" if there is
 /// none.
 std::string installed_scenes();
+/// Says where it was looked for if there is none, in a sentence without its stop; else "".
+std::string missing_scenes();
 
 /// Returns the sections: templates, those recent files that are still there, and the other scenes in the folder and in
 /// some below it.

@@ -34,6 +34,7 @@ void Welcome::take(const Screen& screen) {
         sections = std::move(listed), chosen = {};
         std::size_t count = 0;
         for (const GallerySection& section : *sections) count += section.items.size();
+        if (missing = missing_scenes(); !missing.empty()) notes.log(missing);
         notes.log("gallery of " + std::to_string(count) + " scenes after " + seconds_text(pace.now()));
         pace.redraw();
     }
@@ -84,7 +85,7 @@ std::optional<GalleryItem> Welcome::draw(const KeyMap& keys) {
     columns = std::max(1, static_cast<int>(room / (14 * font)));
     width = std::max(std::floor((room - static_cast<float>(columns - 1) * gap) / static_cast<float>(columns)), 4.f);
     visible.clear();
-    if (sections && sections->empty()) ImGui::TextUnformatted("No scenes are installed; Ctrl+O opens a file.");
+    if (!missing.empty()) ImGui::TextWrapped("%s", missing.c_str());
     for (std::size_t s = 0; sections && s < sections->size(); ++s) {
         const GallerySection& section = (*sections)[s];
         if (s > 0) ImGui::Spacing();

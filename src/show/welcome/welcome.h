@@ -41,6 +41,7 @@ class Welcome {
     const std::function<void()> notify;
     std::optional<GalleryReader> reader;  // from the first time on
     std::optional<std::vector<GallerySection>> sections;
+    std::string missing;                       // where no installed scenes were found
     std::map<std::string, unsigned> pictures;  // textures by paths of scenes; 0 if a scene cannot be read
     GalleryPlace chosen;
     int columns = 1;

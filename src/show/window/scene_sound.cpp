@@ -52,7 +52,11 @@ void SceneSound::follow(Session& session) {
 void SceneSound::picture_shown(const Session& session, double ordered) {
     if (!session.flight.under_way()) return;
     delay += .1 * (std::clamp(session.flight.time(pace.now()) - ordered, 0., .5) - delay);
-    if (const auto heard = sound ? sound->heard() : std::nullopt) ahead.push_back(ordered - *heard);
+    const auto heard = sound ? sound->heard() : std::nullopt;
+    if (!heard) return;
+    constexpr std::ptrdiff_t most = 10000;
+    if (std::ssize(ahead) == most) ahead.erase(ahead.begin(), ahead.begin() + most / 2);
+    ahead.push_back(ordered - *heard);
 }
 
 std::string SceneSound::report() {

@@ -29,8 +29,8 @@ class SceneSound {
     void follow(Session& session);
     /// To be called when a picture is on the screen that was ordered for the moment `ordered` of the flight.
     void picture_shown(const Session& session, double ordered);
-    /// How far pictures were ahead of the sound since the last call: the median and a range that has 95 of 100. "" if
-    /// there was no sound.
+    /// How far pictures, the last ones at least, were ahead of the sound since the last call: the median and a range
+    /// that has 95 of 100. "" if there was no sound.
     std::string report();
 
   private:
@@ -45,7 +45,7 @@ class SceneSound {
     };
     std::optional<Compared> last;  // while they run together
     double delay = 0;              // seconds from the order of a picture until it is on the screen, a sliding mean
-    std::vector<double> ahead;     // seconds by which each picture was ahead of the sound
+    std::vector<double> ahead;     // seconds by which each of the last pictures was ahead of the sound
 };
 
 }  // namespace strahl
