@@ -122,7 +122,7 @@ shot 5
 echo "-- music, and a ball that bounces on each beat"
 cp "$here/../../scenes/beat.ogg" . # a person would bring music of their own
 change 246 688 125
-change 640 688 beat.ogg
+change 780 688 beat.ogg
 point 420 400
 await 'chosen: body 2'
 follow 834 190 bounce 795

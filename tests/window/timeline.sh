@@ -22,12 +22,16 @@ cmp first.rt scene.rt~ || fault "the copy is not the file as it was"
 [[ $(diff first.rt scene.rt | grep -c '^<') == 0 ]] || fault "more than a block was added: $(diff first.rt scene.rt)"
 cp scene.rt second.rt
 
+# find_key: puts the place of the second key into x and y, at its right corner.
+find_key() {
+    # Of the keys it is not at the moment of the flight; it is the only thing of this colour.
+    xdotool key Home sleep 0.5
+    import -window "$id" shot.png
+    read -r x y < <(convert shot.png -crop 640x170+0+230 +repage txt:- | sed -n 's/^\([0-9]*\),\([0-9]*\):.*#8CCCFF.*/\1 \2/p' | sort -n | sed -n '$p')
+    [[ -n ${x-} ]] || fault "there is no key on the timeline"
+}
 echo "-- a key is dragged on the timeline, and written"
-# The key that is not at the moment of the flight, which is the second one, is the only thing of this colour.
-xdotool key Home sleep 0.5
-import -window "$id" shot.png
-read -r x y < <(convert shot.png -crop 640x170+0+230 +repage txt:- | sed -n 's/^\([0-9]*\),\([0-9]*\):.*#8CCCFF.*/\1 \2/p' | sort -n | sed -n '$p')
-[[ -n ${x-} ]] || fault "there is no key on the timeline"
+find_key
 xdotool mousemove --window "$id" $((x - 3)) $((y + 230)) sleep 0.2 mousedown 1 sleep 0.2
 xdotool mousemove_relative 40 0 sleep 0.2 mousemove_relative 60 0 sleep 0.2 mouseup 1 sleep 0.2 key F2
 await 'path written into'
@@ -42,8 +46,9 @@ xdotool key F2
 await 'path written into'
 cmp second.rt scene.rt || fault "undone is not what was written before"
 
-echo "-- the ease of a key is typed after a double click on its slider, and written; undone"
-xdotool key Home sleep 0.5
+echo "-- the ease of a key is typed after a double click on the slider in its menu, and written; undone"
+find_key
+xdotool mousemove --window "$id" $((x - 3)) $((y + 230)) sleep 0.2 click 3 sleep 0.5
 import -window "$id" shot.png
 read -r x y < <(convert shot.png txt:- | sed -n 's/^\([0-9]*\),\([0-9]*\):.*#3D85E0.*/\1 \2/p' | sed -n '1p')
 [[ -n ${x-} ]] || fault "there is no slider on the timeline"

@@ -155,17 +155,23 @@ void Timeline::bar(const TimelineView& view, TimelineInput& input) {
     const double pointed = time_at(ImGui::GetIO().MousePos.x);
     const double grip = double(font / 2 / length) * range;  // seconds beside a key that belong to it
 
+    std::optional<std::size_t> near;  // the key under the pointer
+    for (std::size_t i = 0; i < keys.size(); ++i)
+        if (std::abs(keys[i].time - pointed) < grip &&
+            (!near || std::abs(keys[i].time - pointed) < std::abs(keys[*near].time - pointed)))
+            near = i;
+    if (near && ImGui::IsItemHovered()) {
+        if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) input.go_to = keys[*near].time, ImGui::OpenPopup("key");
+        if (!held) ImGui::SetTooltip("ease %g: the right button changes it", keys[*near].ease);
+    }
+
     const float middle = corner.y + 0.7f * font;
     const bool has_path = keys.size() >= 2;
     if (ImGui::IsItemActivated()) {
         const ImVec2 mouse = ImGui::GetIO().MousePos;
         // The end has its handle below the line, where that of the last key is not.
         end_dragged = has_path && mouse.y > middle && std::abs(mouse.x - x_of(view.editor.path().duration)) < font / 2;
-        dragged.reset(), drag_began = false;
-        for (std::size_t i = 0; i < keys.size(); ++i)
-            if (!end_dragged && std::abs(keys[i].time - pointed) < grip &&
-                (!dragged || std::abs(keys[i].time - pointed) < std::abs(keys[*dragged].time - pointed)))
-                dragged = i;
+        dragged = end_dragged ? std::nullopt : near, drag_began = false;
         if (dragged) input.go_to = keys[*dragged].time;
     }
     if (held && end_dragged && has_path && ImGui::IsMouseDragging(0, 3)) {
@@ -210,6 +216,23 @@ void Timeline::bar(const TimelineView& view, TimelineInput& input) {
     }
     draw_moment(view, corner.y, middle + 0.6f * font);
     ImGui::PopClipRect();
+    key_menu(view, input);
+}
+
+/// Draws the menu of the key of this moment, if it is open.
+void Timeline::key_menu(const TimelineView& view, TimelineInput& input) {
+    if (!ImGui::BeginPopup("key")) return;
+    if (const auto here = key_at(view.editor.path(), view.time)) {
+        Keyframe key = view.editor.path().keys[*here];
+        const Parameter ease = ease_parameter(key.ease)[0];
+        ImGui::AlignTextToFramePadding();
+        ImGui::Text("key %d: %s", static_cast<int>(*here) + 1, ease.name.data());
+        ImGui::SameLine();
+        ImGui::SetNextItemWidth(10 * ImGui::GetFontSize());
+        if (draw_share(key.ease)) input.change = {*here, key, std::exchange(value_held, true)};
+        ImGui::TextDisabled("%s", ease.help);
+    }
+    ImGui::EndPopup();
 }
 
 /// Draws a lane for each track that something follows.
@@ -353,17 +376,6 @@ void Timeline::values(const TimelineView& view, TimelineInput& input) {
     if (fov != before) draft.fov = fov / times;
     if (typed && draft != key) input.change = {*here, draft, false};
     typing &= !typed;
-    Keyframe eased = key;
-    const Parameter ease = ease_parameter(eased.ease)[0];
-    const float width = 6 * ImGui::GetFontSize();
-    if (ImGui::GetItemRectMax().x + width + ImGui::CalcTextSize(ease.name.data()).x + 2 * style.ItemSpacing.x <= right)
-        ImGui::SameLine();
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(ease.name.data());
-    ImGui::SameLine();
-    ImGui::SetNextItemWidth(width);
-    if (draw_share(eased.ease)) input.change = {*here, eased, std::exchange(value_held, true)};
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", ease.help);
 }
 
 /// Draws the values of the key of a track that is chosen.

@@ -70,6 +70,7 @@ class Timeline {
     void draw_grid(const Music& music, float top, float bottom) const;
     void draw_moment(const TimelineView& view, float top, float bottom) const;
     void zoom();
+    void key_menu(const TimelineView& view, TimelineInput& input);
     void lanes(const TimelineView& view, TimelineInput& input);
     void lane(const TimelineView& view, const Track& track, TimelineInput& input);
     void values(const TimelineView& view, TimelineInput& input);
