@@ -30,6 +30,7 @@ SourceLines lines_of(const std::vector<TextPlace>& places, const Interpreter& in
         }
         const auto before = std::ranges::lower_bound(ends, place.at) - ends.begin();
         lines.bodies.push_back({known->second.number, static_cast<int>(before) + 1});
+        if (place.file == 0) lines.bodies.back().at = place.at;
     }
     return lines;
 }

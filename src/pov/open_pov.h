@@ -1,6 +1,7 @@
 // Opens scenes of POV-Ray.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct SourceLines {
     struct BodyLine {
         std::uint32_t file = 0;  // its number in `files`
         int number = 0;          // counted from 1
+        std::optional<std::size_t> at{};  // where the body's word stands in the scene's own text, if it does
     };
     std::vector<std::string> files{};  // their paths
     std::vector<BodyLine> bodies{};        // by the number of the body

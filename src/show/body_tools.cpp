@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "num/vec_math.h"
+#include "pov/open_scene.h"
 #include "scene/moving_scene.h"
 #include "scene/overlap.h"
 #include "show/external_editor.h"
@@ -23,12 +24,12 @@ constexpr std::array<DVec3, 3> world_axes{DVec3(1, 0, 0), DVec3(0, 1, 0), DVec3(
 void BodyTools::loaded(const Loaded& scene) {
     if (scene.opened) show_all();
     if (scene.opened)
-        bodies.open(scene.text);
+        bodies.open(scene.text, is_pov(scene.path));
     else if (bodies.edited.reload(scene.text))
         notes.announce("the file has other numbers now, which replace yours");
     drag.reset(), awaited = false, next.reset(), later.reset();
     good = scene.text;
-    bodies.take_lines(scene.lines);
+    bodies.take_lines(scene.lines, scene.text);
     if (bodies.edited.changed()) return show_anew();  // there may be other bodies than in the file
     bodies.look(*session.scene);
 }
@@ -225,6 +226,7 @@ bool BodyTools::remove() { return change_block(false); }
 bool BodyTools::change_block(bool copies) {
     if (!bodies.any()) return false;
     if (awaited) return later = copies, true;
+    if (bodies.read_only()) return notes.note("the text of this scene is changed in an editor: F4 opens it"), true;
     const bool light = bodies.light().has_value();
     const std::string name = (light ? "light " : "body ") + std::to_string(number() + 1);
     const std::string& before = bodies.edited.text();
@@ -299,6 +301,7 @@ void BodyTools::take_shown() {
                                       shown->scene->lights.size() != session.scene->lights.size();
             session.replace(std::move(shown->scene), false);
             good = shown->text;
+            bodies.take_lines(std::move(shown->lines), good);
             if (other_bodies && !next) bodies.close();
         }
     } else if (newest) {

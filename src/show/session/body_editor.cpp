@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "num/vec_math.h"
+#include "pov/literals.h"
 #include "show/session/handles.h"
 #include "text/light_text.h"
 
@@ -104,19 +105,38 @@ void BodyEditor::find_point(const Scene& scene) {
 
 void BodyEditor::look(const Scene& scene) {
     other_file.clear();
+    static const std::string none;
+    const std::string& text = povray ? none : edited.text();
     if (chosen_light) {
         if (chosen_light->light >= std::ssize(scene.lights)) return close();
         chosen_light->target &= scene.lights[std::size_t(chosen_light->light)].spot.has_value();
-        description = light_text(edited.text(), scene, chosen_light->light);
+        description = light_text(text, scene, chosen_light->light);
     }
     if (!chosen) return;
     if (chosen->at.body >= std::ssize(scene.primitives)) return close();
     const std::string before = description.kind;
-    description = body_text(edited.text(), scene, chosen->at.body, chosen->at.hit.leaf);
-    const auto body = static_cast<std::size_t>(chosen->at.body);
-    if (read_only() && body < lines.bodies.size())
-        description.line = lines.bodies[body].number, other_file = lines.files[lines.bodies[body].file];
+    description = body_text(text, scene, chosen->at.body, chosen->at.hit.leaf);
+    if (read_only() && std::size_t(chosen->at.body) < lines.bodies.size()) look_at_literals();
     if (description.kind.empty() || (!before.empty() && description.kind != before)) close();
+}
+
+/// Finds the line of the body chosen in a text for POV-Ray, and its numbers in it, which come before those of the
+/// scene.
+void BodyEditor::look_at_literals() {
+    const pov::SourceLines::BodyLine& place = lines.bodies[std::size_t(chosen->at.body)];
+    description.line = place.number, other_file = lines.files[place.file];
+    if (!place.at) return;
+    // Until a changed text was read, what is behind its first change stands further along by what the text has grown.
+    const std::string& text = edited.text();
+    const auto same = std::ranges::mismatch(text, lines_text).in1 - text.begin();
+    const std::size_t at = *place.at < std::size_t(same) ? *place.at : *place.at + text.size() - lines_text.size();
+    std::vector<BodyValue> values = pov::literals_of(text, at);
+    const auto makes = std::ranges::count(lines.bodies, place.at, &pov::SourceLines::BodyLine::at);
+    for (BodyValue& value : values)
+        if (makes > 1 && value.source.empty())
+            value.source =
+                "line " + std::to_string(place.number) + ", which makes " + std::to_string(makes) + " bodies";
+    description.values.insert(description.values.begin(), values.begin(), values.end());
 }
 
 bool BodyEditor::open_to_change(const BodyValue& value) const {

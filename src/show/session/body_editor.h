@@ -46,10 +46,11 @@ class BodyEditor {
         DVec3 point{0};
     };
 
-    /// Takes the text of a scene that was just opened; it is empty if its numbers cannot be changed.
-    void open(const std::string& text) { *this = {}, edited.open(text); }
-    /// Takes the lines of the bodies of a scene without such a text.
-    void take_lines(pov::SourceLines newer) { lines = std::move(newer); }
+    /// Takes the text of a scene that was just opened; it is empty if its numbers cannot be changed. Of one for POV-Ray
+    /// nothing else can.
+    void open(const std::string& text, bool for_povray = false) { *this = {}, edited.open(text), povray = for_povray; }
+    /// Takes the places of the bodies of a scene for POV-Ray in a text.
+    void take_lines(pov::SourceLines newer, const std::string& of) { lines = std::move(newer), lines_text = of; }
 
     /// Chooses the body that is seen at a point of the view's picture, in pixels, or none. The same point clicked again
     /// chooses the body behind the one chosen, and after the last one none. `now` is the scene at the moment seen, and
@@ -75,8 +76,8 @@ class BodyEditor {
     const BodyText& body() const { return description; }
     /// The file in which it stands, if that is not the scene's own; else "".
     const std::string& file() const { return other_file; }
-    /// Are there no numbers to change, because there is no text of the scene?
-    bool read_only() const { return edited.text().empty(); }
+    /// Can the text not be changed here, but for numbers of a scene for POV-Ray?
+    bool read_only() const { return povray || edited.text().empty(); }
     /// Looks at the text again, because the scene is another one. Chooses nothing if what was chosen is no longer
     /// there.
     void look(const Scene& scene);
@@ -99,7 +100,11 @@ class BodyEditor {
     std::optional<Ray<double>> clicked;
     BodyText description;
     std::string other_file;
+    void look_at_literals();
+
+    bool povray = false;
     pov::SourceLines lines;
+    std::string lines_text;  // in which these are
     std::set<std::string> allowed;
 };
 

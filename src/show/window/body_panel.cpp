@@ -91,7 +91,9 @@ BodyInput BodyPanel::draw(const BodyEditor& editor, const std::string& file, flo
                       chosen->at.hit.normal.x, chosen->at.hit.normal.y, chosen->at.hit.normal.z);
         dim_text(text);
     }
-    if (editor.read_only()) dim_text("read only: this text is changed in an editor");
+    if (editor.read_only())
+        dim_text(editor.edited.text().empty() ? "read only: this text is changed in an editor"
+                                              : "numbers that stand in the text are changed here");
     if (body.line > 0 && ImGui::SmallButton("open text")) input.command = {Action::open_text};
     if (editor.edited.changed()) {
         ImGui::SameLine();

@@ -54,7 +54,7 @@ Loaded loaded_scene(const std::string& path, const std::string& text, bool opene
             .mirrored = read.mirrored,
             .changes = read.changes,
             .lines = std::move(read.lines),
-            .text = is_pov(path) || text.size() > most_text ? std::string() : text};
+            .text = read.changes || text.size() > most_text ? std::string() : text};
 } catch (const FileError& error) {
     return {.path = path, .fault = error.what(), .opened = opened};
 }
@@ -136,7 +136,7 @@ class Reload::FileThread {
             OpeningOptions how = options;
             how.files = &read;
             Loaded loaded = loaded_scene(file, content, opened, how);
-            if (loaded.scene && !loaded.text.empty() && file != "-")
+            if (loaded.scene && !loaded.text.empty() && file != "-" && !is_pov(file))
                 loaded.tracks = text_of(tracks_path(file)).value_or("");
             if (file == path || loaded.scene) watch(file, std::move(read));
             return loaded;
@@ -298,6 +298,7 @@ void Reload::FileThread::show_text(const TextToShow& changed) {
         if (scene) loaded.scene = std::make_shared<const Scene>(*std::move(scene));
     }
     if (!loaded.scene) loaded = load(path, changed.text, false);
+    loaded.text = changed.text;  // also of one with an error
     {
         std::lock_guard lock(desk->mutex);
         desk->shown = std::move(loaded);
@@ -358,7 +359,7 @@ void Reload::FileThread::check_file() {
 Written Reload::FileThread::write_path(const Request& request) try {
     const bool bodies = request.changes.changed != request.changes.in_file;
     if (path == "-") return {.fault = "the scene came from standard input; Shift+C copies the path"};
-    if (is_pov(path)) return write_flight(request.flythrough);
+    if (is_pov(path) && !bodies) return write_flight(request.flythrough);
     const std::string content = read(path);
     if (content != text && !request.anyway) return {.file = path, .asks = true};
     // Throws: in texts with errors no block can be found.
@@ -368,14 +369,16 @@ Written Reload::FileThread::write_path(const Request& request) try {
     if (merged.lost)
         return {.fault = path + " has changed in lines that were changed here; undo, or copy it and reload"};
     const std::string text_now = bodies ? text_of(merged.text.changed) : content;
-    const std::string changed = same_path ? text_now : with_path(text_now, request.flythrough);
+    const bool beside = is_pov(path);  // the path has a file of its own
+    const std::string changed = same_path || beside ? text_now : with_path(text_now, request.flythrough);
     Loaded loaded = loaded_scene(path, changed, false, options);
-    if (!loaded.scene || loaded.scene->flythrough != request.flythrough)
+    if (!loaded.scene || (!beside && loaded.scene->flythrough != request.flythrough))
         return {.fault = "the changes cannot be written: " + loaded.fault};
     Written done{.file = path, .what = !bodies ? "path" : same_path ? "changes" : "path and changes"};
     if (content != own_text) write(done.copy = path + "~", content);
     write(path, changed);
     text = own_text = changed;
+    if (beside && !same_path) return write_flight(request.flythrough);
     tell(std::move(loaded));
     return done;
 } catch (const FileError& error) {
@@ -387,7 +390,7 @@ Written Reload::FileThread::write_flight(const std::optional<Flythrough>& flight
     Written done{.file = pov::flight_path(path), .what = "path"};
     const auto old = answer([&] { return text_of(done.file); });
     if (!old && !flight)
-        return {.fault = "scenes of POV-Ray are not changed here; F4 opens the line of the chosen body in your editor"};
+        return {.fault = "there is nothing to write; F4 opens the line of the chosen body in your editor"};
     const Loaded now = load(path, text, false);
     if (!now.scene) return {.fault = "the path cannot be written: " + now.fault};
     const std::string changed = pov::with_flight(old.value_or(""), flight, now.mirrored);

@@ -303,7 +303,7 @@ TEST_CASE("the lines around a body are those between its pixels and others") {
     CHECK(silhouette.lines().empty());
 }
 
-TEST_CASE("a body of a scene of POV-Ray stands in a line of its text, which only an editor changes") {
+TEST_CASE("a body of a scene of POV-Ray stands in a line of a text; those of other files only an editor changes") {
     const Scratch folder;
     std::ofstream(folder / "balls.inc") << "\r\n\r\n#macro Ball(P)\r\n  sphere { P, 1 }\r\n#end\r\n";
     const std::string text =
@@ -311,20 +311,58 @@ TEST_CASE("a body of a scene of POV-Ray stands in a line of its text, which only
         "// é\nBall(<0, 0, 0>) union { box { <-9, -9, 8>, <9, 9, 9> }\n sphere { 9, 1 } }";
     const OpenedScene opened = open_scene(text, folder / "scene.pov", {}, {});
     BodyEditor editor;
-    editor.open("");
-    editor.take_lines(opened.lines);
+    editor.open(text, true);
+    editor.take_lines(opened.lines, text);
     const View view = shown_view(opened.scene);
     editor.click(opened.scene, opened.scene, view, 80, 60);
     REQUIRE(editor.choice());
     CHECK(editor.body().kind == "sphere");
     CHECK(editor.body().line == 4);
     CHECK(editor.file() == folder / "balls.inc");
+    CHECK(editor.read_only());
+    for (const BodyValue& value : editor.body().values) CHECK(!editor.open_to_change(value));
     editor.click(opened.scene, opened.scene, view, 80, 60);
     REQUIRE(editor.choice());
     CHECK(editor.body().line == 6);
     CHECK(editor.file() == folder / "scene.pov");
-    CHECK(editor.read_only());
-    for (const BodyValue& value : editor.body().values) CHECK(!editor.open_to_change(value));
+}
+
+TEST_CASE("numbers that stand in a text for POV-Ray are changed there; of several bodies only when that is meant") {
+    const Scratch folder;
+    const std::string text =
+        "#declare R = 1;\ncamera { location <0, 0, -5> }\nsphere { 0, R pigment { rgb <1, 0, 0> } }\n"
+        "#for (I, 1, 2) box { -9, <9, 9, 9> translate 30*z*I } #end\n";
+    const auto open = [&](const std::string& now) { return open_scene(now, folder / "scene.pov", {}, {}); };
+    const OpenedScene opened = open(text);
+    BodyEditor editor;
+    editor.open(text, true);
+    editor.take_lines(opened.lines, text);
+    editor.choose(0, {}, opened.scene);
+    const auto value = [&](const std::string& name) {
+        const auto& values = editor.body().values;
+        return *std::ranges::find(values, name, &BodyValue::name);
+    };
+    CHECK(editor.open_to_change(value("pigment rgb")));
+    CHECK(!editor.open_to_change(value("rgb")));  // that of the scene
+    CHECK(!editor.open_to_change(value("radius")));
+    editor.allow("declare R, line 1");
+    CHECK(editor.change(value("radius"), std::array{1.25}, false, 0));
+    editor.look(opened.scene);  // the changed text has not been read yet
+    CHECK(editor.change(value("pigment rgb"), std::array{1., .5, 0.}, false, 0));
+    const std::string& changed = editor.edited.text();
+    CHECK(changed.starts_with("#declare R = 1.25;\n"));
+    CHECK(changed.find("sphere { 0, R pigment { rgb <1, 0.5, 0> } }\n#for") != changed.npos);
+    const OpenedScene now = open(changed);
+    editor.take_lines(now.lines, changed);
+    editor.look(now.scene);
+    CHECK(value("rgb").numbers == std::vector<double>{1, .5, 0});
+    CHECK(value("pigment rgb").numbers == value("rgb").numbers);
+    editor.choose(2, {}, now.scene);
+    CHECK(value("opposite corner").source == "line 4, which makes 2 bodies");
+    CHECK(!editor.open_to_change(value("opposite corner")));
+    CHECK(editor.edited.undo(0));
+    CHECK(editor.edited.undo(0));
+    CHECK(editor.edited.text() == text);
 }
 
 TEST_CASE("editors are started as each of them wants the line") {

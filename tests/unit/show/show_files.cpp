@@ -235,7 +235,7 @@ TEST_CASE("the flight of a scene of POV-Ray is written beside it, in its coordin
         return soon([&] { return (written = reload.take_written()).has_value(); });
     };
     REQUIRE(write({}));
-    CHECK(says(written->fault, "are not changed here"));
+    CHECK(says(written->fault, "there is nothing to write"));
     CHECK(folder.files() == 1);
     Flythrough flight{4, false, {{0, {1, 2, 3}, {0, 0, 0}, {}, {}}, {4, {3, 2, 1}, {0, 0, 0}, {}, {}}}};
     REQUIRE(write(flight));
@@ -253,6 +253,22 @@ TEST_CASE("the flight of a scene of POV-Ray is written beside it, in its coordin
     REQUIRE(write({}));
     CHECK(bytes_of(folder / "scene.flight") == "// mine\n");
     CHECK(bytes_of(path) == text);
+    // Numbers are written into the scene itself, and a path with them into its own file.
+    while (reload.take()) continue;
+    EditedText edited;
+    edited.open(text);
+    edited.change("camera { location <0, 0, -5> } sphere { 0, 2 }", false, 0);
+    reload.show(edited.text());
+    std::optional<Loaded> shown;
+    REQUIRE(soon([&] { return (shown = reload.take_shown()).has_value(); }));
+    CHECK(shown->text == edited.text());
+    CHECK(std::get<Sphere>(shown->scene->primitives[0].shape).radius == 2);
+    reload.write(flight, edited.changes(), true);
+    REQUIRE(soon([&] { return (written = reload.take_written()).has_value(); }));
+    CHECK(written->fault == "");
+    CHECK(bytes_of(path) == edited.text());
+    CHECK(bytes_of(folder / "scene.pov~") == text);
+    CHECK(says(bytes_of(folder / "scene.flight"), "duration 5"));
 }
 
 TEST_CASE("a scene of POV-Ray is read again when a file changes that it includes, and for moments of its clock") {

@@ -1,0 +1,85 @@
+// Numbers of bodies that stand in texts for POV-Ray.
+#include "pov/literals.h"
+
+#include <doctest/doctest.h>
+
+#include "tests/unit/pov/opened.h"
+
+using namespace strahl;
+
+namespace {
+
+/// Lists the numbers of a body: "radius 2; Gold, line 1: finish phong .5". Each must stand where its slices say.
+std::string literals(const std::string& text, const std::string& body) {
+    std::string all;
+    for (const BodyValue& value : pov::literals_of(text, text.find(body))) {
+        if (!all.empty()) all += "; ";
+        if (!value.source.empty()) all += value.source + ": ";
+        all += value.name;
+        REQUIRE(value.slices.size() == value.numbers.size());
+        for (std::size_t i = 0; i < value.slices.size(); ++i) {
+            const auto [begin, end] = value.slices[i];
+            all += (i > 0 ? ", " : " ") + text.substr(begin, end - begin);
+        }
+    }
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("numbers of a body are found by the words before them") {
+    CHECK(literals("sphere { <0, -1.5, 2e-1>, .5 pigment { color rgb <1, .2, .1> } finish { phong .9 ambient 0 } "
+                   "rotate <0, 30, 0> translate -2 }",
+                   "sphere") ==
+          "centre 0, -1.5, 2e-1; radius .5; pigment rgb 1, .2, .1; finish phong .9; finish ambient 0; rotate 0, 30, 0; "
+          "translate -2");
+    CHECK(literals("cone { 0, 1, <0, 2, 0>, 0 open texture { pigment { rgb .5 } scale 2 } }", "cone") ==
+          "base 0; base's radius 1; cap 0, 2, 0; cap's radius 0; pigment rgb .5; texture scale 2");
+    CHECK(literals("torus { 2, .25 }", "torus") == "torus 1 2; torus 2 .25");
+    CHECK(literals("difference { sphere { 0, 1 } box { -1, 1 } translate <1, 2, 3> }", "difference") ==
+          "translate 1, 2, 3");
+    CHECK(literals("difference { sphere { 0, 1 } box { -1, 1 } }", "box") == "corner -1; opposite corner 1");
+}
+
+TEST_CASE("what is computed is left out, and does not count for another argument") {
+    CHECK(literals("sphere { <0, 1, 2*3>, 4 translate 3*x rotate y*30 scale 1/2 }", "sphere") == "radius 4");
+    CHECK(literals("sphere { x, 2 }", "sphere") == "radius 2");
+    CHECK(literals("sphere { 2*x - y, 2 }", "sphere") == "radius 2");
+    CHECK(literals("sphere { 0, max(1, 2) finish { phong (.5) } }", "sphere") == "centre 0");
+    CHECK(literals("plane { y, -1 pigment { gradient x color_map { [0 rgb 1] [.5 rgb 0] } scale 3 } }", "plane") ==
+          "plane 2 -1; pigment scale 3");
+    CHECK(literals("sphere { 0, 1 #if (1) translate 2 #end }", "sphere") == "");
+    CHECK(literals("sphere { 0, 1 translate 2 - 1 }", "sphere") == "centre 0; radius 1");
+    CHECK(literals("sphere { /* 5 */ 0, 1 // 7\n }", "sphere") == "centre 0; radius 1");
+    for (const char* const text : {"sphere", "sphere {", "sphere { <", "sphere { <1,", "sphere { -", "sphere { 0, \"",
+                                   "sphere { ( ", "sphere { 0, 1 } } }", "light_source { 0, 1 }"})
+        CHECK_NOTHROW(literals(text, "s"));
+    CHECK(literals("light_source { 0, 1 }", "light") == "");
+    CHECK(pov::literals_of("sphere { 0, 1 }", 3).empty());
+    CHECK(pov::literals_of("", 0).empty());
+}
+
+TEST_CASE("names that are declared once are followed") {
+    const std::string text =
+        "#declare R = 2.5;\n#declare Gold = texture { pigment { rgb <1, .8, .3> } finish { phong .5 } };\n"
+        "#declare T = 1; #declare T = 2;\nsphere { 0, R texture { Gold } translate T }\nsphere { R, R*2 }";
+    CHECK(literals(text, "sphere { 0") ==
+          "centre 0; declare R, line 1: radius 2.5; declare Gold, line 2: pigment rgb 1, .8, .3; "
+          "declare Gold, line 2: finish phong .5");
+    CHECK(literals(text, "sphere { R") == "declare R, line 1: centre 2.5");
+    // One that names itself.
+    CHECK(literals("#declare A = texture { A finish { phong 1 } }; sphere { 0, 1 texture { A } }", "sphere").size() >
+          9);
+}
+
+TEST_CASE("a changed number is that of the scene") {
+    const std::string text = "camera { right -4/3*x }\nunion { sphere { <0, 1, 2>, 3 pigment { rgb <1, 0, 0> } } }";
+    const pov::OpenedPov before = opened(text, false);
+    REQUIRE(before.lines.bodies.size() == 1);
+    REQUIRE(before.lines.bodies[0].at);
+    const auto values = pov::literals_of(text, text.find("sphere"));
+    REQUIRE(values.size() == 3);
+    const std::string changed = with_numbers(text, values[0], std::array{0., -1.5, 2.});
+    CHECK(changed.find("sphere { <0, -1.5, 2>, 3 pigment") != changed.npos);
+    CHECK(shape<Sphere>(opened(changed, false).scene).centre == DVec3(0, -1.5, 2));
+}
