@@ -191,19 +191,19 @@ class SurfaceGrid {
 };
 
 /// A place on an edge of the grid, between a point that is inside and one that is outside.
-struct Crossing {
+struct EdgePlace {
     DVec3 a, b, p;
     double at_a, at_b, at_p = 0;
 };
 
 /// Moves all places to where the function is 0, by up to four steps of the regula falsi.
-void find_crossings(const Inside& inside, std::vector<Crossing>& all) {
-    std::vector<Crossing*> open;
-    for (Crossing& own : all) open.push_back(&own);
+void find_crossings(const Inside& inside, std::vector<EdgePlace>& all) {
+    std::vector<EdgePlace*> open;
+    for (EdgePlace& own : all) open.push_back(&own);
     std::vector<DVec3> points;
     for (int i = 0; i < 4 && !open.empty(); ++i) {
         points.clear();
-        for (Crossing* const own : open) {
+        for (EdgePlace* const own : open) {
             const double range = own->at_a - own->at_b;
             const double share = std::fabs(range) < outside / 2 ? std::clamp(own->at_a / range, .01, .99) : .5;
             points.push_back(own->p = own->a + share * (own->b - own->a));
@@ -211,7 +211,7 @@ void find_crossings(const Inside& inside, std::vector<Crossing>& all) {
         const std::vector<double> values = values_at(inside, points);
         std::size_t kept = 0;
         for (std::size_t n = 0; n < open.size(); ++n) {
-            Crossing& own = *open[n];
+            EdgePlace& own = *open[n];
             own.at_p = values[n];
             const double range = std::min(std::fabs(own.at_a - own.at_b), outside / 2);
             if (std::fabs(own.at_p) <= 1e-3 * range) continue;
@@ -236,7 +236,7 @@ MeshData level_surface(const Inside& inside, const Box& box, int cells) {
     }();
     const SurfaceGrid surface(inside, box, cells);
     const PointGrid& grid = surface.grid;
-    std::vector<Crossing> crossings;
+    std::vector<EdgePlace> crossings;
     std::vector<std::int32_t> numbers(3 * grid.number(0, 0, cells + 1), -1);  // of the edges from each point
     MeshData mesh;
     surface.for_each_cut_cell([&](int i, int j, int k, int below) {
@@ -264,7 +264,7 @@ MeshData level_surface(const Inside& inside, const Box& box, int cells) {
     find_crossings(inside, crossings);
     const double step = length(box.size()) / cells * 1e-3;
     std::vector<DVec3> beside;
-    for (const Crossing& own : crossings)
+    for (const EdgePlace& own : crossings)
         for (const DVec3& way : {DVec3(step, 0, 0), DVec3(0, step, 0), DVec3(0, 0, step)})
             beside.push_back(own.p + way);
     const std::vector<double> values = values_at(inside, beside);
