@@ -19,7 +19,7 @@ namespace strahl::pov {
 namespace {
 
 constexpr int most_levels = 8;  // of declarations that name others
-constexpr std::size_t most_values = 200;
+constexpr std::size_t most_values = 200, most_names = 100;
 
 constexpr std::array body_codes{word("sphere"), word("box"),        word("cylinder"),    word("cone"),   word("torus"),
                                 word("plane"),  word("disc"),       word("triangle"),    word("object"), word("union"),
@@ -96,6 +96,7 @@ class BlockNumbers {
     TextFile file;
     std::vector<RawToken>& tokens;
     std::vector<BodyValue> values;
+    std::size_t names_read = 0;
 };
 
 std::size_t BlockNumbers::closing(std::size_t i) const {
@@ -158,7 +159,7 @@ std::size_t BlockNumbers::declaration(std::uint32_t name) const {
 /// Reads what a name at `i` stands for; `name` is what the panel calls a number of it.
 void BlockNumbers::read_name(std::size_t i, const std::string& name, int level) {
     if (is_operator(tokens[i - 1].code) || is_operator(tokens[i + 1].code) || tokens[i + 1].code == '(') return;
-    const std::size_t at = level < most_levels ? declaration(tokens[i].index) : 0;
+    const std::size_t at = level < most_levels && ++names_read <= most_names ? declaration(tokens[i].index) : 0;
     if (at == 0) return;
     const std::string source =
         "declare " + word_at(i) + ", line " + std::to_string(line_number(file.text, tokens[at].at));
@@ -209,7 +210,8 @@ void BlockNumbers::read_block(std::size_t begin, const std::string& source, int 
             if (const auto behind = read_value(i, value)) {
                 count += argument, add(std::move(value), name(), source), i = *behind - 1;
             } else if (token.code == '<') {
-                i = closing(i), count += argument && !is_operator(tokens[i + 1].code);
+                i = closing(i);
+                if (i < end) count += argument && !is_operator(tokens[i + 1].code);
             } else {
                 count += argument && token.code == number_code && !is_operator(tokens[i + 1].code);
             }

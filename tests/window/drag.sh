@@ -103,4 +103,20 @@ xdotool mousemove --window "$id" 25 92 sleep 0.2 click 1 sleep 0.3 key o \
     sleep 0.3 mousemove --window "$id" 186 160 sleep 0.2 click 1
 await 'chosen: body 3, plane, line 7'
 quit
+
+echo "-- a number that stands in a .pov scene is typed, and written in place"
+printf '%s\n' '#declare R = 1;' 'camera { location <0, 0, -6> look_at 0 } light_source { -9, 1 }' \
+    'sphere { 0, R*2 pigment { rgb <1, 0, 0> } finish { phong .5 } } // mine' >ball.pov
+cp ball.pov before.pov
+start ball.pov --size 640x400
+xdotool mousemove --window "$id" 250 200 click 1
+await 'chosen: body 1, sphere, line 3'
+xdotool sleep 0.3 mousemove --window "$id" 480 163 sleep 0.1 click --repeat 2 1 type .75
+xdotool key Return
+await 'the changed text is shown'
+xdotool mousemove --window "$id" 100 300 key F2
+await 'changes written into ball.pov'
+[[ $(diff before.pov ball.pov | grep '^>') == '> sphere { 0, R*2 pigment { rgb <1, 0, 0> } finish { phong 0.75 } } // mine' ]] ||
+    fault "the .pov: $(diff before.pov ball.pov)"
+quit
 finish

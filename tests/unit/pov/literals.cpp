@@ -51,9 +51,16 @@ TEST_CASE("what is computed is left out, and does not count for another argument
     CHECK(literals("sphere { 0, 1 #if (1) translate 2 #end }", "sphere") == "");
     CHECK(literals("sphere { 0, 1 translate 2 - 1 }", "sphere") == "centre 0; radius 1");
     CHECK(literals("sphere { /* 5 */ 0, 1 // 7\n }", "sphere") == "centre 0; radius 1");
-    for (const char* const text : {"sphere", "sphere {", "sphere { <", "sphere { <1,", "sphere { -", "sphere { 0, \"",
-                                   "sphere { ( ", "sphere { 0, 1 } } }", "light_source { 0, 1 }"})
-        CHECK_NOTHROW(literals(text, "s"));
+    // Whatever is missing at its end, or in it.
+    const std::string whole =
+        "#declare A = <1, -2>; sphere { <0, -1, 2*(3)>, A[1] texture { A \"b\" pigment { rgb <1, 2> } } #if (1) 5 #end "
+        "}";
+    for (std::size_t begin = 0; begin < whole.size(); ++begin)
+        for (std::size_t count = 0; begin + count <= whole.size(); ++count) {
+            std::string text = whole;
+            const std::size_t at = text.erase(begin, count).find("sphere");
+            if (at != text.npos) CHECK_NOTHROW(pov::literals_of(text, at));
+        }
     CHECK(literals("light_source { 0, 1 }", "light") == "");
     CHECK(pov::literals_of("sphere { 0, 1 }", 3).empty());
     CHECK(pov::literals_of("", 0).empty());
