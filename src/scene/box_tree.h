@@ -4,7 +4,6 @@
 #include <cmath>
 #include <compare>
 #include <cstddef>
-#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
@@ -18,25 +17,35 @@ namespace strahl {
 template <class Item, class Position>
 void halve(std::span<Item> items, const Position& position) {
     Box all;
+    bool finite = true;
     for (const Item& item : items) {
         const DVec3 p = position(item);
-        if (std::isfinite(p.x + p.y + p.z)) all.add(p);
+        if (std::isfinite(p.x + p.y + p.z))
+            all.add(p);
+        else
+            finite = false;
     }
     const DVec3 size = all.size();
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    std::nth_element(items.begin(), items.begin() + std::ptrdiff_t(items.size() / 2), items.end(),
-                     [&](const Item& a, const Item& b) {
-                         return std::strong_order(position(a)[axis], position(b)[axis]) < 0;
-                     });
+    const auto divide = [&](const auto& is_before) {
+        std::nth_element(items.begin(), items.begin() + std::ptrdiff_t(items.size() / 2), items.end(),
+                         [&](const Item& a, const Item& b) { return is_before(position(a)[axis], position(b)[axis]); });
+    };
+    if (finite)
+        divide([](double a, double b) { return a < b; });
+    else
+        divide([](double a, double b) { return std::strong_order(a, b) < 0; });
 }
 
 /// Boxes halved down to single ones, with a box around each half. Two halves are compared only where a visitor finds
 /// that they may matter: where few boxes meet, n of them take time n log n however they lie.
 class BoxTree {
   public:
-    explicit BoxTree(std::vector<Box> all) : boxes(std::move(all)), order(boxes.size()), around(4 * boxes.size() + 1) {
-        std::iota(order.begin(), order.end(), 0);
-        if (!boxes.empty()) build(root());
+    explicit BoxTree(std::vector<Box> all) : boxes(std::move(all)), around(4 * boxes.size() + 1) {
+        std::vector<Corner> corners;
+        for (const Box& box : boxes) corners.push_back({box.low, corners.size()});
+        if (!boxes.empty()) build(root(), corners);
+        for (const Corner& own : corners) order.push_back(own.box);
     }
 
     /// Some of the boxes, which follow each other in the tree's order.
@@ -74,11 +83,16 @@ class BoxTree {
     }
     Subtree root() const { return {0, 0, boxes.size()}; }
 
-    void build(const Subtree& some) {
+    /// The lower corner of a box, and its number.
+    struct Corner {
+        DVec3 low;
+        std::size_t box;
+    };
+    void build(const Subtree& some, std::span<Corner> corners) {
         Box& own = around[some.index];
-        if (some.count == 1) return void(own = boxes[first(some)]);
-        halve(std::span(order).subspan(some.first, some.count), [&](std::size_t i) { return boxes[i].low; });
-        build(some.lower()), build(some.upper());
+        if (some.count == 1) return void(own = boxes[corners[0].box]);
+        halve(corners, [](const Corner& corner) { return corner.low; });
+        build(some.lower(), corners.first(some.count / 2)), build(some.upper(), corners.subspan(some.count / 2));
         own.add(box(some.lower())), own.add(box(some.upper()));
     }
     template <class Visitor>

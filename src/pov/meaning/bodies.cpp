@@ -1,10 +1,15 @@
 // Makes primitives of POV-Ray's bodies.
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <map>
 
 #include "num/vec_math.h"
 #include "pov/meaning/scene_maker.h"
 #include "scene/leaves.h"
+#include "scene/overlap.h"
 #include "text/reading/parameter.h"
 
 namespace strahl::pov {
@@ -353,29 +358,36 @@ Primitive without_materials(Primitive body) {
 void SceneMaker::drop_shadow_copies() {
     std::vector<bool> gone(shown.size());
     const auto is_copy = [&](std::size_t i) { return shown[i].no_image && shown[i].no_reflection; };
-    std::vector<std::size_t> copies;
-    for (std::size_t i = 0; i < shown.size(); ++i)
-        if (is_copy(i)) copies.push_back(i);
-    for (std::size_t i = 0; i < shown.size() && !copies.empty(); ++i) {
+    // Bodies by the boxes around them: only those with one box can be the same.
+    std::map<std::array<std::uint64_t, 6>, std::vector<std::size_t>> places;
+    const auto place_of = [&](std::size_t i) {
+        const auto& [low, high] = world_bounds(scene.primitives[i]);
+        const auto bits = [](double v) { return std::bit_cast<std::uint64_t>(v + 0.); };  // -0 becomes 0
+        return std::array{bits(low.x), bits(low.y), bits(low.z), bits(high.x), bits(high.y), bits(high.z)};
+    };
+    if (std::ranges::any_of(shown, [](const Seen& own) { return own.no_image || own.no_reflection; }))
+        for (std::size_t i = 0; i < shown.size(); ++i) places[place_of(i)].push_back(i);
+    for (std::size_t i = 0; i < shown.size() && !places.empty(); ++i) {
         if (!shown[i].no_shadow || is_copy(i)) continue;
         const Primitive& seen = scene.primitives[i];
-        const auto same = std::ranges::find_if(copies, [&](std::size_t n) {
+        const auto& beside = places.at(place_of(i));
+        const auto same = std::ranges::find_if(beside, [&](std::size_t n) {
+            if (!is_copy(n) || gone[n]) return false;
             Primitive copy = scene.primitives[n];
             copy.material = seen.material;
             const Material &own = materials[seen.material], &shadow = materials[scene.primitives[n].material];
             return copy == seen && std::fabs(own.refraction * max_of(own.rgb.color) -
                                              shadow.refraction * max_of(shadow.rgb.color)) < 1e-6;
         });
-        if (same == copies.end()) continue;
+        if (same == beside.end()) continue;
         gone[*same] = true, shown[i].no_shadow = false;
-        copies.erase(same);
     }
     for (std::size_t i = 0; i < shown.size(); ++i) {
         Seen& own = shown[i];
         if (gone[i] || !(own.no_image || own.no_reflection)) continue;
         const Primitive bare = without_materials(scene.primitives[i]);
         std::size_t same = 0;
-        for (const Primitive& other : scene.primitives) same += without_materials(other) == bare;
+        for (const std::size_t n : places.at(place_of(i))) same += without_materials(scene.primitives[n]) == bare;
         if (same == 1) continue;
         // Leaves it out: rays meet only the first of several bodies in one place.
         notes.left_out(own.place, "a body that not all rays see, in the place of another");
