@@ -12,9 +12,7 @@
 #include "scene/overlap.h"
 
 namespace strahl {
-namespace {
 
-/// Does the ray, from its start on, meet the box?
 bool meets(const Box& box, const Ray<double>& ray) {
     double near = 0, far = std::numeric_limits<double>::infinity();
     for (int i = 0; i < 3; ++i) {
@@ -28,6 +26,8 @@ bool meets(const Box& box, const Ray<double>& ray) {
     }
     return near <= far * (1 + 1e-9) + 1e-9;
 }
+
+namespace {
 
 /// Returns a box around a triangle, a little wider than that.
 Box box_of(const MeshData& mesh, std::size_t triangle) {

@@ -12,6 +12,9 @@
 
 namespace strahl {
 
+/// Does a ray, from its start on, meet a box?
+bool meets(const Box& box, const Ray<double>& ray);
+
 /// Trees of the triangles of meshes, for those who look along many rays.
 class MeshTrees {
   public:

@@ -79,6 +79,9 @@ std::string Interpreter::State::load(const std::string& path) {
 }
 
 std::string Interpreter::State::find(const std::string& name, const std::vector<std::string>& extensions, bool must) {
+    std::string key = name;
+    for (const std::string& extension : extensions) key += '\n' + extension;
+    if (const auto known = found_files.find(key); known != found_files.end()) return known->second;
     const TextPlace at = last;
     const auto fault = [&](const std::string& text) {
         if (must) fail(at, text);
@@ -110,7 +113,7 @@ std::string Interpreter::State::find(const std::string& name, const std::vector<
             return fault(
                 strahl::quoted(name) + " lies outside of the scene's folder and of the library folders; --library " +
                 strahl::quoted(fs::weakly_canonical(path, ignored).parent_path().string()) + " allows to read it");
-        const std::string found = path.string();
+        const std::string found = found_files[key] = path.string();
         if (std::ranges::find(paths, found) != paths.end()) return found;
         paths.push_back(found);
         if (options.files) options.files->push_back(found);

@@ -12,12 +12,16 @@
 namespace strahl::pov {
 namespace {
 
-const std::vector<Primitive>& bodies_of(Interpreter& in, const Thing& thing) {
+const std::vector<std::pair<Primitive, Box>>& bodies_of(Interpreter& in, const Thing& thing) {
     const auto& object = dynamic_cast<const ObjectThing&>(thing);
     if (!object.made.bodies) {
         const PovContents nothing;
-        object.made.bodies =
-            std::make_shared<const std::vector<Primitive>>(SceneMaker(in, {}, nothing, false).bodies_of(object));
+        std::vector<std::pair<Primitive, Box>> made;
+        for (Primitive& body : SceneMaker(in, {}, nothing, false).bodies_of(object)) {
+            const Box box = world_bounds(body);
+            made.emplace_back(std::move(body), box);
+        }
+        object.made.bodies = std::make_shared<const std::vector<std::pair<Primitive, Box>>>(std::move(made));
     }
     return *object.made.bodies;
 }
@@ -25,13 +29,13 @@ const std::vector<Primitive>& bodies_of(Interpreter& in, const Thing& thing) {
 }  // namespace
 
 bool PovLayer::inside(Interpreter& in, const Thing& object, const DVec3& point) {
-    return std::ranges::any_of(bodies_of(in, object), [&](const Primitive& body) { return contains(body, point); });
+    return std::ranges::any_of(bodies_of(in, object), [&](const auto& own) { return contains(own.first, point); });
 }
 
 std::pair<DVec3, DVec3> PovLayer::extent(Interpreter& in, const Thing& object) {
     constexpr double far = 1e10;
     Box box;
-    for (const Primitive& body : bodies_of(in, object)) box.add(world_bounds(body));
+    for (const auto& [body, own] : bodies_of(in, object)) box.add(own);
     if (box.empty()) return {DVec3(0), DVec3(0)};
     for (int i = 0; i < 3; ++i) {
         box.low[i] = static_cast<float>(std::max(box.low[i], -far));
@@ -47,8 +51,10 @@ bool PovLayer::trace(Interpreter& in, const Thing& object, const DVec3& from, co
     if (!(size > 0)) return false;
     const Ray<double> ray{from, direction / size, {}};
     double nearest = most;
-    for (const Primitive& body : bodies_of(in, object))
-        if (const auto hits = ray_hits(body, ray, least, nearest, &trees); !hits.empty())
+    for (const auto& [body, box] : bodies_of(in, object))
+        if (!meets(box, ray))
+            continue;
+        else if (const auto hits = ray_hits(body, ray, least, nearest, &trees); !hits.empty())
             nearest = hits[0].t, normal = hits[0].normal;
     if (nearest == most) return false;
     hit = from + nearest * ray.direction;

@@ -42,12 +42,13 @@ struct PlacedTexture {
     Steps steps;
 };
 
-/// The bodies of an object, once a scene has asked for them; a copy, which may be changed, has none.
+/// The bodies of an object with boxes around them, once a scene has asked for them; a copy, which may be changed, has
+/// none.
 struct MadeBodies {
     MadeBodies() = default;
     MadeBodies(const MadeBodies&) {}
     MadeBodies& operator=(const MadeBodies&) { return bodies.reset(), *this; }
-    mutable std::shared_ptr<const std::vector<Primitive>> bodies;
+    mutable std::shared_ptr<const std::vector<std::pair<Primitive, Box>>> bodies;
 };
 
 struct ObjectThing : Thing {
