@@ -1,5 +1,6 @@
 // Any bytes, read as the language of POV-Ray's scenes, either end with a FileError or are read to their end, within the
-// limits of steps and memory; and so they do as scene text with directives, as an .ini file, and as a flight.
+// limits of steps and memory; and so they do as a whole scene, as scene text with directives, as an .ini file, and as
+// a flight.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -13,6 +14,7 @@
 #include "pov/flight_file.h"
 #include "pov/ini_file.h"
 #include "pov/language/interpreter.h"
+#include "pov/open_pov.h"
 #include "tests/attack/written_again.h"
 
 namespace {
@@ -45,6 +47,9 @@ InterpreterOptions few_steps() {
     options.limits.bytes = 8 << 20;
     return options;
 }
+
+/// Makes the bodies, materials and lights of a scene.
+void open_whole(const std::string& text) { open_pov(text, few_steps(), strahl::made_up_pixels); }
 
 /// Scene text without its directives gives a scene that survives being written.
 void expand_text(const std::string& text) {
@@ -96,7 +101,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     } catch (const strahl::FileError& error) {
         strahl::attack::check_message(error, 6000);
     }
-    for (const auto read : {expand_text, read_ini_file, read_flight}) try {
+    for (const auto read : {open_whole, expand_text, read_ini_file, read_flight}) try {
             read(text);
         } catch (const strahl::FileError& error) {
             strahl::attack::check_message(error, 20000);

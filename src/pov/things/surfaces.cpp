@@ -157,20 +157,28 @@ MeshData superellipsoid(double e, double n) {
     constexpr int around = 128, up = 64;
     const auto power = [](double v, double exponent) { return std::copysign(std::pow(std::fabs(v), exponent), v); };
     const auto exact = [](double v) { return std::fabs(v) < 1e-12 ? 0 : v; };
-    MeshBuilder mesh;
-    const auto place = [&](int i, int j, double east, double north) {
-        const double u = 2 * std::numbers::pi * (i % around) / around, v = std::numbers::pi * (double(j) / up - .5);
-        const double c = j == 0 || j == up ? 0 : std::cos(v);
-        return DVec3(power(c, north) * power(exact(std::cos(u)), east),
-                     power(c, north) * power(exact(std::sin(u)), east), power(exact(std::sin(v)), north));
+    const auto powers = [&](int count, const auto& angle, double exponent) {
+        std::vector<Point2> all;
+        for (int i = 0; i <= count; ++i)
+            all.push_back({power(exact(std::cos(angle(i))), exponent), power(exact(std::sin(angle(i))), exponent)});
+        return all;
     };
+    const auto u = [](int i) { return 2 * std::numbers::pi * (i % around) / around; };
+    const auto v = [](int j) { return std::numbers::pi * (double(j) / up - .5); };
+    const std::vector<Point2> east = powers(around, u, e), north = powers(up, v, n);
+    const std::vector<Point2> east_slopes = powers(around, u, 2 - e), north_slopes = powers(up, v, 2 - n);
+    const auto place = [](const Point2& about, const Point2& along) {
+        return DVec3(along[0] * about[0], along[0] * about[1], along[1]);
+    };
+    MeshBuilder mesh;
     for (int i = 0; i < around; ++i)
         for (int j = 0; j < up; ++j) {
             const std::array<std::array<int, 2>, 4> corners{{{i, j}, {i + 1, j}, {i + 1, j + 1}, {i, j + 1}}};
             std::array<DVec3, 4> points, normals;
             for (std::size_t k = 0; k < 4; ++k) {
-                points[k] = place(corners[k][0], corners[k][1], e, n);
-                normals[k] = e < 2 && n < 2 ? place(corners[k][0], corners[k][1], 2 - e, 2 - n) : DVec3(0);
+                const auto x = std::size_t(corners[k][0]), y = std::size_t(corners[k][1]);
+                points[k] = place(east[x], north[y]);
+                normals[k] = e < 2 && n < 2 ? place(east_slopes[x], north_slopes[y]) : DVec3(0);
             }
             mesh.add_square(points, normals);
         }
