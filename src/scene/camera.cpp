@@ -1,5 +1,9 @@
 #include "scene/camera.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include "num/vec_math.h"
 #include "scene/motion/curve.h"
 #include "scene/tangent.h"
@@ -79,6 +83,19 @@ Camera camera_at(const Flythrough& path, const Camera& scene_camera, double time
             if (!degenerate(camera)) return camera;
         }
     return camera;
+}
+
+Camera filled_view(const Camera& camera, double aspect) {
+    if (!camera.aspectratio) return camera;
+    Camera wider = camera;
+    wider.aspectratio.reset();
+    constexpr double degree = std::numbers::pi / 180, widest = 89;
+    const double factor = std::max(1., aspect / *camera.aspectratio);
+    if (factor > 1 && angular(camera.projection))
+        wider.fov = std::min(360., camera.fov * factor);
+    else if (factor > 1)
+        wider.fov = std::max(camera.fov, std::min(widest, std::atan(std::tan(camera.fov * degree) * factor) / degree));
+    return wider;
 }
 
 }  // namespace strahl

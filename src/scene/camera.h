@@ -127,4 +127,9 @@ struct Flythrough {
 /// and where the result would be degenerate it takes its axes from a moment before or after.
 Camera camera_at(const Flythrough& path, const Camera& scene_camera, double time);
 
+/// Returns the camera without its aspectratio, for a picture of `aspect` = width / height: it shows all that the camera
+/// shows, in the right proportions, and more above and below or to both sides, up to 89 degrees from the middle, or 360
+/// if its sides are angles.
+Camera filled_view(const Camera& camera, double aspect);
+
 }  // namespace strahl

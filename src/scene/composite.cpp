@@ -36,6 +36,15 @@ bool fits_composite(const Shape& shape) {
     return std::visit(fits, shape);
 }
 
+const ContourData* contours_of(const Shape& shape) {
+    return std::visit(
+        []<class Kind>(const Kind& kind) -> const ContourData* {
+            if constexpr (has_contours<Kind>) return kind.data.get();
+            return nullptr;
+        },
+        shape);
+}
+
 int leaves_of(const Shape& shape) {
     return sum_of_leaves(shape, [](const auto&) { return 1; });
 }

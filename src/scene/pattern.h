@@ -138,13 +138,11 @@ struct Pattern {
     bool operator==(const Pattern&) const = default;
     /// Has it patterns among its colours?
     bool nests() const {
-        return std::ranges::any_of(colors, [](const ColorStop& stop) { return stop.pattern != nullptr; });
+        bool any = false;
+        for (const ColorStop& stop : colors) any = any || stop.pattern;
+        return any;
     }
 };
-inline bool ColorStop::operator==(const ColorStop& other) const {
-    const bool same = pattern == other.pattern || (pattern && other.pattern && *pattern == *other.pattern);
-    return same && at == other.at && color == other.color && filter == other.filter && transmit == other.transmit;
-}
 
 /// Calls visit(pattern) for a pattern and for those among its colours.
 template <class Visit>
@@ -166,26 +164,10 @@ struct Pigment {
 
     Pigment(const Color& color) : color(color) {}
     Pigment(double red, double green, double blue) : color(red, green, blue) {}
-    explicit Pigment(Pattern own) : pattern(std::make_shared<const Pattern>(std::move(own))) {
-        const auto include = [&](const Color& own) {
-            for (int c = 0; c < 3; ++c) color[c] = std::max(color[c], own[c]);
-        };
-        const auto add = [&](const auto& most) {
-            include(most.color);
-            filter = std::max(filter, most.filter), transmit = std::max(transmit, most.transmit);
-        };
-        for (const ColorStop& stop : pattern->colors) stop.pattern ? add(Pigment(*stop.pattern)) : add(stop);
-        if (const ImagePattern* const image = std::get_if<ImagePattern>(&pattern->kind)) {
-            include(image->pixels->largest);
-            if (image->once) include(*image->once);
-        }
-    }
+    explicit Pigment(Pattern own);
     /// Does light come through anywhere?
     bool clear() const { return filter > 0 || transmit > 0; }
-    bool operator==(const Pigment& other) const {
-        return color == other.color && filter == other.filter && transmit == other.transmit &&
-               (pattern == other.pattern || (pattern && other.pattern && *pattern == *other.pattern));
-    }
+    bool operator==(const Pigment& other) const;
 };
 
 /// A pattern that bends normals, and how much. Where a surface is seen from behind, its normal is turned round before
@@ -193,10 +175,7 @@ struct Pigment {
 struct Relief {
     std::shared_ptr<const Pattern> pattern;  // without colours; null if there is none
     double height = 0;
-    bool operator==(const Relief& other) const {
-        return height == other.height &&
-               (pattern == other.pattern || (pattern && other.pattern && *pattern == *other.pattern));
-    }
+    bool operator==(const Relief& other) const;
 };
 
 /// Bends normals as if a pattern of values raised the surface: n - height G, where G is the pattern's gradient. Both

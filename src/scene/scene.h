@@ -1,6 +1,5 @@
 // A scene as a plain value: the contents of an .rt file, in double.
 #pragma once
-#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -65,11 +64,10 @@ struct Scene {
     bool operator==(const Scene&) const = default;
     /// Has it anything that the article's equation lacks?
     bool finished() const {
-        const auto special = [](const Light& light) {
-            return light.shadowless || light.soft || light.fades() || light.from;
-        };
-        return settings.adc_bailout > 0 || (fog && fog->filter > 0) ||
-               !std::ranges::all_of(materials, &Material::plain) || std::ranges::any_of(lights, special);
+        bool any = settings.adc_bailout > 0 || (fog && fog->filter > 0);
+        for (const Material& own : materials) any = any || !own.plain();
+        for (const Light& own : lights) any = any || own.shadowless || own.soft || own.fades() || own.from;
+        return any;
     }
 };
 

@@ -11,7 +11,7 @@
 #include "image/picture_writer.h"
 #include "num/decimal.h"
 #include "num/thread_pool.h"
-#include "scene/filled_view.h"
+#include "scene/camera.h"
 #include "scene/moving_scene.h"
 #include "show/work/stills.h"
 #include "text/reading/scene_files.h"

@@ -10,7 +10,7 @@
 #include "image/transfer.h"
 #include "main/process/progress.h"
 #include "num/decimal.h"
-#include "scene/filled_view.h"
+#include "scene/camera.h"
 #include "trace/cells/cell_picture.h"
 #include "trace/measure/prove_again.h"
 

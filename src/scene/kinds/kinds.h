@@ -26,14 +26,7 @@ using Shape = std::variant<Sphere, Plane, Cylinder, Cone, Cuboid, Disc, Torus, P
 /// Can it be a part of a composite? Meshes can if they are closed.
 bool fits_composite(const Shape& shape);
 /// The contours of a shape; null if it is of a kind without contours.
-inline const ContourData* contours_of(const Shape& shape) {
-    return std::visit(
-        []<class Kind>(const Kind& kind) -> const ContourData* {
-            if constexpr (has_contours<Kind>) return kind.data.get();
-            return nullptr;
-        },
-        shape);
-}
+const ContourData* contours_of(const Shape& shape);
 /// The number of simple bodies that a shape consists of.
 int leaves_of(const Shape& shape);
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/filled_view.h"
+#include "scene/camera.h"
 
 namespace strahl {
 
