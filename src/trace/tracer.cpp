@@ -2,6 +2,7 @@
 
 #include <cassert>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <utility>
 
@@ -88,6 +89,10 @@ class TracerOf : public AnyTracer {
     }
 
   private:
+    /// Traces a piece of a picture in the thread whose number is given.
+    template <class Piece>
+    using Work = std::function<void(Batches<T>&, const Piece&, int)>;
+
     Counts traced(const Job& job, const Lattice& lattice) {
         return each_tile(job, lattice, lattice_tile, 0, [&](Batches<T>& batches, const Lattice& tile, int) {
             batches.trace_tile(tile, job.sink);
@@ -169,8 +174,7 @@ class TracerOf : public AnyTracer {
     }
 
     /// Calls work(batches, tile, thread) for the tiles of a lattice, on all threads.
-    template <class Work>
-    Counts each_tile(const Job& job, const Lattice& lattice, int side, double noticed, const Work& work) {
+    Counts each_tile(const Job& job, const Lattice& lattice, int side, double noticed, const Work<Lattice>& work) {
         const int columns = (lattice.columns + side - 1) / side;
         const int tiles = columns * ((lattice.rows + side - 1) / side);
         return each(job, tiles, noticed, [&](Batches<T>& batches, int i, int thread) {
@@ -184,8 +188,7 @@ class TracerOf : public AnyTracer {
     }
 
     /// Calls work(batches, i, thread) for 0 <= i < tiles, on all threads.
-    template <class Work>
-    Counts each(const Job& job, int tiles, double noticed, const Work& work, bool averages = false) {
+    Counts each(const Job& job, int tiles, double noticed, const Work<int>& work, bool averages = false) {
         const View& view = job.view;
         ThreadPool& pool = job.pool;
         while (static_cast<int>(workspaces.size()) < pool.size())
