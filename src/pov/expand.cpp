@@ -38,13 +38,13 @@ std::size_t word_length(std::string_view text) {
     return static_cast<std::size_t>(std::ranges::find_if_not(text, is_part_of_word) - text.begin());
 }
 
-std::string text_of(const Components& value) {
-    if (value.count == 1) return strahl::text_of(value.value[0]);
+std::string written(const Components& value) {
+    if (value.count == 1) return text_of(value.value[0]);
     // Writes three numbers of a colour that lets nothing through.
     const int count = value.count == 5 && value.value[3] == 0 && value.value[4] == 0 ? 3 : value.count;
     std::string text = "<";
     for (int i = 0; i < count; ++i)
-        text += (i > 0 ? ", " : "") + strahl::text_of(value.value[static_cast<std::size_t>(i)]);
+        text += (i > 0 ? ", " : "") + text_of(value.value[static_cast<std::size_t>(i)]);
     return text + ">";
 }
 
@@ -64,6 +64,7 @@ bool at_value(Interpreter& in, std::string_view rest) {
 
 bool has_directives(std::string_view text) {
     for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] != '#' && text[i] != '/' && text[i] != '"') continue;
         const std::string_view rest = text.substr(i);
         if (rest[0] == '#') {
             const std::string_view behind = rest.substr(std::min(rest.find_first_not_of(" \t", 1), rest.size()));
@@ -99,7 +100,7 @@ ExpandedText expand(std::string text, const InterpreterOptions& options) {
         all.text += '\n';
         all.origins.push_back({all.text.size(), *path, *whole, place.at});
         if (at_value(in, rest)) {
-            all.text += text_of(in.read_components());
+            all.text += written(in.read_components());
         } else if (in.at_string()) {
             all.text += '"' + in.read_file_name() + '"';
         } else {

@@ -28,10 +28,6 @@ constexpr std::array body_codes{word("sphere"), word("box"),        word("cylind
 constexpr std::array value_codes{word("x"),   word("y"),    word("z"),     word("u"),  word("v"),
                                  word("t"),   word("pi"),   word("clock"), word("on"), word("off"),
                                  word("yes"), word("true"), word("false"), word("no")};
-template <std::size_t n>
-bool is_one_of(std::uint16_t code, const std::array<std::uint16_t, n>& words) {
-    return std::ranges::find(words, code) != words.end();
-}
 /// Returns whether a token before or after a number makes that an operand.
 bool is_operator(std::uint16_t code) {
     return std::string_view("*/+-.?:&|!").find(static_cast<char>(code)) != std::string_view::npos && code >= 32 &&

@@ -57,14 +57,6 @@ std::optional<PathSlices> find_path(const std::string& text) {
     return slices;
 }
 
-/// The slice with the white space before it, including at most one end of a line.
-TextSlice with_space(const std::string& text, TextSlice slice) {
-    const auto blank = [&](std::size_t i) { return text[i - 1] == ' ' || text[i - 1] == '\t'; };
-    while (slice.begin > 0 && blank(slice.begin)) --slice.begin;
-    if (slice.begin > 0 && text[slice.begin - 1] == '\n') --slice.begin;
-    return slice;
-}
-
 /// The slice to remove for a key: its line, unless something else is on it.
 TextSlice with_line(const std::string& text, TextSlice key) {
     const std::size_t next = text.find_first_not_of(" \t", key.end);

@@ -53,16 +53,6 @@ std::optional<TrackSlices> find_track(const std::string& text, std::string_view 
     return std::nullopt;
 }
 
-/// Returns the slice with the white space before it on its line, and with the end of the line before if nothing else
-/// is on it.
-TextSlice with_space(const std::string& text, TextSlice slice) {
-    const auto blank = [&](std::size_t i) { return text[i - 1] == ' ' || text[i - 1] == '\t'; };
-    while (slice.begin > 0 && blank(slice.begin)) --slice.begin;
-    const bool alone = slice.end == text.size() || text[slice.end] == '\n' || text[slice.end] == '\r';
-    if (alone && slice.begin > 0 && text[slice.begin - 1] == '\n') --slice.begin;
-    return slice;
-}
-
 /// Returns the white space between the first two keys, or else as Strahl writes it.
 std::string space_between(const std::string& text, const std::vector<TextSlice>& keys) {
     if (keys.size() < 2) return "\n  ";

@@ -4,6 +4,14 @@
 
 namespace strahl {
 
+TextSlice with_space(const std::string& text, TextSlice slice) {
+    const auto blank = [&](std::size_t i) { return text[i - 1] == ' ' || text[i - 1] == '\t'; };
+    while (slice.begin > 0 && blank(slice.begin)) --slice.begin;
+    const bool alone = slice.end == text.size() || text[slice.end] == '\n' || text[slice.end] == '\r';
+    if (alone && slice.begin > 0 && text[slice.begin - 1] == '\n') --slice.begin;
+    return slice;
+}
+
 std::string with_changes(const std::string& text, std::vector<TextChange> changes) {
     std::ranges::stable_sort(changes, {}, [](const TextChange& change) { return change.at.begin; });
     std::string result;

@@ -16,6 +16,9 @@ inline TextSlice slice_of(const std::string& text, std::string_view part) {
     const auto begin = std::size_t(part.data() - text.data());
     return {begin, begin + part.size()};
 }
+/// Returns the slice with the white space before it on its line, and with the end of the line before if nothing else
+/// is on it.
+TextSlice with_space(const std::string& text, TextSlice slice);
 
 /// Another text in place of a slice; one of an empty slice is inserted there.
 struct TextChange {

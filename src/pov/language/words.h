@@ -539,4 +539,10 @@ struct TokenCode {
 /// Names a token in messages: "'{'", "'sphere'", "a number".
 std::string name_of_code(std::uint16_t code);
 
+/// Returns whether a word is among some of them.
+template <std::size_t count>
+bool is_one_of(std::uint16_t code, const std::array<std::uint16_t, count>& words) {
+    return std::ranges::find(words, code) != words.end();
+}
+
 }  // namespace strahl::pov

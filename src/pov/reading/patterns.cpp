@@ -15,11 +15,6 @@ bool at_single(Interpreter& in) {
            kind != ValueKind::vector4 && kind != ValueKind::color;
 }
 
-template <std::size_t count>
-bool is_one_of(std::uint16_t code, const std::array<std::uint16_t, count>& words) {
-    return std::ranges::find(words, code) != words.end();
-}
-
 constexpr std::uint16_t nested_word(ValueKind level) {
     return level == ValueKind::pigment  ? word("pigment")
            : level == ValueKind::normal ? word("normal")

@@ -12,7 +12,7 @@ namespace strahl::pov {
 namespace {
 
 constexpr double farthest = 1e17;  // POV-Ray's COORDINATE_LIMIT
-constexpr double turn = 2 * std::numbers::pi;
+constexpr double full_turn = 2 * std::numbers::pi;
 
 /// Returns x, y and z of the plane z = 0 as those of the plane across `orientation`, which is an axis.
 DVec3 oriented(const DVec3& p, const DVec3& orientation) {
@@ -24,7 +24,7 @@ DVec3 oriented(const DVec3& p, const DVec3& orientation) {
 /// Returns the angle of (x, z) from the x axis, from 0 to 1.
 double turn_of(double x, double z, double away) {
     if (z == 0) return x > 0 ? 0 : .5;
-    const double angle = std::acos(x / away) / turn;
+    const double angle = std::acos(x / away) / full_turn;
     return z < 0 ? 1 - angle : angle;
 }
 
@@ -76,7 +76,7 @@ struct WarpPoint {
             if (own.shape == RoundWarp::Shape::torus) {
                 const double x = level - own.major_radius;
                 away = std::sqrt(x * x + p.y * p.y);
-                up = std::acos(-x / away) / turn;
+                up = std::acos(-x / away) / full_turn;
                 if (p.y > 0) up = 1 - up;
             }
         }
