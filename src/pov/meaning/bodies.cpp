@@ -1,15 +1,13 @@
 // Makes primitives of POV-Ray's bodies.
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <map>
+#include <unordered_map>
 
 #include "num/vec_math.h"
 #include "pov/meaning/scene_maker.h"
 #include "scene/leaves.h"
-#include "scene/overlap.h"
 #include "text/reading/parameter.h"
 
 namespace strahl::pov {
@@ -134,44 +132,55 @@ bool close(Shape& shape) {
 
 }  // namespace
 
+/// Sets what a body takes over, but for transformations.
+void SceneMaker::take_over(const ObjectThing& object, Looks& own) {
+    if (object.texture) own.texture = object.texture->texture;
+    if (object.interior) own.interior = object.interior;
+    if (object.texture || object.interior) own.shared = nullptr;
+    own.no_shadow |= object.no_shadow.value_or(false);
+    own.no_image |= object.no_image.value_or(false);
+    own.no_reflection |= object.no_reflection.value_or(false);
+}
+
+/// Returns the steps from an object's own space into that of its texture.
+Steps SceneMaker::to_owner(const ObjectThing& object, const Around& around) {
+    if (object.texture)
+        return {object.steps.begin(), object.steps.end() - static_cast<std::ptrdiff_t>(object.texture->steps.size())};
+    Steps way = object.steps;
+    append(way, around.to_owner);
+    return way;
+}
+
 SceneMaker::Around SceneMaker::inside(const ObjectThing& object, const Around& around) const {
     Around own = around;
     own.after = object.steps;
     append(own.after, around.after);
-    if (object.texture) {
-        own.texture = object.texture->texture;
-        own.to_owner.assign(object.steps.begin(),
-                            object.steps.end() - static_cast<std::ptrdiff_t>(object.texture->steps.size()));
-        own.shared = nullptr;
-    } else {
-        own.to_owner = object.steps;
-        append(own.to_owner, around.to_owner);
-    }
-    if (object.interior) own.interior = object.interior, own.shared = nullptr;
-    own.no_shadow |= object.no_shadow.value_or(false);
-    own.no_image |= object.no_image.value_or(false);
-    own.no_reflection |= object.no_reflection.value_or(false);
+    own.to_owner = to_owner(object, around);
+    take_over(object, own);
     return own;
 }
 
 int SceneMaker::number_of(Shared& shared) {
-    if (!shared.number) shared.number = number_of(*shared.within, false);
+    if (!shared.number)
+        shared.number = number_of(*shared.within, false, [&] { return inverse(shared.within->to_owner); });
     return *shared.number;
 }
-/// Returns the number of the material that holds in the space around a part, or in an object's own space.
-int SceneMaker::number_of(const Around& own, bool mapped) {
+/// Returns the number of a material; `way()` leads from its texture's space into that where it holds.
+template <class Way>
+int SceneMaker::number_of(const Looks& own, bool mapped, const Way& way) {
     const MaterialUse use{
         .mapped = mapped, .shadow_only = own.no_image && own.no_reflection, .no_shadow = own.no_shadow};
-    return materials.number(own.texture, own.interior, use, [&] { return inverse(own.to_owner); });
+    return materials.number(own.texture, own.interior, use, way);
 }
 
 /// Returns the number of an object's material, whose pattern is in the object's own space or, if the material is that
 /// of the composites around it, in the space of the outermost of these.
 int SceneMaker::material_of(const ObjectThing& object, const Around& around, bool mapped) {
     if (around.clips) return materials.nothing();
-    const Around own = inside(object, around);
+    Looks own = around;
+    take_over(object, own);
     if (own.shared) return number_of(*own.shared);
-    const int number = number_of(own, mapped);
+    const int number = number_of(own, mapped, [&] { return inverse(to_owner(object, around)); });
     const bool doubtful = around.shared && materials[number].patterned() && number == number_of(*around.shared);
     return doubtful ? materials.apart(number) : number;
 }
@@ -297,7 +306,8 @@ void SceneMaker::push(Part part, const ObjectThing& object, const Around& around
     const auto more = transformations_of(around.after, mirrored);
     std::vector<Transformation>& own = part.primitive.transformations;
     own.insert(own.end(), more.begin(), more.end());
-    const Around flags = inside(object, around);
+    Looks flags = around;
+    take_over(object, flags);
     shown.push_back({flags.no_shadow, flags.no_image, flags.no_reflection, object.place});
     scene.primitives.push_back(std::move(part.primitive));
 }
@@ -345,6 +355,23 @@ void SceneMaker::take(double Material::*part, Primitive& body) {
 
 namespace {
 
+/// Hashes what a body is and where: equal ones have equal hashes.
+std::size_t place_of(const Primitive& body) {
+    std::size_t hash = body.shape.index();
+    const auto add = [&](const DVec3& v) {
+        for (int i = 0; i < 3; ++i)
+            hash = (hash ^ std::bit_cast<std::uint64_t>(v[i] + 0.)) * 0x9E3779B97F4A7C15u;  // -0 becomes 0
+    };
+    const Box own = std::visit([](const auto& shape) { return shape.bounds(); }, body.shape);
+    add(own.low), add(own.high);
+    for (const Transformation& step : body.transformations) {
+        if (const auto* const turn = std::get_if<Rotate>(&step)) add(turn->degrees);
+        if (const auto* const move = std::get_if<Translate>(&step)) add(move->by);
+        if (const auto* const scale = std::get_if<Scale>(&step)) add(scale->by);
+    }
+    return hash ^ hash >> 32;
+}
+
 Primitive without_materials(Primitive body) {
     body.material = 0;
     change_parts(body, [](Primitive& part) { part = without_materials(part); });
@@ -358,19 +385,19 @@ Primitive without_materials(Primitive body) {
 void SceneMaker::drop_shadow_copies() {
     std::vector<bool> gone(shown.size());
     const auto is_copy = [&](std::size_t i) { return shown[i].no_image && shown[i].no_reflection; };
-    // Bodies by the boxes around them: only those with one box can be the same.
-    std::map<std::array<std::uint64_t, 6>, std::vector<std::size_t>> places;
-    const auto place_of = [&](std::size_t i) {
-        const auto& [low, high] = world_bounds(scene.primitives[i]);
-        const auto bits = [](double v) { return std::bit_cast<std::uint64_t>(v + 0.); };  // -0 becomes 0
-        return std::array{bits(low.x), bits(low.y), bits(low.z), bits(high.x), bits(high.y), bits(high.z)};
-    };
-    if (std::ranges::any_of(shown, [](const Seen& own) { return own.no_image || own.no_reflection; }))
-        for (std::size_t i = 0; i < shown.size(); ++i) places[place_of(i)].push_back(i);
+    // The bodies that may be the same as one that not all rays see, by a hash of shape and place.
+    std::unordered_map<std::size_t, std::vector<std::size_t>> places;
+    for (std::size_t i = 0; i < shown.size(); ++i)
+        if (shown[i].no_image || shown[i].no_reflection) places[place_of(scene.primitives[i])];
+    for (std::size_t i = 0; i < shown.size() && !places.empty(); ++i)
+        if (const auto known = places.find(place_of(scene.primitives[i])); known != places.end())
+            known->second.push_back(i);
     for (std::size_t i = 0; i < shown.size() && !places.empty(); ++i) {
         if (!shown[i].no_shadow || is_copy(i)) continue;
         const Primitive& seen = scene.primitives[i];
-        const auto& beside = places.at(place_of(i));
+        const auto known = places.find(place_of(seen));
+        if (known == places.end()) continue;
+        const std::vector<std::size_t>& beside = known->second;
         const auto same = std::ranges::find_if(beside, [&](std::size_t n) {
             if (!is_copy(n) || gone[n]) return false;
             Primitive copy = scene.primitives[n];
@@ -387,23 +414,24 @@ void SceneMaker::drop_shadow_copies() {
         if (gone[i] || !(own.no_image || own.no_reflection)) continue;
         const Primitive bare = without_materials(scene.primitives[i]);
         std::size_t same = 0;
-        for (const std::size_t n : places.at(place_of(i))) same += without_materials(scene.primitives[n]) == bare;
+        for (const std::size_t n : places.at(place_of(scene.primitives[i]))) same += without_materials(scene.primitives[n]) == bare;
         if (same == 1) continue;
         // Leaves it out: rays meet only the first of several bodies in one place.
         notes.left_out(own.place, "a body that not all rays see, in the place of another");
         gone[i] = own.no_image, own.no_reflection = false;
     }
-    std::vector<Primitive> kept;
-    kept.reserve(shown.size());
+    std::size_t kept = 0;
     for (std::size_t i = 0; i < shown.size(); ++i) {
         if (gone[i]) continue;
+        Primitive& own = scene.primitives[kept];
+        if (kept++ != i) own = std::move(scene.primitives[i]);
         const auto& [no_shadow, no_image, no_reflection, place] = shown[i];
-        if (no_shadow) take(&Material::shadow, scene.primitives[i]);
-        if (no_image) take(&Material::seen, scene.primitives[i]);
-        if (no_reflection) take(&Material::mirrored, scene.primitives[i]);
-        kept.push_back(std::move(scene.primitives[i])), kept_places.push_back(place);
+        if (no_shadow) take(&Material::shadow, own);
+        if (no_image) take(&Material::seen, own);
+        if (no_reflection) take(&Material::mirrored, own);
+        kept_places.push_back(place);
     }
-    scene.primitives = std::move(kept);
+    scene.primitives.resize(kept);
 }
 
 }  // namespace strahl::pov

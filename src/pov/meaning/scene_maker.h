@@ -40,15 +40,18 @@ class SceneMaker {
         const Around* within;
         std::optional<int> number;
     };
-    /// Holds the properties that an object takes over from the objects around it.
-    struct Around {
-        Steps after;     // transformations of these, the innermost one's first
-        Steps to_owner;  // from the space around the object into that of the texture
+    /// How an object looks that has no properties of its own.
+    struct Looks {
         std::shared_ptr<const TextureThing> texture;
         std::shared_ptr<const InteriorThing> interior;
         bool no_shadow = false, no_image = false, no_reflection = false;
-        bool clips = false;        // it clips another object, and is not seen itself
         Shared* shared = nullptr;  // of the outermost composite from which it has its texture
+    };
+    /// Holds the properties that an object takes over from the objects around it.
+    struct Around : Looks {
+        Steps after;         // transformations of these, the innermost one's first
+        Steps to_owner;      // from the space around the object into that of the texture
+        bool clips = false;  // it clips another object, and is not seen itself
     };
     struct Part {
         Primitive primitive;
@@ -56,12 +59,15 @@ class SceneMaker {
     };
     // bodies.cpp
     void add(const ObjectThing& object, const Around& around);
+    static void take_over(const ObjectThing& object, Looks& own);
+    static Steps to_owner(const ObjectThing& object, const Around& around);
     Around inside(const ObjectThing& object, const Around& around) const;
     std::optional<Part> build(const ObjectThing& object, const Around& around);
     std::optional<Part> build_parts(const ObjectThing& object, const Around& around);
     std::optional<Part> clipped(const ObjectThing& object, const Around& around, Part part);
     int number_of(Shared& shared);
-    int number_of(const Around& own, bool mapped);
+    template <class Way>
+    int number_of(const Looks& own, bool mapped, const Way& way);
     int material_of(const ObjectThing& object, const Around& around, bool mapped);
     void push(Part part, const ObjectThing& object, const Around& around);
     void tell_notes(const ObjectThing& object) const;
