@@ -414,7 +414,8 @@ void SceneMaker::drop_shadow_copies() {
         if (gone[i] || !(own.no_image || own.no_reflection)) continue;
         const Primitive bare = without_materials(scene.primitives[i]);
         std::size_t same = 0;
-        for (const std::size_t n : places.at(place_of(scene.primitives[i]))) same += without_materials(scene.primitives[n]) == bare;
+        for (const std::size_t n : places.at(place_of(scene.primitives[i])))
+            same += without_materials(scene.primitives[n]) == bare;
         if (same == 1) continue;
         // Leaves it out: rays meet only the first of several bodies in one place.
         notes.left_out(own.place, "a body that not all rays see, in the place of another");
