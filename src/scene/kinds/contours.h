@@ -34,24 +34,29 @@ struct Contour {
     bool operator==(const Contour&) const = default;
 };
 
-/// Finds the zero of a function between `low` and `high`, where its signs differ: by Newton's steps, or half of what is
-/// known where these would lead out of it. `value(t)` returns the value and its slope; `below` tells whether the value
-/// at `low` is below 0. In lanes outside of the mask it returns anything.
+/// Finds the zero of a function between `low` and `high`, where its signs differ: by Newton's steps from `t` on, or
+/// half of what is known where these would lead out of it. `value(t)` returns the value and its slope; `below` tells
+/// whether the value at `low` is below 0. In lanes outside of the mask it returns anything. It ends with the step whose
+/// square is less than a rounding: what is left then is of that order.
 template <class S, class Value>
-STRAHL_INLINE S zero_between(const Value& value, S low, S high, Mask<S> below, Mask<S> lanes) {
-    constexpr Element<S> bits = std::numeric_limits<Element<S>>::epsilon();
-    S t = S(Element<S>(.5)) * (low + high);
+STRAHL_INLINE S zero_between(const Value& value, S low, S high, S t, Mask<S> below, Mask<S> lanes) {
+    const S least(std::sqrt(std::numeric_limits<Element<S>>::epsilon()) / 16);
     for (int i = 0; i < 80 && any(lanes); ++i) {
         const auto [y, slope] = value(t);
         const Mask<S> before = either(below, Mask<S>(!(y < S(0))));
         low = select(before, t, low), high = select(before, high, t);
         const S newton = t - y / slope, half = S(Element<S>(.5)) * (low + high);
-        const S next = select((newton >= low) & (newton <= high), newton, half), step = abs(next - t);
-        const Mask<S> found = y == S(0), close = !(step > S(bits) * max(abs(t), S(Element<S>(.25))));
+        const Mask<S> leads = (newton >= low) & (newton <= high);
+        const S next = select(leads, newton, half), step = abs(next - t);
+        const Mask<S> found = y == S(0), goes_on = step > least * max(abs(t), S(Element<S>(.25)));
         t = select(lanes & !found, next, t);  // those that are done stay where they are
-        lanes = lanes & !(found | close);
+        lanes = lanes & !found & (goes_on | (Mask<S>(step > S(0)) & !leads));
     }
     return t;
+}
+template <class S, class Value>
+STRAHL_INLINE S zero_between(const Value& value, S low, S high, Mask<S> below, Mask<S> lanes) {
+    return zero_between<S>(value, low, high, S(Element<S>(.5)) * (low + high), below, lanes);
 }
 
 /// The points a + t (2 h + t (e + t d)) of a contour for t from 0 to 1. It ends at c, where the next piece begins. `d`
@@ -60,6 +65,26 @@ STRAHL_INLINE S zero_between(const Value& value, S low, S high, Mask<S> below, M
 template <class T>
 struct ContourPiece {
     T ax, ay, cx, cy, hx, hy, ex, ey, dx, dy;
+
+    /// Converts it to numbers of more digits, and makes the last of them such that it ends at c: as rounded, it does
+    /// not.
+    template <class R>
+    ContourPiece<R> as() const {
+        ContourPiece<R> all{R(ax), R(ay), R(cx), R(cy), R(hx), R(hy), R(ex), R(ey), R(dx), R(dy)};
+        if constexpr (std::is_same_v<R, T>) return all;
+        const auto end = [](R a, R c, R& h, R& e, R& d, bool cubic, bool curved) {
+            if (cubic)
+                d = c - a - 2 * h - e;
+            else if (curved)
+                e = c - a - 2 * h;
+            else
+                h = (c - a) / 2;
+        };
+        const bool cubic = dx != 0 || dy != 0, curved = ex != 0 || ey != 0;
+        end(all.ax, all.cx, all.hx, all.ex, all.dx, cubic, curved);
+        end(all.ay, all.cy, all.hy, all.ey, all.dy, cubic, curved);
+        return all;
+    }
 
     /// Returns the t of a point <x, y> of the piece. It is found along the chord, along which the piece has one point
     /// everywhere; where it is steep there this is off by the square root of a rounding, and a step along the piece
@@ -173,16 +198,20 @@ STRAHL_INLINE void cross_contours(const ContourPiece<Element<S>>* pieces, int co
             const Mask<S> comes = either(right, Mask<S>(begin < zero)), goes = either(right, Mask<S>(end >= zero));
             twice = lanes & !changes & comes & goes;
             if (none(single | twice)) continue;
-            S extreme = one;
+            S extreme = one, there = to;
             if (any(twice)) {
                 const S square = fma(middle, middle, -(begin * end));
                 extreme = select(twice, zeros_between(begin, middle, end, square).first, one);
-                twice = twice & either(right, Mask<S>(value(extreme).first < zero));
-                extreme = select(twice, extreme, one);
+                there = value(extreme).first;
+                twice = twice & either(right, Mask<S>(there < zero));
+                extreme = select(twice, extreme, one), there = select(twice, there, to);
                 if (none(single | twice)) continue;
             }
-            first = zero_between<S>(value, zero, extreme, right, Mask<S>(single | twice));
-            last = any(twice) ? zero_between<S>(value, extreme, one, Mask<S>(!right), twice) : first;
+            const S share = from / (from - there), other = there / (there - to);
+            first = zero_between<S>(value, zero, extreme, extreme * share, right, Mask<S>(single | twice));
+            last = any(twice) ? zero_between<S>(value, extreme, one, fma(one - extreme, other, extreme),
+                                                Mask<S>(!right), twice)
+                              : first;
         }
         const auto place = [&](const S& t) __attribute__((always_inline)) {
             const S bend = fma(t, line.along(S(piece.dx), S(piece.dy)), line.along(e_x, e_y));

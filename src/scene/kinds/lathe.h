@@ -1,6 +1,6 @@
 // The body that a contour makes when it turns about an axis.
 #pragma once
-#include <type_traits>
+#include <limits>
 
 #include "scene/kinds/prism.h"
 #include "scene/kinds/turning.h"
@@ -11,31 +11,55 @@ namespace strahl {
 template <class T>
 struct LatheKernel : ContourKernel<T> {
     static constexpr int caps = 0;
+    static constexpr bool in_double = true;  // wants lines as doubles, for zeros of high degree lose half of the digits
     using Base = ContourKernel<T>;
     using Base::box, Base::centre, Base::count, Base::row_x, Base::row_y, Base::row_z, Base::turn;
-    using R = std::conditional_t<sizeof(T) == 4, double, T>;
 
-    /// As for a prism, but for one ray after the other, and crossings behind the start may be left out. In every number
-    /// type but long double it is computed in double.
-    template <class S, class PieceOf, class Crossed>
-    STRAHL_INLINE void each_crossing(const ContourPiece<T>* pieces, const PieceOf&, const Ray<S>& ray, S start,
-                                     Mask<S> lanes, const Crossed& crossed) const {
-        lanes = lanes & (((start >= S(0)) & (start < S(count))) | box.may_meet(ray));
-        for (int k = 0; k < width<S> && any(lanes); ++k) {
-            const Mask<S> own = lanes & only(start, k);
-            if (none(own)) continue;
-            const auto pick = [k](const Vec3<S>& v) { return Vec3<T>(one_of(v.x, k), one_of(v.y, k), one_of(v.z, k)); };
-            const T face = one_of(start, k);
-            const bool starts_here = face >= 0 && face < count;
-            const Mask<S> stays(starts_here ? own : own & !own);
-            each_crossing<S>(
-                pieces, pick(ray.origin), pick(ray.direction),
-                starts_here ? static_cast<int>(face) : -1, [&](R place, int i) __attribute__((always_inline)) {
-                    const S t(static_cast<T>(place));
-                    const Mask<S> there = own & (stays | box.holds(ray, t, abs(t)));
-                    if (any(there)) crossed(there, t, S(static_cast<T>(i)));
-                });
-        }
+    /// As for a prism, but crossings behind the start may be left out. V has doubles, or more digits.
+    template <class V, class PieceOf, class Crossed>
+    STRAHL_INLINE void each_crossing(const ContourPiece<T>* pieces, const PieceOf&, const Ray<V>& ray, V start,
+                                     Mask<V> lanes, const Crossed& crossed) const {
+        using R = Element<V>;
+        const V zero(0), one(1), infinite(std::numeric_limits<R>::infinity());
+        Mask<V> starts = lanes & (start >= zero) & (start < V(count));
+        lanes = lanes & (starts | box.may_meet(ray));
+        if (none(lanes)) return;
+        const Vec3<V> origin = turn(ray.origin - splat<V>(centre)), way = turn(ray.direction);
+        const V per = one / sqrt(dot(way, way));
+        const Vec3<V> unit = scale(per, way);
+        // Counts places from where the line is nearest to the centre: there they have the most digits.
+        const V shift = select(starts, zero, -dot(origin, unit));
+        const auto line = LineAroundAxis<V>::of(fma(shift, unit, origin), unit);
+        lanes = lanes & (starts | line.meets(V(R(1.001)), V(R(1.001))));
+        // A ray that starts on a piece leaves out the place nearest to its start, on this piece or else another:
+        // rounding may have moved the start over an edge.
+        const auto size = [](const auto& v) { return abs(v.x) + abs(v.y) + abs(v.z); };
+        const V tolerance = V(32 * R(std::numeric_limits<T>::epsilon())) *
+                            (one + V(R(size(row_x)) + R(size(row_y)) + R(size(row_z))) * size(ray.origin));
+        const Mask<V> stays = starts;
+        for (int pass = any(starts) ? 0 : 1; pass < 2; ++pass)
+            for (int i = 0; i < static_cast<int>(count); ++i) {
+                const Mask<V> here = start == V(static_cast<R>(i)),
+                              own = lanes & (pass == 0 ? stays & here : !(stays & here));
+                if (none(own)) continue;
+                TurnedPlaces<V> places = cross_turned(pieces[i].template as<R>(), line, own);
+                if (any(starts & own)) {
+                    V nearest = infinite;
+                    for (const V& place : places) nearest = min(abs(place), nearest);
+                    const V limit = pass == 0 ? V(4) * sqrt(tolerance) : tolerance;
+                    Mask<V> left_out = starts & own & (nearest < limit);
+                    starts = starts & !left_out;
+                    for (V& place : places) {
+                        const Mask<V> now = left_out & (abs(place) == nearest);
+                        place = select(now, infinite, place), left_out = left_out & !now;
+                    }
+                }
+                for (const V& place : places) {
+                    const V t = (place + shift) * per;
+                    const Mask<V> there = own & (place < infinite) & (stays | box.holds(ray, t, abs(t)));
+                    if (any(there)) crossed(there, t, V(static_cast<R>(i)));
+                }
+            }
     }
     /// Returns the points and the normals of pieces at `t`.
     template <class S>
@@ -55,76 +79,6 @@ struct LatheKernel : ContourKernel<T> {
         const S across = select(behind, -up, up) * per;
         const Mask<S> none_known = (up == zero) & (out == zero);
         return {position, this->normal(across * p.x, select(none_known, one, -out), across * p.z)};
-    }
-
-  private:
-    /// Returns lane k, and the mask of this lane.
-    template <class S>
-    STRAHL_INLINE static T one_of(const S& a, int k) {
-        if constexpr (strahl::width<S> > 1)
-            return lane(a, k);
-        else
-            return a;
-    }
-    template <class S>
-    STRAHL_INLINE static Mask<S> only(const S&, int k) {
-        if constexpr (strahl::width<S> > 1)
-            return with_lane(S(T(0)), k, T(1)) > S(T(0));
-        else
-            return true;
-    }
-    /// Calls visit(t, i) where a ray crosses the surface of piece i. It may start on that of piece `own`.
-    template <class S, class Visit>
-    STRAHL_INLINE void each_crossing(const ContourPiece<T>* pieces, const Vec3<T>& origin, const Vec3<T>& direction,
-                                     int own, const Visit& visit) const {
-        const auto turned = [this](const Vec3<T>& v, const Vec3<T>& from) {
-            const R x = R(v.x) - R(from.x), y = R(v.y) - R(from.y), z = R(v.z) - R(from.z);
-            const auto along = [&](const Vec3<T>& row) { return x * R(row.x) + y * R(row.y) + z * R(row.z); };
-            return Vec3<R>(along(row_x), along(row_y), along(row_z));
-        };
-        const auto dot = [](const Vec3<R>& v, const Vec3<R>& w) { return v.x * w.x + v.y * w.y + v.z * w.z; };
-        const Vec3<R> start = turned(origin, centre), way = turned(direction, Vec3<T>(0));
-        const R per = 1 / std::sqrt(dot(way, way));
-        const Vec3<R> unit(way.x * per, way.y * per, way.z * per);
-        // Counts places from where the line is nearest to the centre: there they have the most digits.
-        const R shift = own >= 0 ? R(0) : -dot(start, unit);
-        const auto line = LineAroundAxis<R>::of(
-            Vec3<R>(start.x + shift * unit.x, start.y + shift * unit.y, start.z + shift * unit.z), unit);
-        if (own < 0 && !line.meets(R(1.001), R(1.001))) return;
-        // A ray that starts on a piece leaves out the place nearest to its start. Rounding may have made it cross
-        // another piece there, or none.
-        const auto size = [](const Vec3<T>& v) { return std::abs(R(v.x)) + std::abs(R(v.y)) + std::abs(R(v.z)); };
-        const R tolerance =
-            32 * R(std::numeric_limits<T>::epsilon()) * (1 + (size(row_x) + size(row_y) + size(row_z)) * size(origin));
-        bool starts = own >= 0;
-        for (int n = starts ? -1 : 0; n < static_cast<int>(count); ++n) {
-            if (n == own) continue;
-            const int i = n < 0 ? own : n;
-            std::array<R, 6> places;
-            int found = crossings<S>(pieces[i], line, places);
-            if (starts && found > 0) {
-                const auto size_less = [](R a, R b) { return std::abs(a) < std::abs(b); };
-                R& nearest = *std::min_element(places.begin(), places.begin() + found, size_less);
-                if (std::abs(nearest) < (i == own ? 4 * std::sqrt(tolerance) : tolerance))
-                    nearest = places[--found], starts = false;
-            }
-            for (int m = 0; m < found; ++m) visit((places[m] + shift) * per, i);
-        }
-    }
-    /// Calls a function with code of its own for packs: it is long, and the call costs little.
-    template <class S>
-    STRAHL_INLINE static int crossings(const ContourPiece<T>& piece, const LineAroundAxis<R>& line,
-                                       std::array<R, 6>& places) {
-        constexpr bool packed = strahl::width<S> != 1;
-        if constexpr (packed)
-            return call_crossings<S>(piece, line, places);
-        else
-            return cross_turned(piece, line, places);
-    }
-    template <class S>
-    [[gnu::noinline]] static int call_crossings(const ContourPiece<T>& piece, const LineAroundAxis<R>& line,
-                                                std::array<R, 6>& places) {
-        return cross_turned(piece, line, places);
     }
 };
 

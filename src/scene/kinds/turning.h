@@ -5,181 +5,241 @@
 #include <cmath>
 #include <limits>
 
+#include "num/uninitialized.h"
 #include "scene/kinds/contours.h"
 
 namespace strahl {
 
 /// A line about the y axis: at s its height is `height` + s `rise`, and its distance from the axis the root of
 /// `least`^2 + (`along` + s `speed`)^2. rise^2 + speed^2 is 1.
-template <class R>
+template <class V>
 struct LineAroundAxis {
-    R height, rise, along, speed, least;
+    V height, rise, along, speed, least;
 
     /// May it come into the cylinder about the axis of this radius from -height to height?
-    STRAHL_INLINE bool meets(R radius, R half) const {
-        const R square = (radius - least) * (radius + least), w = rise * along - speed * height;
-        return square > 0 && std::abs(w) - speed * half <= std::abs(rise) * std::sqrt(square);
+    STRAHL_INLINE Mask<V> meets(V radius, V half) const {
+        const V square = (radius - least) * (radius + least), w = rise * along - speed * height;
+        return (square > V(0)) & (abs(w) - speed * half <= abs(rise) * sqrt(max(square, V(0))));
     }
 
     /// The line through <x, y, z> along a vector of length 1.
-    STRAHL_INLINE static LineAroundAxis of(const Vec3<R>& p, const Vec3<R>& d) {
-        const R speed = std::sqrt(d.x * d.x + d.z * d.z);
-        if (!(speed > 0)) return {p.y, d.y, 0, 0, std::sqrt(p.x * p.x + p.z * p.z)};
-        const R u = d.x / speed, v = d.z / speed;
-        return {p.y, d.y, p.x * u + p.z * v, speed, std::abs(p.x * v - p.z * u)};
+    STRAHL_INLINE static LineAroundAxis of(const Vec3<V>& p, const Vec3<V>& d) {
+        const V zero(0), speed = sqrt(d.x * d.x + d.z * d.z), u = d.x / speed, v = d.z / speed;
+        const Mask<V> moves = speed > zero;
+        return {p.y, d.y, select(moves, p.x * u + p.z * v, zero), select(moves, speed, zero),
+                select(moves, abs(p.x * v - p.z * u), sqrt(p.x * p.x + p.z * p.z))};
     }
 };
 
-/// A polynomial of degree `degree` between two places by Bernstein's coefficients. Its signs at the ends are known
-/// better than these tell.
-template <class R>
+/// Polynomials of degree `degree` between two places by Bernstein's coefficients, one in each of `lanes`. Their signs
+/// at the ends are known better than these tell.
+template <class V>
 struct BernsteinPart {
-    std::array<R, 7> c;
-    R low, high;
-    bool above_low, above_high;
+    std::array<V, 7> c;
+    V low, high;
+    Mask<V> above_low, above_high, lanes;
+    int depth = 0;  // how often it was halved
 
-    /// Cuts it at `place`, and keeps what is beyond; returns what is before.
-    STRAHL_INLINE BernsteinPart cut(int degree, R place, bool above) {
+    /// Finds the zero by the values and slopes that value(t) returns.
+    template <class Value>
+    STRAHL_INLINE V zero(int degree, const Value& value) const {
+        const V share = c[0] / (c[0] - c[degree]), t = low + share * (high - low);
+        const V start = select((share > V(0)) & (share < V(1)), t, V(Element<V>(.5)) * (low + high));
+        return zero_between<V>(value, low, high, start, !above_low, lanes);
+    }
+    /// Cuts it at `place` in these lanes, and keeps what is beyond; returns what is before.
+    STRAHL_INLINE BernsteinPart cut(int degree, V place, Mask<V> above, Mask<V> own) {
         BernsteinPart before = *this;
-        const R share = high > low ? (place - low) / (high - low) : R(0);
+        before.lanes = own;
+        const V share = select(own & (high > low), (place - low) / (high - low), V(0));
         for (int n = 0; n <= degree; ++n) {
             before.c[n] = c[0];
             for (int i = 0; i + n < degree; ++i) c[i] += share * (c[i + 1] - c[i]);
         }
-        before.high = low = place, before.above_high = above_low = above;
+        before.high = place, before.above_high = above;
+        low = select(own, place, low), above_low = (own & above) | (above_low & !own);
         return before;
     }
 };
 
-/// Calls found(low, high, above) for intervals in each of which the polynomial has one zero, by Descartes' rule of
-/// signs: there are at most as many as its coefficients change their signs. `above` tells whether it is above 0 at the
-/// interval's begin; above_at(place) tells so for places between. Two zeros that rounding, up to `noise`, hides from
-/// each other are left out.
-template <class R, class AboveAt, class Found>
-STRAHL_INLINE void isolate_zeros(const BernsteinPart<R>& whole, int degree, R noise, const AboveAt& above_at,
+/// Calls found(part) for parts in whose lanes the polynomial has one zero, by Descartes' rule of signs: there are at
+/// most as many as its coefficients change their signs. above_at(place) tells whether it is above 0 there. Two zeros
+/// that rounding, up to `noise`, hides from each other are left out.
+template <class V, class AboveAt, class Found>
+STRAHL_INLINE void isolate_zeros(const BernsteinPart<V>& whole, int degree, V noise, const AboveAt& above_at,
                                  const Found& found) {
-    constexpr int most = 40;
-    BernsteinPart<R> waiting[most];
+    constexpr int deepest = 40, most_cuts = 100;  // a line in the surface has zeros everywhere
+    Room<BernsteinPart<V>, deepest + 1> waiting;
     waiting[0] = whole;
-    int count = 1;
-    for (int cuts = 0; count > 0;) {
-        BernsteinPart<R> part = waiting[--count];
-        int changes = 0;
-        bool above = part.above_low;
-        const auto meet = [&](bool next) { changes += next != above, above = next; };
-        for (int i = 1; i < degree; ++i)
-            if (std::abs(part.c[i]) > noise) meet(part.c[i] > 0);
-        meet(part.above_high);
-        if (changes > 1 && count + 2 <= most && cuts < 100) {
-            const R middle = (part.low + part.high) / 2;
-            const BernsteinPart<R> before = part.cut(degree, middle, above_at(middle));
-            waiting[count++] = part, waiting[count++] = before;
-            ++cuts;
-        } else if (part.above_low != part.above_high) {
-            found(part.low, part.high, part.above_low);
-        }
+    V cuts(0);
+    for (int count = 1; count > 0;) {
+        BernsteinPart<V> part = waiting[--count];
+        V changes(0);
+        Mask<V> above = part.above_low;
+        const auto meet = [&](Mask<V> known, Mask<V> next) __attribute__((always_inline)) {
+            const Mask<V> turns = known & either(next, above);
+            changes = select(turns, changes + V(1), changes), above = either(above, turns);
+        };
+        for (int i = 1; i < degree; ++i) meet(abs(part.c[i]) > noise, part.c[i] > V(0));
+        meet(part.lanes, part.above_high);
+        const Mask<V> several =
+            part.lanes & (changes > V(part.depth < deepest ? 1 : 2 * degree)) & (cuts < V(most_cuts));
+        const Mask<V> single = part.lanes & !several & either(part.above_low, part.above_high);
+        part.lanes = single;
+        if (any(single)) found(part);
+        if (none(several)) continue;
+        const V middle = (part.low + part.high) / V(2);
+        cuts = select(several, cuts + V(1), cuts);
+        ++part.depth, part.lanes = several;
+        const BernsteinPart<V> before = part.cut(degree, middle, above_at(middle), several);
+        waiting[count++] = part, waiting[count++] = before;
     }
 }
 
-/// Writes the places s where a line crosses the surface of a piece that turns about the y axis, and returns how many
-/// they are. In the plane of distance from the axis and height, the line is a hyperbola: where a piece crosses it, the
-/// line crosses the surface. Whether an end of a piece is beyond the hyperbola is decided once for both pieces that
-/// meet there. Where lines are nearly level, both branches of the hyperbola are close together: the piece is cut
-/// between them.
-template <int degree, class R, class T>
-STRAHL_INLINE int cross_turned(const ContourPiece<T>& piece, const LineAroundAxis<R>& line, std::array<R, 6>& places) {
+/// Places along lines, in no order; those that are not there are infinite.
+template <class V>
+using TurnedPlaces = std::array<V, 6>;
+
+/// Returns the places s where lines cross the surface of a piece that turns about the y axis. In the plane of distance
+/// from the axis and height, a line is a hyperbola: where a piece crosses it, the line crosses the surface. Whether an
+/// end of a piece is beyond the hyperbola is decided once for both pieces that meet there. Where lines are nearly
+/// level, both branches of the hyperbola are close together: the piece is cut between them.
+template <int degree, class V>
+STRAHL_INLINE TurnedPlaces<V> cross_turned(const ContourPiece<Element<V>>& piece, const LineAroundAxis<V>& line,
+                                           Mask<V> lanes) {
+    using R = Element<V>;
     constexpr R bits = 16 * std::numeric_limits<R>::epsilon();
     const auto& [height, rise, along, speed, least] = line;
-    const R ax = piece.ax, ay = piece.ay, cx = piece.cx, cy = piece.cy, hx = piece.hx, hy = piece.hy, ex = piece.ex,
-            ey = piece.ey, dx = piece.dx, dy = piece.dy, steep = std::abs(rise), third = R(1) / 3;
-    // w is the height above where the line is nearest to the axis, times its speed.
-    const auto above_nearest = [&](R y) { return speed * (y - height) + rise * along; };
-    std::array<R, 4> r{ax, degree == 2 ? ax + hx : ax + 2 * third * hx, ax + third * (4 * hx + ex), cx};
-    std::array<R, 4> w{ay, degree == 2 ? ay + hy : ay + 2 * third * hy, ay + third * (4 * hy + ey), cy};
-    r[degree] = cx, w[degree] = cy;
-    R furthest = 0, lowest = std::numeric_limits<R>::infinity(), highest = -lowest;
-    for (int i = 0; i <= degree; ++i) {
-        w[i] = above_nearest(w[i]);
-        furthest = std::max(furthest, std::abs(r[i])), lowest = std::min(lowest, w[i]),
-        highest = std::max(highest, w[i]);
-    }
-    const auto square = [&](R radius) { return (std::abs(radius) - least) * (std::abs(radius) + least); };
-    const R most = square(furthest);
-    if (!(most > 0) || std::max(lowest, -highest) > steep * std::sqrt(most)) return 0;
-
-    const auto beyond = [&](R radius, R own_w) __attribute__((always_inline)) {
-        const R own = square(radius);
-        return own > 0 && steep * std::sqrt(own) > std::abs(own_w);
+    const V zero(0), one(1), two(2), steep = abs(rise);
+    const V ax(piece.ax), ay(piece.ay), hx(piece.hx), hy(piece.hy), ex(piece.ex), ey(piece.ey), dx(piece.dx),
+        dy(piece.dy);
+    // The control points: their distances from the axis, and their heights above where the line is nearest to the axis,
+    // times its speed.
+    const auto above_nearest = [&](const V& y) { return speed * (y - height) + rise * along; };
+    const auto control = [](R a, R h, R e) {
+        return std::array<R, 3>{a, degree == 2 ? a + h : a + 2 * (R(1) / 3) * h, a + (R(1) / 3) * (4 * h + e)};
     };
-    const auto radius_at = [&](R t) { return ax + t * (2 * hx + t * (ex + t * dx)); };
-    const auto height_at = [&](R t) { return ay + t * (2 * hy + t * (ey + t * dy)); };
+    const auto xs = control(piece.ax, piece.hx, piece.ex), ys = control(piece.ay, piece.hy, piece.ey);
+    std::array<V, degree + 1> r, w;
+    R furthest = 0;
+    V lowest(std::numeric_limits<R>::infinity()), highest = -lowest;
+    for (int i = 0; i <= degree; ++i) {
+        const R x = i == degree ? piece.cx : xs[i];
+        r[i] = V(x), w[i] = above_nearest(V(i == degree ? piece.cy : ys[i]));
+        furthest = std::max(furthest, std::abs(x)), lowest = min(lowest, w[i]), highest = max(highest, w[i]);
+    }
+    TurnedPlaces<V> places;
+    for (V& place : places) place = V(std::numeric_limits<R>::infinity());
+    const auto square = [&](const V& radius) __attribute__((always_inline)) {
+        return (abs(radius) - least) * (abs(radius) + least);
+    };
+    const V most = square(V(furthest));
+    lanes = lanes & (most > zero) & !(max(lowest, -highest) > steep * sqrt(max(most, zero)));
+    if (none(lanes)) return places;
+
+    const auto beyond = [&](const V& radius, const V& own_w) __attribute__((always_inline))->Mask<V> {
+        const V own = square(radius);
+        return (own > zero) & (steep * sqrt(max(own, zero)) > abs(own_w));
+    };
+    // The piece's coordinates and their derivatives; the constants are those of its degree.
+    const auto at = [](const V& t, const V& a, const V& h, const V& e, const V& d) __attribute__((always_inline)) {
+        if constexpr (degree == 1) return a + t * (V(2) * h);
+        if constexpr (degree == 2) return a + t * (V(2) * h + t * e);
+        return a + t * (V(2) * h + t * (e + t * d));
+    };
+    const auto slope_at = [](const V& t, const V& h, const V& e, const V& d) __attribute__((always_inline)) {
+        if constexpr (degree == 1) return V(2) * h;
+        if constexpr (degree == 2) return V(2) * (h + t * e);
+        return V(2) * h + t * (V(2) * e + t * V(3) * d);
+    };
+    const auto radius_at = [&](const V& t) { return at(t, ax, hx, ex, dx); };
+    const auto height_at = [&](const V& t) { return at(t, ay, hy, ey, dy); };
+    const auto out_at = [&](const V& t) { return slope_at(t, hx, ex, dx); };
+    const auto up_at = [&](const V& t) { return slope_at(t, hy, ey, dy); };
     // F = rise^2 (r^2 - least^2) - w^2.
     constexpr R choose[7][7] = {{1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}, {1, 4, 6, 4, 1}, {}, {1, 6, 15, 20, 15, 6, 1}};
-    constexpr auto weights = [&] {
-        std::array<std::array<R, degree + 1>, degree + 1> all{};
-        for (int i = 0; i <= degree; ++i)
-            for (int k = 0; k <= degree; ++k)
-                all[i][k] = choose[degree][i] * choose[degree][k] / choose[2 * degree][i + k];
-        return all;
-    }();
-    BernsteinPart<R> curve{{}, 0, 1, beyond(ax, w[0]), beyond(cx, w[degree])};
+    BernsteinPart<V> curve{{}, zero, one, beyond(r[0], w[0]), beyond(r[degree], w[degree]), lanes};
+    for (V& c : curve.c) c = zero;
     for (int i = 0; i <= degree; ++i)
         for (int k = 0; k <= degree; ++k)
-            curve.c[i + k] += weights[i][k] * (rise * rise * (r[i] - least) * (r[k] + least) - w[i] * w[k]);
-    const R size = std::max(std::abs(lowest), std::abs(highest));
-    const R noise = bits * (rise * rise * furthest * furthest + size * size);
+            curve.c[i + k] += V(choose[degree][i] * choose[degree][k] / choose[2 * degree][i + k]) *
+                              (rise * rise * (r[i] - least) * (r[k] + least) - w[i] * w[k]);
+    const V size = max(abs(lowest), abs(highest));
+    const V noise = V(bits) * (rise * rise * V(furthest) * V(furthest) + size * size);
 
-    int count = 0;
-    bool above = w[0] >= 0;  // the nearest point of the line to the axis
-    const auto cross = [&](const BernsteinPart<R>& part) __attribute__((always_inline)) {
-        const auto above_at = [&](R t) __attribute__((always_inline)) {
+    V count(0);
+    Mask<V> above = w[0] >= zero;  // the nearest point of the line to the axis
+    const auto cross = [&](const BernsteinPart<V>& part) __attribute__((always_inline)) {
+        const auto above_at = [&](const V& t) __attribute__((always_inline)) {
             return beyond(radius_at(t), above_nearest(height_at(t)));
         };
-        isolate_zeros(
-            part, 2 * degree, noise, above_at, [&](R low, R high, bool begins_above) __attribute__((always_inline)) {
-                const auto value = [&](R t) __attribute__((always_inline)) {
-                    const R radius = radius_at(t), own = square(radius), own_w = above_nearest(height_at(t));
-                    const R slope = radius * (2 * hx + t * (2 * ex + t * 3 * dx));
-                    const R w_slope = speed * (2 * hy + t * (2 * ey + t * 3 * dy));
-                    if (steep > R(.1))
-                        return std::pair(rise * rise * own - own_w * own_w,
-                                         2 * (rise * rise * slope - own_w * w_slope));
-                    const R distance = std::sqrt(std::abs(own));
-                    return std::pair(steep * (own < 0 ? -distance : distance) - std::abs(own_w),
-                                     steep * slope / std::max(distance, R(1e-4)) - (own_w < 0 ? -w_slope : w_slope));
-                };
-                const R t = zero_between<R>(value, low, high, !begins_above, true);
-                const R radius = radius_at(t), distance = std::sqrt(std::max(square(radius), R(0)));
-                // The place by the height, or by the distance from the axis: the one that rounding moves less.
-                const R by_height = (std::abs(2 * hy + t * (2 * ey + t * 3 * dy)) + 1) * distance * speed;
-                const R by_distance = (std::abs(2 * hx + t * (2 * ex + t * 3 * dx)) + 1) * std::abs(radius) * steep;
-                if (count < static_cast<int>(places.size()))
-                    places[count++] = speed == 0 || by_height < by_distance
-                                          ? (height_at(t) - height) / rise
-                                          : ((above == (rise >= 0) ? distance : -distance) - along) / speed;
-            });
-    };
-    const auto cut = [&](R low, R high, bool begins_above) __attribute__((always_inline)) {
-        const auto value = [&](R t) __attribute__((always_inline)) {
-            return std::pair(above_nearest(height_at(t)), speed * (2 * hy + t * (2 * ey + t * 3 * dy)));
+        const auto find = [&](const BernsteinPart<V>& here) __attribute__((always_inline)) {
+            const Mask<V> own = here.lanes, polynomial = steep > V(R(.1));
+            const bool all_polynomial = none(own & !polynomial);
+            const auto value = [&](const V& t) __attribute__((always_inline)) {
+                const V radius = radius_at(t), beside = square(radius), own_w = above_nearest(height_at(t));
+                const V slope = radius * out_at(t), w_slope = speed * up_at(t);
+                const std::pair whole(rise * rise * beside - own_w * own_w,
+                                      two * (rise * rise * slope - own_w * w_slope));
+                if (all_polynomial) return whole;
+                const V distance = sqrt(abs(beside));
+                return std::pair(
+                    select(polynomial, whole.first, steep * select(beside < zero, -distance, distance) - abs(own_w)),
+                    select(polynomial, whole.second,
+                           steep * slope / max(distance, V(R(1e-4))) - select(own_w < zero, -w_slope, w_slope)));
+            };
+            const V t = here.zero(2 * degree, value);
+            const V radius = radius_at(t), distance = sqrt(max(square(radius), zero));
+            // The place by the height, or by the distance from the axis: the one that rounding moves less.
+            const V by_height = (abs(up_at(t)) + one) * distance * speed;
+            const V by_distance = (abs(out_at(t)) + one) * abs(radius) * steep;
+            const Mask<V> away = either(above, rise < zero);
+            const V place = select((speed == zero) | (by_height < by_distance), (height_at(t) - height) / rise,
+                                   (select(away, distance, -distance) - along) / speed);
+            for (std::size_t i = 0; i < places.size(); ++i)
+                places[i] = select(own & (count == V(static_cast<R>(i))), place, places[i]);
+            count = select(own, count + one, count);
         };
-        const R t = zero_between<R>(value, low, high, !begins_above, true);
-        cross(curve.cut(2 * degree, t, square(radius_at(t)) > 0));
-        above = !above;
+        isolate_zeros(part, 2 * degree, noise, above_at, find);
     };
-    if (speed > 0 && lowest < 0 && highest >= 0) {
-        BernsteinPart<R> heights{{w[0], w[1], w[2], w[3]}, 0, 1, above, w[degree] >= 0};
+    const Mask<V> split = lanes & (speed > zero) & (lowest < zero) & (highest >= zero);
+    if (any(split)) {
+        BernsteinPart<V> heights{{}, zero, one, above, w[degree] >= zero, split};
+        for (int i = 0; i <= degree; ++i) heights.c[i] = w[i];
+        const auto cut = [&](const BernsteinPart<V>& here) __attribute__((always_inline)) {
+            const auto value = [&](const V& t) __attribute__((always_inline)) {
+                return std::pair(above_nearest(height_at(t)), speed * up_at(t));
+            };
+            const V t = here.zero(degree, value);
+            cross(curve.cut(2 * degree, t, square(radius_at(t)) > zero, here.lanes));
+            above = either(above, here.lanes);
+        };
         isolate_zeros(
-            heights, degree, bits * size, [&](R t) { return above_nearest(height_at(t)) >= 0; }, cut);
+            heights, degree, V(bits) * size, [&](const V& t) { return above_nearest(height_at(t)) >= zero; }, cut);
     }
     cross(curve);
-    return count;
+    return places;
 }
-template <class R, class T>
-STRAHL_INLINE int cross_turned(const ContourPiece<T>& piece, const LineAroundAxis<R>& line, std::array<R, 6>& places) {
-    if (piece.dx != 0 || piece.dy != 0) return cross_turned<3>(piece, line, places);
-    if (piece.ex != 0 || piece.ey != 0) return cross_turned<2>(piece, line, places);
-    return cross_turned<1>(piece, line, places);
+template <class V>
+STRAHL_INLINE TurnedPlaces<V> cross_turned_here(const ContourPiece<Element<V>>& piece, const LineAroundAxis<V>& line,
+                                                Mask<V> lanes) {
+    if (piece.dx != 0 || piece.dy != 0) return cross_turned<3, V>(piece, line, lanes);
+    if (piece.ex != 0 || piece.ey != 0) return cross_turned<2, V>(piece, line, lanes);
+    return cross_turned<1, V>(piece, line, lanes);
+}
+template <class V>
+[[gnu::noinline]] TurnedPlaces<V> call_cross_turned(const ContourPiece<Element<V>>& piece,
+                                                    const LineAroundAxis<V>& line, Mask<V> lanes) {
+    return cross_turned_here<V>(piece, line, lanes);
+}
+/// Does so by a call for packs: its code is long, and the call costs little.
+template <class V>
+STRAHL_INLINE TurnedPlaces<V> cross_turned(const ContourPiece<Element<V>>& piece, const LineAroundAxis<V>& line,
+                                           Mask<V> lanes) {
+    if constexpr (width < V >> 1)
+        return call_cross_turned<V>(piece, line, lanes);
+    else
+        return cross_turned_here<V>(piece, line, lanes);
 }
 
 }  // namespace strahl

@@ -4,6 +4,36 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
+/// The lanes for lines that are crossed in double, or with more digits: a pack of floats makes two of them.
+template <class S>
+struct DoubleLanes {
+    using Type = S;
+};
+template <>
+struct DoubleLanes<float> {
+    using Type = double;
+};
+template <>
+struct DoubleLanes<Pack<float>> {
+    using Type = Pack<double>;
+};
+template <class S>
+using Doubles = typename DoubleLanes<S>::Type;
+/// Returns the lanes that make the given part.
+template <class S>
+STRAHL_INLINE Doubles<S> doubles_of(const S& a, int part) {
+    alignas(64) Element<S> lanes[width<S>];
+    store_lanes(lanes, a);
+    return load_converted<Doubles<S>>(lanes + part * width<Doubles<S>>);
+}
+/// Returns a part as the lanes that it was made of.
+template <class S>
+STRAHL_INLINE S lanes_of(const Doubles<S>& a, int part) {
+    alignas(64) Element<Doubles<S>> lanes[width<S>] = {};
+    store_lanes(lanes + part * width<Doubles<S>>, a);
+    return load_converted<S>(lanes);
+}
+
 template <class OwnForm, class S>
 requires has_contours<typename OwnForm::Kind>
 struct FormFunctions<OwnForm, S> {
@@ -83,10 +113,28 @@ struct FormFunctions<OwnForm, S> {
     static void each_crossing(const World<T>& world, int i, const Ray<S>& ray, Mask<S> mask, const Visit& visit) {
         const auto& item = items(world)[i];
         const ContourPiece<T>* const pieces = world.contour_pieces + static_cast<int>(item.shape.first);
-        const S last(item.shape.count + T(caps - 1)), surface(item.surface);
-        const auto piece_of = [&](const S& face) { return pieces_of(pieces, S(0), S(min(face, last))); };
-        item.shape.each_crossing(pieces, piece_of, ray, S(ray.source - surface), mask,
-                                 [&](Mask<S> lanes, const S& t, const S& face) { visit(lanes, t, S(surface + face)); });
+        const S surface(item.surface), start = ray.source - surface;
+        const auto visit_face = [&](Mask<S> lanes, const S& t, const S& face) { visit(lanes, t, S(surface + face)); };
+        if constexpr (requires { OwnForm::template Kernel<T>::in_double; }) {
+            using V = Doubles<S>;
+            for (int part = 0; part < width<S> / width<V>; ++part) {
+                const int first = part * width<V>;
+                const Mask<V> own = mask_of<V>(bits(mask) >> first);
+                if (none(own)) continue;
+                const auto doubles = [part](const Vec3<S>& v) {
+                    return Vec3<V>(doubles_of(v.x, part), doubles_of(v.y, part), doubles_of(v.z, part));
+                };
+                const auto visit_lanes = [&](Mask<V> lanes, const V& t, const V& face) {
+                    visit_face(mask_of<S>(bits(lanes) << first), lanes_of<S>(t, part), lanes_of<S>(face, part));
+                };
+                item.shape.each_crossing(pieces, 0, Ray<V>{doubles(ray.origin), doubles(ray.direction), V(0)},
+                                         doubles_of(start, part), own, visit_lanes);
+            }
+        } else {
+            const S last(item.shape.count + T(caps - 1));
+            const auto piece_of = [&](const S& face) { return pieces_of(pieces, S(0), S(min(face, last))); };
+            item.shape.each_crossing(pieces, piece_of, ray, start, mask, visit_face);
+        }
     }
 };
 

@@ -45,7 +45,14 @@ void cross_surfaces(const World<Element<S>>& world, const Ray<S>& ray, const Nea
     const SortBin& bin = world.sort_bins[static_cast<int>(lane(met.bin, first_lane))];
     SurfaceHit<S> hit;
     int materials[width<S>];
+    const auto opaque = [&](int material) {
+        return world.finishes.list[material].shadow && !(world.materials[material].refraction > T(0));
+    };
+    const auto hide = [&](Mask<S> dark) {
+        for (int c = 0; c < 3; ++c) share[c] = select(dark, S(0), share[c]);
+    };
     if (world.bin_per_item) {
+        if (opaque(bin.material)) return hide(lanes);
         hit = surface_at(world, bin, ray, met.t);
         std::fill_n(materials, width<S>, bin.material);
     } else {
@@ -59,13 +66,16 @@ void cross_surfaces(const World<Element<S>>& world, const Ray<S>& ray, const Nea
     const Mask<S> leaving = from_inside(world, start.mediums, start.medium, hit.body, outside);
     for (Mask<S> left = lanes; any(left);) {
         const int k = first(left), own = materials[k];
-        Mask<S> same = first_lanes<S>(0);
-        for (int n = k; n < width<S>; ++n)
-            if (materials[n] == own) same = same | (first_lanes<S>(n + 1) & !first_lanes<S>(n));
-        same = same & left, left = left & !same;
+        unsigned alike = 0;
+        for (int n = k; n < width<S>; ++n) alike |= unsigned(materials[n] == own) << n;
+        const Mask<S> same = left & mask_of<S>(alike);
+        left = left & !same;
         if (!world.finishes.list[own].shadow) continue;
+        if (opaque(own)) {
+            hide(same);
+            continue;
+        }
         Vec3<S> kept = FinishCalls<S>::through(world, own, hit.point.position, hit.surface);
-        if (!(world.materials[own].refraction > T(0))) kept = splat<S>(Vec3<T>(0));
         if (world.finishes.list[own].fade_power > T(0) && any(leaving & same)) {
             const Vec3<S> faded = FinishCalls<S>::faded_inside(world, own, way);
             kept = select(leaving, kept * faded, kept);

@@ -279,19 +279,23 @@ class GridSum {
                  hits.mediums};
         if (nothing_before()) return Vec3<T>(1);
         std::fill(known.begin(), known.end(), std::uint8_t(0));
-        Vec3<T> sum(0);
         T weight(1);
-        parts.assign(1, {0, 0, light.columns - 1, light.rows - 1});
+        whole.clear(), parts.assign(1, {0, 0, light.columns - 1, light.rows - 1});
         for (int level = 0; !parts.empty(); ++level, weight *= T(.25)) {
-            trace_corners();
+            want_corners();
+            if (level >= light.adaptive) trace_wanted();  // all that are divided in any case together: fuller packs
             quarters.clear();
             for (const Quarter& part : parts)
                 if ((part.u2 - part.u1 > 1 || part.v2 - part.v1 > 1) && (level < light.adaptive || mixed(part, color)))
                     divide(part);
                 else
-                    for (const int corner : corners_of(part)) sum = fma(weight * T(.25), shares[corner], sum);
+                    whole.emplace_back(part, weight * T(.25));
             parts.swap(quarters);
         }
+        trace_wanted();
+        Vec3<T> sum(0);
+        for (const auto& [part, share] : whole)
+            for (const int corner : corners_of(part)) sum = fma(share, shares[corner], sum);
         return sum;
     }
     std::int64_t rays = 0;
@@ -329,14 +333,16 @@ class GridSum {
             if (!(dot(flat, way) > T(0))) return false;
         return nothing_in(world, Shaft<T>(position, ways, across, down, world.rounding), surface, start);
     }
-    /// Traces shadow rays to the corners of parts that no earlier ones had.
-    void trace_corners() {
-        wanted.clear();
+    /// Notes the corners of parts to which no shadow rays went.
+    void want_corners() {
         for (const Quarter& part : parts)
             for (const int corner : corners_of(part))
                 if (!known[corner]) known[corner] = 1, wanted.push_back(corner);
+    }
+    void trace_wanted() {
         const int all = static_cast<int>(wanted.size());
         for (int i = 0; i < all; i += width<S>) trace_pack(wanted.data() + i, std::min(all - i, width<S>));
+        wanted.clear();
     }
     void trace_pack(const int* points, int lanes) {
         alignas(64) T ways[3][width<S>] = {};
@@ -380,6 +386,7 @@ class GridSum {
     std::vector<Vec3<T>> shares;
     std::vector<int> wanted;
     std::vector<Quarter> parts, quarters;
+    std::vector<std::pair<Quarter, T>> whole;  // parts that are not divided, and what each of their corners counts
 };
 
 template <class S>
