@@ -43,8 +43,7 @@ std::string written(const Components& value) {
     // Writes three numbers of a colour that lets nothing through.
     const int count = value.count == 5 && value.value[3] == 0 && value.value[4] == 0 ? 3 : value.count;
     std::string text = "<";
-    for (int i = 0; i < count; ++i)
-        text += (i > 0 ? ", " : "") + text_of(value.value[static_cast<std::size_t>(i)]);
+    for (int i = 0; i < count; ++i) text += (i > 0 ? ", " : "") + text_of(value.value[static_cast<std::size_t>(i)]);
     return text + ">";
 }
 

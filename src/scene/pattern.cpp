@@ -31,8 +31,7 @@ Pigment::Pigment(Pattern own) : pattern(std::make_shared<const Pattern>(std::mov
 }
 
 bool Pigment::operator==(const Pigment& other) const {
-    return color == other.color && filter == other.filter && transmit == other.transmit &&
-           same(pattern, other.pattern);
+    return color == other.color && filter == other.filter && transmit == other.transmit && same(pattern, other.pattern);
 }
 
 bool Relief::operator==(const Relief& other) const { return height == other.height && same(pattern, other.pattern); }
