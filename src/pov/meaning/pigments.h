@@ -55,7 +55,7 @@ class PigmentMaker {
     Moves moves_inside(const Blend& blend) const;
 
     std::map<std::string, std::shared_ptr<const Pixels>> pictures;
-    // What was made of pigments in maps, and for stops how many patterns are around them: bodies share it.
+    // Keep what was made of pigments in maps, so that bodies share it; stops also by how many patterns are around them.
     std::map<std::shared_ptr<const Thing>, Mean> means;
     std::map<std::pair<std::shared_ptr<const Thing>, int>, ColorStop> made_stops;
     // From the space of the pigment that is made, if it is nested: into that of the pattern around it, where that

@@ -13,7 +13,7 @@ std::optional<Drag> Drag::begin(const BodyEditor& editor, const Scene& scene, co
     const std::string& text = editor.edited.text();
     if (const auto& point = editor.light()) {
         const auto& values = editor.body().values;
-        // What is chosen of a spotlight moves, or the other end of its axis turns about it.
+        // Moves the chosen end of a spotlight, its place or its target, or turns the other end about it.
         const bool target = point->target != (handles.handle_mode() == HandleMode::turn);
         const auto value = std::ranges::find(values, target ? spot_target : "position", &BodyValue::name);
         why = value == values.end() || value->slices.size() != 3 ? "the text does not say where this light is"

@@ -41,7 +41,7 @@ struct Loaded {
     bool changes = false;                  // likewise
     bool moved = false;                    // the file is the same, read for another moment of its clock
     pov::SourceLines lines{};              // of the bodies of a scene of POV-Ray
-    // Of the file; empty if it is larger than 16 MB, or a scene of POV-Ray that is read again for each moment.
+    // Holds what the file says; empty if that is more than 16 MB, or a scene of POV-Ray read again for each moment.
     std::string text{};
     std::string tracks{};                  // the text of the file of tracks beside it, or empty
 };
