@@ -8,11 +8,9 @@
 #include <filesystem>
 #include <utility>
 
-#include "files/output_file.h"
 #include "scene/moving_scene.h"
 #include "show/info.h"
 #include "show/welcome/help_panel.h"
-#include "show/welcome/recent_files.h"
 #include "text/music_text.h"
 #include "text/reading/tracks_file.h"
 #include "text/write.h"
@@ -48,12 +46,6 @@ std::shared_ptr<const Scene> scene_to_show(const Loaded& loaded) {
 
 }  // namespace
 
-void check_options(const ViewOptions& options, const Scene& scene) {
-    if (options.time) flight_for("--time", scene, options.scene);
-    if (options.rocket && followed_tracks(scene).empty())
-        throw UsageError("--rocket needs a scene with a track, and " + options.scene + " has none");
-}
-
 Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::unique_ptr<Reload>& reload,
                Pace::Clock::time_point began)
     : options(o),
@@ -68,14 +60,14 @@ Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::unique_ptr<Reload
              .draw = [this] { draw(); },
              .browse =
                  [this](int key) {
-                     if (key != GLFW_KEY_ESCAPE || file.waiting()) return welcome.key(key);
+                     if (key != GLFW_KEY_ESCAPE || file.waiting()) return chooser.key(key);
                      return perform({Action::gallery}), true;
                  },
              .turn_wheel = [this](double n) { notes.tell(session.change_speed(std::pow(1.25, n), pace.now())); },
              .drop =
                  [this](std::string path) {
                      const bool sound = !panels.gallery && std::filesystem::path(path).extension() == ".ogg";
-                     sound ? take_sound(path) : open(std::move(path));
+                     sound ? take_sound(path) : chooser.open(std::move(path));
                  },
              .click = [this](double x, double y) { click(x, y); },
              .points_at = [this](double x, double y) { return points_at(x, y); },
@@ -89,22 +81,19 @@ Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::unique_ptr<Reload
                  },
              .let_go = [this] { bodies.let_go(); }}),
       picture(o.threads, notes, pace, glfwPostEmptyEvent),
-      stills(options, notes, pace, glfwPostEmptyEvent),
-      film(options, notes, pace, glfwPostEmptyEvent),
+      recordings(options, notes, pace, glfwPostEmptyEvent),
       file(first, error_is_final(o), std::move(reload), notes, pace, glfwPostEmptyEvent),
       bodies(session, file, notes, pace, glfwPostEmptyEvent),
       side(o.threads, notes, pace, glfwPostEmptyEvent),
-      dialog(glfwPostEmptyEvent),
-      welcome(o.threads, notes, pace, glfwPostEmptyEvent),
-      tracks(o.rocket, session, notes, pace, glfwPostEmptyEvent),
-      sound(notes, pace) {
+      chooser(o.threads, file, panels, notes, pace, glfwPostEmptyEvent),
+      playback(options, session, notes, pace, glfwPostEmptyEvent) {
     pace.motion.keeps_all = options.benchmark;
     if (!keys.faults.empty()) notes.fail(keys.faults);
-    session.editor.words = first.words, session.exposure = o.exposure, session.keys_elsewhere = tracks.wanted();
+    session.editor.words = first.words, session.exposure = o.exposure;
+    session.keys_elsewhere = playback.tracks.wanted();
     if (first.scene) session.take_tracks(first.tracks, true);
-    if (first.scene) bodies.loaded(first), side.loaded(first), opened.push_back(first.path);
-    if (panels.gallery) welcome.appear();
-    if (!file.waiting()) start_scene();
+    if (first.scene) bodies.loaded(first), side.loaded(first), chooser.opened(first.path);
+    if (!file.waiting()) playback.start_scene();
 }
 
 void Viewer::perform(Command command) {
@@ -119,20 +108,17 @@ void Viewer::perform(Command command) {
             return quit();
         case Action::still:
             if (screen.width() == 0 || file.waiting()) return;  // an icon, or nothing to see
-            return stills.add(session, file.path(), session.view(screen.width(), screen.height()),
-                              command.number == 1 ? ".png" : options.still_ending);
+            return recordings.stills.add(session, file.path(), session.view(screen.width(), screen.height()),
+                                         command.number == 1 ? ".png" : options.still_ending);
         case Action::film:
             if (screen.width() == 0 || file.waiting()) return;
             if (file.uses_clock())
                 return notes.note("a scene that uses POV-Ray's clock is filmed by: strahl render SCENE -o FILM.mp4");
-            return film.toggle(session, file.path(), screen.width(), screen.height());
+            return recordings.film.toggle(session, file.path(), screen.width(), screen.height());
         case Action::open_file:
-            if (const std::string why = dialog.open(file.path()); !why.empty()) notes.fail(why);
-            return;
+            return chooser.ask();
         case Action::gallery:
-            if (panels.gallery && file.path().empty()) return;  // there is nothing to go back to
-            panels.toggle(command.action);
-            return panels.gallery ? welcome.appear() : welcome.disappear();
+            return chooser.toggle_gallery();
         case Action::write_path:
             if (session.track_keys.changed()) file.write(session.track_keys.changes());
             return file.write(session.editor.path(), bodies.changes());
@@ -178,39 +164,6 @@ void Viewer::perform(Command command) {
     }
 }
 
-/// Opens a scene, and leaves the gallery for it.
-void Viewer::open(std::string path) {
-    panels.gallery = false;
-    welcome.disappear();
-    pace.redraw();
-    file.open(std::move(path));
-}
-
-/// Opens a new scene, made of a template.
-void Viewer::begin(const std::string& from, const std::string& path) try {
-    const std::string scene = begin_scene(from, path);
-    notes.announce("a new scene: " + scene);
-    open(scene);
-} catch (const FileError& error) {
-    notes.fail(error.what());
-}
-
-/// Takes what was chosen in the gallery.
-void Viewer::take(const GalleryItem& item) {
-    if (!item.begins) return open(item.path);
-    if (const std::string why = dialog.open(file.path(), item.path); !why.empty()) begin(item.path, "");
-}
-
-/// Takes what was chosen in the file dialog. Where there is none, new scenes get names of their own.
-void Viewer::take(const FileDialog::ChosenFile& chosen) {
-    if (chosen.path.empty() && chosen.fault.empty()) return;
-    if (chosen.from == FileDialog::for_sound)
-        return chosen.path.empty() ? notes.fail("there is no file dialog: install zenity or kdialog, or type the name")
-                                   : take_sound(chosen.path);
-    if (!chosen.from.empty()) return begin(chosen.from, chosen.path);
-    chosen.path.empty() ? notes.fail(chosen.fault) : open(chosen.path);
-}
-
 /// Makes a file the music of the scene, by its name relative to the scene's folder.
 void Viewer::take_sound(const std::string& path) {
     Music music = session.scene->music;
@@ -229,8 +182,7 @@ void Viewer::take_music(const Music& music, bool merged) {
 
 void Viewer::apply(const TimelineInput& done) {
     if (done.music) take_music(done.music->music, done.music->merged);
-    if (done.choose_sound)
-        if (const std::string why = dialog.open_sound(file.path()); !why.empty()) notes.fail(why);
+    if (done.choose_sound) chooser.ask_for_sound();
     if (const auto& change = done.track)
         session.change_track(change->track, change->merged, steps_beside_tracks(), pace.now());
     if (done.music || done.track) pace.redraw(3);
@@ -285,17 +237,17 @@ void Viewer::move() {
     const CameraInput moved = input.take(due->passed);
     if (!(moved == CameraInput{})) notes.tell(session.steer(moved, due->now));
     if (const auto full = session.observe(due->now)) notes.tell(*full);
-    if (const auto ended = session.follow(due->now)) flight_ended(*ended);
+    if (const auto ended = session.follow(due->now))
+        if (playback.flight_ended(*ended)) recordings.finish();
     if (in_motion()) return;
     pace.rest(), picture.rest();
-    notes.log("rest after " + pace.motion.report(due->now) + sound.report());
+    notes.log("rest after " + pace.motion.report(due->now) + playback.sound.report());
 }
 
 /// The time of the next drawing; infinite if there is nothing to draw.
 double Viewer::next_draw() const {
-    const double for_picture = pace.next_draw(picture.has_update(), tracks.awaited() || picture.finished());
-    const bool counting = !stills.progress_text().empty() || film.under_way() || file.reading() ||
-                          picture.seconds_built() > 0 || side.under_way();
+    const double for_picture = pace.next_draw(picture.has_update(), playback.tracks.awaited() || picture.finished());
+    const bool counting = recordings.under_way() || file.reading() || picture.seconds_built() > 0 || side.under_way();
     const double for_count = counting ? pace.last_draw() + 0.25 : Pace::forever;
     return std::min({for_picture, for_count, notes.next_change(), file.next_change()});
 }
@@ -306,7 +258,7 @@ void Viewer::draw() {
     const std::uint64_t before = picture.state().number;
     const bool update = picture.take([this](const Fresh& fresh) {
         screen.upload(fresh);
-        if (options.benchmark) keep_flown(fresh);
+        if (options.benchmark) recordings.keep_flown(fresh, session);
     });
     screen.show_second(side.image(), side.divider().column(screen.area()));
     const Overlay over = overlay();
@@ -318,8 +270,8 @@ void Viewer::draw() {
     screen.draw([&] {
         draw_overlay(over);
         if (panels.help_shown()) return draw_help(keys.keys, panels.sought());
-        if (panels.gallery) return void(from_gallery = welcome.draw(keys.keys));
-        done = panels.draw_timeline(session, sound.peaks(), !bodies.editor().read_only());
+        if (panels.gallery) return void(from_gallery = chooser.draw_gallery(keys.keys));
+        done = panels.draw_timeline(session, playback.sound.peaks(), !bodies.editor().read_only());
         on_body = panels.draw_body(bodies.editor(), bodies.file_name());
         added = panels.draw_add();
         if (!file.waiting())
@@ -330,15 +282,14 @@ void Viewer::draw() {
     pace.drawn(began);
     const Refinement& state = picture.state();
     if (pace.moving() && state.number != before) {
-        sound.picture_shown(session, state.view.time);
+        playback.sound.picture_shown(session, state.view.time);
         pace.motion.picture(shown_picture(pace.now(), state.level, state.view.width, state.view.height));
     }
-    if (options.play && !tracks.wanted() && state.number > 0 && !sound.loading() && !std::exchange(started, true))
-        session.perform({Action::pause}, pace.now());
+    if (state.number > 0) playback.picture_shown();
     apply(done), apply(on_body), apply(on_outline);
     if (added) bodies.begin_adding(*added);
-    if (from_gallery) take(*from_gallery);
-    if (update && picture.newest()) tracks.shown();
+    if (from_gallery) chooser.take(*from_gallery);
+    if (update && picture.newest()) playback.tracks.shown();
     if (!update || before > 0) return;
     char text[80];
     std::snprintf(text, sizeof text, "first picture after %.3f s, %s", pace.now(),
@@ -363,7 +314,7 @@ void Viewer::take_scene() {
     const bool first = file.waiting();
     const auto loaded = file.take();
     if (!loaded) return;
-    if (first || loaded->opened) opened.push_back(loaded->path);
+    if (first || loaded->opened) chooser.opened(loaded->path);
     if (loaded->moved) {
         session.replace(loaded->scene, false);
         return bodies.loaded(*loaded), side.loaded(*loaded);
@@ -376,50 +327,12 @@ void Viewer::take_scene() {
         notes.announce("the file has other keys of tracks now, which replace yours");
     session.editor.words = loaded->words;
     bodies.loaded(*loaded), side.loaded(*loaded);
-    if (first || (options.play && loaded->opened)) {
-        start_scene();
-    } else {
-        if (unfollowed_tracks(*session.scene) != unfollowed) tell_unfollowed();
-        tracks.ask();
-    }
+    if (first || (options.play && loaded->opened))
+        playback.start_scene();
+    else
+        playback.scene_changed(unfollowed);
     if (session.flight.paused()) session.follow(pace.now());
     if (loaded->opened) glfwSetWindowTitle(screen.window(), window_title(file.path(), keys.keys).c_str());
-}
-
-/// Tells the user about tracks that have no effect.
-void Viewer::tell_unfollowed() {
-    for (const std::string& message : unfollowed_tracks(*session.scene)) notes.fail(message);
-}
-
-/// Does with a scene that is shown for the first time what the options ask for.
-void Viewer::start_scene() {
-    tell_unfollowed();
-    try {
-        check_options(options, *session.scene);
-    } catch (const UsageError& error) {
-        notes.fail(error.what());
-    }
-    tracks.ask();
-    const double now = pace.now();
-    if (tracks.wanted()) return static_cast<void>(session.go_to(options.time.value_or(0), now));
-    if (options.play) return start_playing();
-    if (options.time) session.go_to(*options.time, now);
-    if (options.fly) log_line(session.perform({session.flight.flying() ? Action::pause : Action::play}, now).note);
-}
-
-/// Pauses at the start of the flight until the first picture is there.
-void Viewer::start_playing() {
-    session.flight.once = !options.loop, started = false;
-    if (session.go_to(options.time.value_or(0), pace.now())) return;
-    session.perform({Action::play}, 0), session.perform({Action::pause}, 0);
-}
-
-void Viewer::flight_ended(const Answer& answer) {
-    if (!options.play) return notes.tell(answer);
-    if (options.loop)
-        start_playing();
-    else
-        closed = true;
 }
 
 /// Says what the user waits for, if that takes long; else "".
@@ -456,47 +369,15 @@ Overlay Viewer::overlay() const {
     if (bodies.adding())
         overlay.notes.push_back({std::string("click where the ") + bodies.adding() + " is to stand; Ctrl+A ends this"});
     overlay.notes.insert(overlay.notes.end(), notes.shown().begin(), notes.shown().end());
-    if (const std::string text = stills.progress_text(); !text.empty())
-        overlay.bars.push_back({text, stills.progress()});
-    if (film.under_way()) overlay.bars.push_back({film.progress_text(), film.progress()});
+    overlay.bars = recordings.bars();
     if (check.under_way()) overlay.bars.push_back({"checking rounding", check.progress()});
     return overlay;
 }
 
-/// Keeps some pictures of the flight, but none that was refined before it began.
-void Viewer::keep_flown(const Fresh& fresh) {
-    if (!session.flight.under_way() || pace.motion.pictures().empty()) return;
-    const View& view = fresh.picture.view;
-    flown.shown(view.time / session.flight.path()->duration, fresh.image, fresh.picture.scene, view);
-}
-
-/// Reports the figures of the flight. They include its quality, unless the program is interrupted.
-void Viewer::report_benchmark(const std::atomic<bool>& interrupted) const {
-    Benchmark benchmark = benchmark_of(pace.motion.pictures());
-    if (!interrupted) {
-        log_line("comparing " + std::to_string(flown.count()) + " pictures with the finished ones");
-        benchmark.quality = flown.compare(options.threads, session.exposure, interrupted);
-    }
-    const BenchmarkSetting setting{.scene = file.path(),
-                                   .precision = name(Precision::float32),
-                                   .simd = name(best_simd()),
-                                   .width = picture.state().view.width,
-                                   .height = picture.state().view.height,
-                                   .window = {screen.width(), screen.height()},
-                                   .wanted = options.size,
-                                   .depth = session.depth(),
-                                   .threads = picture.threads(),
-                                   .fps = options.fps,
-                                   .draw_seconds = pace.motion.draw_seconds()};
-    std::fputs(report_of(benchmark, setting).c_str(), stdout), std::fflush(stdout);
-    if (!options.stats.empty()) write_file(options.stats, json_of(benchmark, setting));
-}
-
 int Viewer::run(const std::atomic<bool>& interrupted) {
-    bool signalled = false;
-    while (!closed) {
-        sound.load(session.scene, file.path(), glfwPostEmptyEvent);
-        sound.follow(session);
+    bool signalled = false, done = false;
+    while (!done) {
+        playback.follow_sound(file.path());
         move();
         file.move_to(session.time);
         if (!file.waiting() && !panels.gallery && screen.width() > 0) {
@@ -512,20 +393,17 @@ int Viewer::run(const std::atomic<bool>& interrupted) {
         file.tell_written();  // before the scene is taken that the file has now
         take_scene();
         picture.tell_marks();
-        if (const auto chosen = dialog.take()) take(*chosen);
-        welcome.take(screen);
-        if (tracks.follow()) file.write(*session.tracks);
+        if (const std::string music = chooser.take(screen); !music.empty()) take_sound(music);
+        if (playback.tracks.follow()) file.write(*session.tracks);
         // A signal ends the window as Esc does; the next one ends the program at once.
         if (interrupted && !std::exchange(signalled, true)) {
             log_line("interrupted");
-            stills.finish(), film.finish();
+            recordings.finish();
         }
-        film.tell_done();
-        closed |= stills.finished() && !film.under_way();
-        stills.tell_done();
+        done = recordings.tell_done();
     }
     end(interrupted);
-    return stills.failed() || film.failed() ? 1 : 0;
+    return recordings.failed() ? 1 : 0;
 }
 
 /// Ends the program as soon as all stills and the film are done. Asks first, once, if the path is not written.
@@ -536,7 +414,7 @@ void Viewer::quit() {
     if (!options.play && (bodies.asks() || session.track_keys.asks()))
         return notes.announce("changes of the text are not written: F2 writes them into " + file.name() +
                               "; Esc again quits");
-    stills.finish(), film.finish();
+    recordings.finish();
 }
 
 /// Prints the paths that would be lost now.
@@ -553,10 +431,22 @@ void Viewer::print_paths() {
 
 void Viewer::end(const std::atomic<bool>& interrupted) {
     print_paths();
-    if (!options.play) remember_recent_files(opened);
+    if (!options.play) chooser.remember();
     if (options.size.width == 0 && !options.play) screen.remember();
     screen.hide();
-    if (options.benchmark) report_benchmark(interrupted);
+    if (options.benchmark)
+        recordings.report_benchmark({.scene = file.path(),
+                                     .precision = name(Precision::float32),
+                                     .simd = name(best_simd()),
+                                     .width = picture.state().view.width,
+                                     .height = picture.state().view.height,
+                                     .window = {screen.width(), screen.height()},
+                                     .wanted = options.size,
+                                     .depth = session.depth(),
+                                     .threads = picture.threads(),
+                                     .fps = options.fps,
+                                     .draw_seconds = pace.motion.draw_seconds()},
+                                    session.exposure, interrupted);
     notes.log("quit");
 }
 

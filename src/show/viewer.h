@@ -6,31 +6,25 @@
 #include <string>
 
 #include "show/body_tools.h"
-#include "show/file_dialog.h"
-#include "show/film_recorder.h"
 #include "show/keys/key_file.h"
-#include "show/motion/flown_pictures.h"
+#include "show/playback.h"
+#include "show/recordings.h"
+#include "show/scene_chooser.h"
 #include "show/session/session.h"
 #include "show/session/view_options.h"
 #include "show/side_by_side.h"
-#include "show/welcome/welcome.h"
 #include "show/window/input.h"
 #include "show/window/overlay.h"
 #include "show/window/panels.h"
-#include "show/window/scene_sound.h"
 #include "show/window/screen.h"
 #include "show/work/notes.h"
 #include "show/work/pace.h"
 #include "show/work/reload.h"
-#include "show/work/still_requests.h"
-#include "show/work/track_editor.h"
 #include "show/work/watched_scene.h"
 #include "show/work/window_picture.h"
 
 namespace strahl {
 
-/// Throws UsageError if the scene lacks what the options need.
-void check_options(const ViewOptions& options, const Scene& scene);
 /// Does an error in the scene end the program, because nobody can mend it?
 inline bool error_is_final(const ViewOptions& options) { return options.scene == "-" || options.play; }
 
@@ -53,10 +47,6 @@ class Viewer {
     void apply(const TimelineInput& input);
     void apply(const BodyInput& input);
     void apply(const OutlinerInput& input);
-    void open(std::string path);
-    void begin(const std::string& from, const std::string& path);
-    void take(const GalleryItem& item);
-    void take(const FileDialog::ChosenFile& chosen);
     void click(double x, double y);
     Hold points_at(double x, double y);
     glm::dvec2 in_picture(double x, double y) const;
@@ -69,16 +59,8 @@ class Viewer {
     void wait();
     void take_scene();
 
-    // Flights
-    void tell_unfollowed();
-    void start_scene();
-    void start_playing();
-    void flight_ended(const Answer& answer);
-
     std::string work_under_way() const;
     Overlay overlay() const;
-    void keep_flown(const Fresh& fresh);
-    void report_benchmark(const std::atomic<bool>& interrupted) const;
     void quit();
     void print_paths();
     void end(const std::atomic<bool>& interrupted);
@@ -92,19 +74,12 @@ class Viewer {
     Panels panels;
     Input input;
     WindowPicture picture;
-    FlownPictures flown;  // with --benchmark
-    StillRequests stills;
-    FilmRecorder film;
+    Recordings recordings;
     WatchedScene file;
     BodyTools bodies;
     SideBySide side;
-    FileDialog dialog;
-    Welcome welcome;
-    std::vector<std::string> opened;  // scenes, in this order
-    TrackEditor tracks;
-    SceneSound sound;
-    bool started = false;  // the flight of `strahl play`
-    bool closed = false;
+    SceneChooser chooser;
+    Playback playback;
 };
 
 }  // namespace strahl

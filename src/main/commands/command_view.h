@@ -6,7 +6,7 @@
 
 namespace strahl {
 
-/// Has this program a window, and does the environment name a display for it?
+/// Does this program have a window, and does the environment name a display for it?
 bool window_possible();
 
 /// Shows the scene, or the gallery if none is named. Returns the exit status: 1 if a still could not be written. A
