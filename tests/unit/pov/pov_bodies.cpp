@@ -65,7 +65,7 @@ TEST_CASE("POV-Ray: composites with bodies turned inside out contain the same po
     };
     const std::string ball = "sphere { 0, 1 ", box = "box { <0, -2, -2>, <2, 2, 2> ";
     const DVec3 left(-.5, 0, 0), right(.5, 0, 0), far(1.5, 0, 0);
-    for (const std::string text :
+    for (const std::string& text :
          {"intersection { " + ball + "} " + box + "inverse } }", "difference { " + ball + "} " + box + "} }",
           "difference { " + box + "inverse } " + ball + "inverse } }"}) {
         CHECK(inside(text, left));
@@ -189,7 +189,7 @@ TEST_CASE("POV-Ray: a box that is flat is a rectangle") {
 }
 
 TEST_CASE("POV-Ray: curved bodies become closed meshes") {
-    for (const std::string& text :
+    for (const std::string text :
          {"superellipsoid { <.5, .5> }", "blob { threshold .6 sphere { 0, 1, 1 } cylinder { 0, x, .7, .9 } }",
           "isosurface { function { x*x + y*y + z*z - .9 } }",
           "prism { conic_sweep 0, 1, 4, <0, 0>, <1, 0>, <0, 1>, <0, 0> }"}) {

@@ -1,8 +1,6 @@
 // Functions of POV-Ray's scenes, and its noise. The expected values are what POV-Ray 3.7.0.10 prints by
 // #debug str(F(...), 0, 12) for `#declare F = function { internal(N) }`.
 #include <cmath>
-#include <limits>
-#include <memory>
 #include <vector>
 
 #include "num/lattice_noise.h"

@@ -1,4 +1,4 @@
-// The language of POV-Ray's scenes: mistakes, limits, and files.
+// Tests how POV-Ray's scene language handles mistakes, limits and files.
 #include <atomic>
 #include <filesystem>
 #include <fstream>

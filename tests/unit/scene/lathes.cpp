@@ -9,40 +9,12 @@
 #include "tests/referee/dice.h"
 #include "tests/referee/lathe.h"
 #include "tests/referee/random_scene.h"
+#include "tests/unit/scene/placed_contours.h"
 
 using namespace strahl;
 
 namespace {
 
-/// A lathe's kernel in its own space, and its pieces.
-template <class T>
-struct PlacedLathe {
-    std::vector<ContourPiece<T>> pieces;
-    LatheKernel<T> kernel{};
-
-    explicit PlacedLathe(const Lathe& lathe) {
-        for (const auto& [ax, ay, cx, cy, hx, hy, ex, ey, dx, dy] : lathe.data->pieces)
-            pieces.push_back({T(ax), T(ay), T(cx), T(cy), T(hx), T(hy), T(ex), T(ey), T(dx), T(dy)});
-        lathe.emit<T>(WorldTransform(), [&](const LatheKernel<T>& own) { kernel = own; });
-    }
-    struct Place {
-        T t, face;
-    };
-    /// Returns all crossings, the nearest first.
-    std::vector<Place> crossings(const Ray<T>& ray) const {
-        std::vector<Place> found;
-        kernel.each_crossing(pieces.data(), 0, ray, ray.source, true, [&](bool, T t, T face) {
-            found.push_back({t, face});
-        });
-        std::ranges::sort(found, {}, &Place::t);
-        return found;
-    }
-    SurfacePoint<T> at(const Ray<T>& ray, const Place& place) const {
-        return kernel.at(pieces[static_cast<std::size_t>(place.face)], ray, place.t, place.face);
-    }
-};
-
-DVec3 point_near_lathe(Dice& dice) { return dice.vector(-1.2, 1.2); }
 Lathe lathe_of(std::vector<Contour> contours) {
     return {std::make_shared<const ContourData>(std::move(contours), true)};
 }
@@ -54,9 +26,9 @@ void compare_lathes(double error) {
     int compared = 0, grazed = 0;
     for (int n = 0; n < 80; ++n) {
         const Lathe lathe = random_lathe(dice);
-        const PlacedLathe<T> placed(lathe);
+        const PlacedContours<Lathe, T> placed(lathe);
         for (int m = 0; m < 12; ++m) {
-            DVec3 to = point_near_lathe(dice), from = 5. * dice.direction();
+            DVec3 to = point_near_body(dice), from = 5. * dice.direction();
             if (m == 0) from = {to.x, 5, to.z};                // along the axis
             if (m == 1) from = {from.x, to.y, from.z};         // level
             if (m == 2) from = {from.x, to.y + 1e-5, from.z};  // nearly
@@ -102,7 +74,7 @@ TEST_CASE("lathes: rays through the ends of pieces, and beside them, cross the s
     Dice dice{2};
     for (int n = 0; n < 60; ++n) {
         const Lathe lathe = random_lathe(dice);
-        const PlacedLathe<float> placed(lathe);
+        const PlacedContours<Lathe, float> placed(lathe);
         const ContourData& data = *lathe.data;
         for (const ContourPiece<double>& piece : data.pieces) {
             const double turn = dice.in(0, 6.3);
@@ -119,7 +91,7 @@ TEST_CASE("lathes: rays through the ends of pieces, and beside them, cross the s
 }
 
 TEST_CASE("lathes: level rays through an edge meet the surface on both sides") {
-    const PlacedLathe<double> placed(lathe_of({{{0, -1}, {{{1, 0}, {1, 0}}, {{0, 1}, {0, 1}}}}}));
+    const PlacedContours<Lathe, double> placed(lathe_of({{{0, -1}, {{{1, 0}, {1, 0}}, {{0, 1}, {0, 1}}}}}));
     const auto found = placed.crossings({Vec3<double>(-3, 0, 0), Vec3<double>(1, 0, 0), -1.});
     REQUIRE(found.size() == 2);
     CHECK(found[0].t == doctest::Approx(2));
@@ -127,28 +99,7 @@ TEST_CASE("lathes: level rays through an edge meet the surface on both sides") {
 }
 
 TEST_CASE("lathes: rays that start on a surface do not meet it there again, and meet what is ahead") {
-    Dice dice{3};
-    int far = 0, near = 0;
-    for (int n = 0; n < 100; ++n) {
-        const Lathe lathe = random_lathe(dice);
-        const PlacedLathe<float> placed(lathe);
-        for (int m = 0; m < 10; ++m) {
-            const DVec3 from = 5. * dice.direction();
-            const Ray<float> ray{cast<float>(from), cast<float>(normalize(point_near_lathe(dice) - from)), -1};
-            const auto found = placed.crossings(ray);
-            if (found.empty()) continue;
-            // On along the ray: the crossings left are those that were behind the first.
-            const Ray<float> on{placed.at(ray, found[0]).position, ray.direction, found[0].face};
-            std::vector<float> ahead;
-            for (const auto& place : placed.crossings(on))
-                if (place.t > 0) ahead.push_back(place.t);
-            near += ahead.size() != found.size() - 1;
-            for (std::size_t i = 0; i + 1 < found.size() && i < ahead.size(); ++i)
-                far += std::fabs(ahead[i] - (found[i + 1].t - found[0].t)) > 1e-3;
-        }
-    }
-    CHECK(near == 0);
-    CHECK(far == 0);
+    check_rays_that_start_on<Lathe>(100, random_lathe);
 }
 
 TEST_CASE("lathes: what is inside is what an odd number of contours surround") {
@@ -162,7 +113,7 @@ TEST_CASE("lathes: what is inside is what an odd number of contours surround") {
     Dice dice{4};
     for (int n = 0; n < 300; ++n) {
         const Lathe lathe = random_lathe(dice);
-        const DVec3 p = point_near_lathe(dice);
+        const DVec3 p = point_near_body(dice);
         CHECK(lathe.contains(p) == referee::contains<long double>(lathe, p));
     }
 }

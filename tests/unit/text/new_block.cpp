@@ -11,7 +11,7 @@
 #include "scene/overlap.h"
 #include "scene/ray_hits.h"
 #include "tests/unit/scenes.h"
-#include "text/edit_path.h"
+#include "tests/unit/text/random_texts.h"
 #include "text/parse.h"
 #include "text/text_changes.h"
 #include "text/write.h"
