@@ -424,7 +424,7 @@ class CompositeWalk {
 };
 
 template <class S>
-struct FormFunctions<CompositeForm, S> {
+struct FormFunctions<CompositeForm, S> : SingleByPack<FormFunctions<CompositeForm, S>, S> {
     using T = Element<S>;
     static void intersect(const World<T>& world, int first, int count, const Ray<S>& ray, Mask<S> mask,
                           Nearest<S>& best) {
@@ -440,12 +440,6 @@ struct FormFunctions<CompositeForm, S> {
                 return Mask<S>(!lanes);
             });
         }
-    }
-    static void intersect_single(const World<T>& world, int first, int count, SingleRay<S>& single) {
-        Nearest<S> best;
-        best.t = S(single.t), best.surface = S(single.surface);
-        intersect(world, first, count, single.ray, first_lanes<S>(1), best);
-        single.t = lane(best.t, 0), single.surface = lane(best.surface, 0);
     }
     static bool occlude(const World<T>& world, int first, int count, const Ray<S>& ray, const S& distance, Mask<S> mask,
                         Transmission<S>& light) {
@@ -472,12 +466,6 @@ struct FormFunctions<CompositeForm, S> {
             if (all(light.limit < S(0))) return true;
         }
         return false;
-    }
-    static bool occlude_single(const World<T>& world, int first, int count, SingleRay<S>& single) {
-        Transmission<S> light{splat<S>(single.share), select(first_lanes<S>(1), S(1), S(-1))};
-        const bool dark = occlude(world, first, count, single.ray, S(single.t), first_lanes<S>(1), light);
-        for (int c = 0; c < 3; ++c) single.share[c] = lane(light.share[c], 0);
-        return dark;
     }
 };
 

@@ -36,7 +36,7 @@ STRAHL_INLINE S lanes_of(const Doubles<S>& a, int part) {
 
 template <class OwnForm, class S>
 requires has_contours<typename OwnForm::Kind>
-struct FormFunctions<OwnForm, S> {
+struct FormFunctions<OwnForm, S> : SingleByPack<FormFunctions<OwnForm, S>, S> {
     using T = Element<S>;
     static void intersect(const World<T>& world, int first, int count, const Ray<S>& ray, Mask<S> mask,
                           Nearest<S>& best) {
@@ -46,12 +46,6 @@ struct FormFunctions<OwnForm, S> {
                 best.t = select(better, t, best.t);
                 best.surface = select(better, surface, best.surface);
             });
-    }
-    static void intersect_single(const World<T>& world, int first, int count, SingleRay<S>& single) {
-        Nearest<S> best;
-        best.t = S(single.t), best.surface = S(single.surface);
-        intersect(world, first, count, single.ray, first_lanes<S>(1), best);
-        single.t = lane(best.t, 0), single.surface = lane(best.surface, 0);
     }
     static bool occlude(const World<T>& world, int first, int count, const Ray<S>& ray, const S& distance, Mask<S> mask,
                         Transmission<S>& light) {
@@ -73,13 +67,7 @@ struct FormFunctions<OwnForm, S> {
         }
         return false;
     }
-    static bool occlude_single(const World<T>& world, int first, int count, SingleRay<S>& single) {
-        Transmission<S> light{splat<S>(single.share), select(first_lanes<S>(1), S(1), S(-1))};
-        const bool dark = occlude(world, first, count, single.ray, S(single.t), first_lanes<S>(1), light);
-        for (int c = 0; c < 3; ++c) single.share[c] = lane(light.share[c], 0);
-        return dark;
-    }
-    /// As for other forms, but the faces are known.
+    /// Does what it does for other forms, but the faces are known.
     static void surfaces_at(const World<T>& world, const int* numbers, const Ray<S>& ray, const S& t, const S& faces,
                             SurfaceHit<S>& hit, int* materials) {
         for (int k = 0; k < width<S>; ++k) materials[k] = static_cast<int>(items(world)[numbers[k]].material);

@@ -125,6 +125,24 @@ struct FormFunctions {
     static void hit_each(const Item<Form, S>& items, const Ray<S>& ray, const S& t, const S& faces, SurfaceHit<S>& hit);
 };
 
+/// Answers the queries of a single ray by those of a pack, in which it is the only one.
+template <class Functions, class S>
+struct SingleByPack {
+    using T = Element<S>;
+    static void intersect_single(const World<T>& world, int first, int count, SingleRay<S>& single) {
+        Nearest<S> best;
+        best.t = S(single.t), best.surface = S(single.surface);
+        Functions::intersect(world, first, count, single.ray, first_lanes<S>(1), best);
+        single.t = lane(best.t, 0), single.surface = lane(best.surface, 0);
+    }
+    static bool occlude_single(const World<T>& world, int first, int count, SingleRay<S>& single) {
+        Transmission<S> light{splat<S>(single.share), select(first_lanes<S>(1), S(1), S(-1))};
+        const bool dark = Functions::occlude(world, first, count, single.ray, S(single.t), first_lanes<S>(1), light);
+        for (int c = 0; c < 3; ++c) single.share[c] = lane(light.share[c], 0);
+        return dark;
+    }
+};
+
 /// Pointers to these functions, for a form that is known by its number.
 template <class S>
 struct FormCalls {

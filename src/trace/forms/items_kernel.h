@@ -1,7 +1,6 @@
 // Ray queries on items of one form: nearest hit and transmitted light.
 #pragma once
 #include <array>
-#include <bit>
 #include <utility>
 
 #include "num/memory.h"

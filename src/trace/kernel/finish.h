@@ -90,15 +90,14 @@ void add_lights(const Shading<S, P>& shading, const Hit<S>& hit, const int* numb
         if (none(faces)) continue;
         Vec3<S> share = splat<S>(Vec3<T>(1));
         // Behind the plane from which parallel light comes nothing is in its way.
-        const Mask<S> behind = light.starts ? faces & !(way.distance > zero) : first_lanes<S>(0);
-        if (light.shadowless || none(faces & !behind)) {
-        } else if (light.area) {
+        Mask<S> shaded = light.shadowless ? first_lanes<S>(0) : faces;
+        if (light.starts) shaded = shaded & (way.distance > zero);
+        if (any(shaded) && light.area) {
             share = soft_share(shading, hit, i, faces, strength, reflected, notes, visible);
-        } else {
-            share = select(
-                behind, share,
-                visible(world, Ray<S>{hit.position, way.l, hit.surface}, way.distance, faces & !behind,
-                        Start<S>{i, hit.bin, hit.outside, ~BodySet(0), hit.medium, &mediums(shading.workspace)}));
+        } else if (any(shaded)) {
+            const Start<S> start{i, hit.bin, hit.outside, ~BodySet(0), hit.medium, &mediums(shading.workspace)};
+            const Ray<S> ray{hit.position, way.l, hit.surface};
+            share = select(shaded, visible(world, ray, way.distance, shaded, start), share);
             shading.counts.shadow += count(faces);
         }
         if (notes_sights(shading)) note_light(shading, hit, notes, i, share, S(dot(reflected, way.l)), faces);
