@@ -12,7 +12,7 @@ strahl_tests(test_trace unit "" structure)
 set_source_files_properties(${CMAKE_SOURCE_DIR}/tests/unit/trace/area_light.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 # It starts threads in place of the C library.
 strahl_tests(test_thread_pool unit "strahl_text;strahl_trace" thread_pool)
-# With sanitizers it takes as long as all of the window's parts together, and `sampling` runs the same code.
+# Leaves `thin` out with sanitizers, where it would take long: `sampling` runs the same code.
 set_tests_properties(thin PROPERTIES LABELS slow)
 # The label `figures` is for tests of what numbers come out: sanitizers see their code in `hashes`, `kernel` and
 # `attack_renderer`, which trace all kinds of worlds, and tests/run leaves them out there.

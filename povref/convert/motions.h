@@ -1,9 +1,10 @@
 // Converts motions to POV-Ray transformations that depend on `clock`.
 #pragma once
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "scene/scene.h"
+#include "scene/motion/transformation.h"
 
 namespace strahl {
 

@@ -146,7 +146,7 @@ PovCamera axes_of(const Camera& camera, double aspect, bool left_handed = false)
     if (camera.projection == Projection::cylinder || camera.projection == Projection::cylinder3) axes.up = up;
     if (camera.projection == Projection::cylinder2 || camera.projection == Projection::cylinder4)
         axes.right = 2 * frame.tan_x * frame.right;
-    // Spherical rays are turned about the axes, which is upside down by right-handed ones.
+    // The rays of a spherical camera are turned about its axes; right-handed ones would turn the picture upside down.
     if (camera.projection == Projection::spherical && !left_handed) axes.right = -axes.right, axes.up = -axes.up;
     return axes;
 }

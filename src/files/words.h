@@ -10,6 +10,9 @@ namespace strahl {
 inline bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 /// The small letter of an ASCII letter; other characters stay as they are.
 inline char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
+/// Does a word of a scene begin with this character: an ASCII letter or an underscore?
+inline bool is_letter(char c) { return (lower(c) >= 'a' && lower(c) <= 'z') || c == '_'; }
 /// Are these the same, regardless of case?
 bool same_word(std::string_view a, std::string_view b);
 

@@ -1,4 +1,4 @@
-// The rate of a film: a fraction, because rates such as 59.94, which is 60000/1001, have no finite decimals.
+// Stores the rate of a film as a fraction, because rates such as 59.94, which is 60000/1001, have no finite decimals.
 #pragma once
 #include <algorithm>
 #include <cmath>

@@ -12,6 +12,7 @@
 #include <system_error>
 #include <thread>
 
+#include "files/words.h"
 #include "image/memory.h"
 #include "image/picture_module.h"
 #include "image/picture_writer.h"
@@ -88,8 +89,7 @@ const PictureLibrary& library() {
 std::string ending_of(const std::string& path) {
     const auto dot = path.find_last_of("./");
     std::string ending = dot == std::string::npos || path[dot] == '/' ? "" : path.substr(dot);
-    for (char& c : ending)
-        if (c >= 'A' && c <= 'Z') c += 'a' - 'A';
+    for (char& c : ending) c = lower(c);
     return ending;
 }
 
@@ -132,8 +132,6 @@ Picture read_picture(const std::string& path, std::uint64_t most) {
         throw FileError("cannot read '" + path + "' as a picture: " + reason.substr(0, reason.find('\n')));
     return picture;
 }
-
-void require_picture_library() { library(); }
 
 Picture text_picture(const std::string& text, int size) {
     Picture picture;

@@ -51,9 +51,6 @@ inline constexpr std::uint64_t most_values_read = std::uint64_t(1) << 28;
 /// there is memory for.
 Picture read_picture(const std::string& path, std::uint64_t most = most_values_read);
 
-/// Loads the library that reads .png and .exr files, before work that would be lost without it. Throws OutputError.
-void require_picture_library();
-
 /// Returns a picture of one line of text, of one channel: 1 in the letters of a font of the system, 0 around them.
 /// `size` is that of the font in pixels. Throws FileError if there is no font, and OutputError without the library.
 Picture text_picture(const std::string& text, int size);

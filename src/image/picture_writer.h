@@ -1,7 +1,6 @@
 // Writes a picture whose pixels come in any order and from any thread, and encodes bands as soon as they are complete.
 #pragma once
 #include <atomic>
-#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <optional>

@@ -13,7 +13,7 @@ constexpr MeshData::Corners nothing{Face::none, Face::none, Face::none};
 
 double largest(const DVec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-/// Has it a direction that can be computed with? Squares of its coordinates must neither overflow nor vanish.
+/// Does it have a direction that can be computed with? Squares of its coordinates must neither overflow nor vanish.
 bool is_direction(const DVec3& n) {
     const double most = largest(n);  // a comparison with NaN is false
     return most > 1e-100 && most < 1e100 && std::isfinite(n.x + n.y + n.z);

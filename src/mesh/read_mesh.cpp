@@ -11,7 +11,7 @@
 namespace strahl {
 namespace {
 
-/// Has the path this ending, in capitals or not?
+/// Does the path have this ending, in capitals or not?
 bool ends_with(std::string_view path, std::string_view ending) {
     return path.size() >= ending.size() && same_word(path.substr(path.size() - ending.size()), ending);
 }

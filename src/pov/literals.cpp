@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <optional>
-#include <span>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -69,8 +68,6 @@ class BlockNumbers {
         while (end < file.text.size() && (is_letter(file.text[end]) || is_digit(file.text[end]))) ++end;
         return file.text.substr(tokens[i].at, end - tokens[i].at);
     }
-    static bool is_digit(char c) { return c >= '0' && c <= '9'; }
-    static bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 
     /// Returns the number of the bracket that closes the one at `i`, or of the last token.
     std::size_t closing(std::size_t i) const;

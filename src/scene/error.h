@@ -1,7 +1,6 @@
 // Errors that a user can correct: in a command line, in a file, or in writing one.
 #pragma once
 #include <stdexcept>
-#include <string>
 
 namespace strahl {
 

@@ -67,7 +67,7 @@ struct Material {
         for (const Material& coat : coats) any = any || coat.rgb.pattern;
         return any;
     }
-    /// Has it a pattern that is mapped by uv?
+    /// Does it have a pattern that is mapped by uv?
     bool by_uv() const {
         bool any = false;
         each_pattern([&](const Pattern& own) { any |= own.by_uv; });

@@ -136,7 +136,7 @@ struct Pattern {
     /// mesh's triangles and linear between these. Images are planar then.
     bool by_uv = false;
     bool operator==(const Pattern&) const = default;
-    /// Has it patterns among its colours?
+    /// Does it have patterns among its colours?
     bool nests() const {
         bool any = false;
         for (const ColorStop& stop : colors) any = any || stop.pattern;
@@ -184,8 +184,8 @@ struct Relief {
 /// which is how POV-Ray has it: the sum of value(p + step v) v over its four directions v, times 3 / (4 step). The
 /// value of an image is its brightness, see `brightness`.
 ///
-/// By uv the space is that of u, v and the normal. Its axes are the directions along the surface in which u and v grow,
-/// and u x v, whose length is the square root of the area that the other two span.
+/// A bump by uv is in the space of u, v and the normal. The axes are the directions along the surface in which u and v
+/// grow, and u x v, whose length is the square root of the area that the other two span.
 struct Bump : Relief {
     /// The step: .02, or the size of a pixel for an image.
     double step() const {

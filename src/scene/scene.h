@@ -62,7 +62,7 @@ struct Scene {
     std::vector<Track> tracks;  // saved beside the scene; read only if some number follows one
     std::vector<Follow> camera_follows, background_follows;  // numbers of the camera and the background's colour
     bool operator==(const Scene&) const = default;
-    /// Has it anything that the article's equation lacks?
+    /// Does it have anything that the article's equation lacks?
     bool finished() const {
         bool any = settings.adc_bailout > 0 || (fog && fog->filter > 0);
         for (const Material& own : materials) any = any || !own.plain();

@@ -40,7 +40,8 @@ class BodyTools {
     /// Chooses the light whose mark is at a point of the view's picture, in pixels, no further than `reach`; else the
     /// body there.
     void click(const View& view, const glm::dvec2& point, double reach);
-    /// From now on the next click puts this where it meets a surface. Stops that; false if there was nothing to stop.
+    /// Makes the next click put this block where it meets a surface. end_adding() stops that, and returns false if
+    /// there was nothing to stop.
     void begin_adding(const NewBlock& block);
     bool end_adding();
     /// Returns the name of what the next click adds, or null.
@@ -49,7 +50,7 @@ class BodyTools {
     void apply(const BodyInput& input);
     /// Chooses, hides and shows what the user asked for in the outline.
     void apply(const OutlinerInput& input);
-    /// The bodies that are hidden in the picture; nothing is written of that.
+    /// The bodies that are hidden in the picture. Hiding does not change the text.
     const std::set<int>& hidden() const { return not_shown; }
     /// Returns the session's scene without these.
     std::shared_ptr<const Scene> scene_shown();

@@ -1,7 +1,6 @@
 #include "text/body_text.h"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 #include "files/words.h"

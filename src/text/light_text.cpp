@@ -1,6 +1,5 @@
 #include "text/light_text.h"
 
-#include <type_traits>
 #include <variant>
 #include <vector>
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <span>
 
 #include "files/words.h"
 #include "num/decimal.h"
@@ -68,7 +67,7 @@ bool patterned(const Material& material) {
 
 }  // namespace
 
-/// By Rodrigues' formula.
+/// Turns by Rodrigues' formula.
 DVec3 turned(const DVec3& v, const TurnBy& turn) {
     const double angle = turn.degrees * std::numbers::pi / 180, cosine = std::cos(angle);
     return cosine * v + std::sin(angle) * cross_product(turn.axis, v) +

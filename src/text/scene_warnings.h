@@ -1,4 +1,4 @@
-// Finds what is allowed in a scene but hardly meant.
+// Warns of what is allowed in a scene but probably a mistake.
 #pragma once
 #include <string>
 #include <vector>

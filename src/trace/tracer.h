@@ -25,11 +25,11 @@ const char* name(Precision precision);  // "float", "double", "extended"
 const char* name(Simd simd);            // "scalar", "x86-64-v2", ...
 /// Returns the best level that this processor and this build have.
 Simd best_simd();
-/// Has this program its kernels, and can this processor run them?
+/// Does this program have its kernels, and can this processor run them?
 bool supported(Simd simd);
 /// Returns whether this program has the code of a level; this processor may lack its instructions.
 bool built(Simd simd);
-/// Has this program the kernels that View::prove needs?
+/// Does this program have the kernels that View::prove needs?
 bool proves();
 /// Does this program have a kernel that any processor of this kind can run, and not only the scalar one?
 bool for_other_processors();

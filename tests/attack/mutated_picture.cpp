@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 
 #include "image/picture.h"
 #include "tests/attack/mutator.h"

@@ -1,6 +1,5 @@
 // Spoilt files for the small readers, each given to all of them.
 #include <algorithm>
-#include <fstream>
 #include <iterator>
 
 #include "files/regular_file.h"

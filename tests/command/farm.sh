@@ -55,7 +55,7 @@ fi
 
 # openjd ends with the first task that fails, and is run again.
 if command -v openjd >/dev/null; then
-    # by_openjd TEMPLATE ARGUMENT...: with what all templates need.
+    # by_openjd TEMPLATE ARGUMENT...: runs a template, with the parameters that all of them need.
     by_openjd() {
         for ((try = 0; try < 100; ++try)); do
             openjd run "$source_folder/assets/farm/$1.openjd.yaml" -p Strahl="$PWD/mortal" -p Scene="$PWD/scene.rt" "${@:2}" \

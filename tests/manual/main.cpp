@@ -5,7 +5,6 @@
 #include "files/output_file.h"
 #include "files/read_file.h"
 #include "text/manual/manual.h"
-#include "text/parse.h"
 
 int main(int argc, char** argv) try {
     if (argc != 2) return std::fputs("write_manual FILE\n", stderr), 2;

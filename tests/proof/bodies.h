@@ -74,7 +74,7 @@ inline Shape random_part(Dice& dice, const DVec3& centre, double radius, bool ma
     if (kind == 3) return Cone{beside - along, size, beside + along, dice.chance(.5) ? 0 : .3 * size};
     return Plane{beside, beside + dice.direction() * radius, beside + dice.direction() * radius};
 }
-/// Parts have this material, or the next one.
+/// Makes a composite whose parts have this material or the next one.
 inline Shape random_composite(Dice& dice, const DVec3& centre, double radius, int material, bool transformed,
                               bool inner = false) {
     const int operation = dice.upto(2);

@@ -25,7 +25,7 @@ R spin_error(const Case<Cylinder>& cylinder, const Line<R>& exact, const Line<R>
 struct Insides {
     Closest away{"point"}, turn{"mirrored direction"}, spin{"spin"}, told{"certain, or not"};
 
-    /// From a point of the side, until the ray leaves it, or what is known of it.
+    /// Follows a ray from a point of the side on, until it leaves the side, or nothing is known of it any more.
     template <class Shape>
     void follow(const Case<Shape>& body, OffRay off, int bounces) {
         for (int i = 0; i < bounces; ++i) {

@@ -90,7 +90,7 @@ struct Differences {
         share.take(off(kernel.b, way.place(shape.b)) / whole, slack.share);
         share.take(off(kernel.c, way.place(shape.c)) / whole, slack.share);
     }
-    /// Normals as vectors of which the longest is 1, on either side.
+    /// Compares normals as vectors of which the longest has length 1. They may point to either side.
     void compare(const SmoothTriangle& shape, const SmoothTriangleKernel<T>& kernel, const ExactWay& way,
                  const Slack<T>& slack) {
         compare(Triangle{shape.a, shape.b, shape.c}, kernel.flat, way, slack);

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <memory>
 #include <utility>
-#include <vector>
 
 #include "scene/scene.h"
 #include "tests/proof/bodies.h"

@@ -4,7 +4,6 @@
 //     PROOF_PHOTON=photon.rt test_proof -tc='a photon*'     the table there, and a scene that shows the photon's way
 #include <array>
 #include <fstream>
-#include <iostream>
 
 #include "tests/proof/trial.h"
 

@@ -17,7 +17,6 @@
 #include <mutex>
 #include <numeric>
 #include <string>
-#include <vector>
 
 #include "num/thread_pool.h"
 #include "tests/proof/exact.h"

@@ -80,11 +80,11 @@ struct OffRay {
 inline double turn_from(const Vector& exact, const DVec3& computed) {
     return above(length(exact - unit(vector(computed))));
 }
-/// The length of a direction is off as much as may be.
+/// Returns a direction whose length is off by as much as is allowed.
 inline DVec3 nearly_unit(Dice& dice, const Vector& v) {
     return rounded(R(1 + dice.in(-2, 2) * std::numeric_limits<double>::epsilon()) * unit(v));
 }
-/// The exact one is moved and turned along these.
+/// Returns a computed ray and an exact one beside it, which is moved and turned along these vectors.
 inline OffRay off_ray(Dice& dice, const DVec3& origin, const Vector& towards, const Vector& moved,
                       const Vector& turned) {
     OffRay off;

@@ -33,7 +33,7 @@ template <std::floating_point R>
 R sine_of(R a) {
     return std::sin(a);
 }
-/// Of (x, y) from the x axis.
+/// Returns the angle of (x, y) from the x axis.
 template <std::floating_point R>
 R angle_of(R x, R y) {
     return std::atan2(y, x);

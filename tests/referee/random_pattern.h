@@ -23,7 +23,7 @@ inline Pixels made_up_pixels(const std::string& path) {
     }
     return pixels;
 }
-/// Of any map but uv, which most bodies lack.
+/// Makes an image of any map but uv, for which most bodies lack coordinates.
 inline ImagePattern random_image(Dice& dice) {
     ImagePattern image;
     const auto number = [&](int most) { return std::to_string(1 + dice.upto(most)); };
@@ -34,7 +34,8 @@ inline ImagePattern random_image(Dice& dice) {
     return image;
 }
 
-/// Not among the usual ones: these are not averaged, and proofs know nothing of them.
+/// Makes one of POV-Ray's own patterns. The usual random scenes have none: they are not averaged, and proofs do not
+/// know them.
 inline SolidPattern random_solid(Dice& dice) {
     SolidPattern own;
     own.solid = static_cast<Solid>(dice.upto(static_cast<int>(solid_names.size()) - 1));

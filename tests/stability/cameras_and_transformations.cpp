@@ -1,7 +1,6 @@
 // Cameras and transformations that are invalid, and some that are just valid.
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -72,7 +71,7 @@ TEST_CASE("axes stay at right angles for any camera that a file may contain") {
         const double far = std::pow(10, dice(-12, 14));
         Camera camera{dice.direction() * far, dice.direction() * far, {}, 20, {}};
         const DVec3 view = camera.look_at - camera.position;
-        // Up to almost parallel.
+        // Makes `up` anything from almost parallel to the view to much longer.
         camera.up = view / naive::length(view) + dice.direction() * std::pow(10, dice(-9, 1));
         camera.up = camera.up * std::pow(10, dice(-200, 14));
         if (degenerate(camera)) continue;

@@ -1,7 +1,6 @@
 // Mirrors that face each other: errors grow from bounce to bounce as in theory, not faster, and start at the last bit.
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 

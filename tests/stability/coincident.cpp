@@ -1,7 +1,6 @@
 // Coincident surfaces: the one declared first is always visible.
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "scene/kinds/kinds.h"

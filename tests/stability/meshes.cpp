@@ -97,8 +97,8 @@ void aim_at_sides(double most) {
     CHECK(lost < rays / 2);
 }
 
-/// Of rays at triangles far longer than wide, seen from as far away as they are long, those that hit outside the box of
-/// the triangle, by more than the boxes of a hierarchy are grown.
+/// Counts rays that hit a triangle outside its box, by more than the boxes of a hierarchy are grown. The triangles are
+/// far longer than wide, and seen from as far away as they are long.
 template <class T>
 void aim_at_needles() {
     constexpr double rounding = 32 * static_cast<double>(std::numeric_limits<T>::epsilon());

@@ -1,7 +1,6 @@
 // The pictures of README.md: the naive method on the left, Strahl on the right.
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <iostream>
 #include <string>
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "scene/kinds/plane.h"
 #include "tests/stability/naive.h"

@@ -1,8 +1,6 @@
 // Scenes for the stability suite, and measures of their pictures.
 #pragma once
-#include <cstdint>
 #include <random>
-#include <utility>
 #include <vector>
 
 #include "scene/scene.h"

@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "scene/kinds/kinds.h"
 #include "tests/stability/naive.h"
 #include "tests/stability/stage.h"
 

@@ -378,8 +378,8 @@ const std::map<std::string, std::set<std::string>> names_in_standard_headers{
     {"vector", {"vector"}},
 };
 
-/// What headers use without an include, their own or that of a header that they include: names of std, and types that
-/// another header defines. `types` are the headers that define each type.
+/// Lists what headers use without an include of their own or of a header that they include: names of std, and types
+/// that another header defines. `types` are the headers that define each type.
 std::vector<std::string> lacking_includes(const std::map<std::string, Header>& headers,
                                           const std::map<std::string, std::string>& types) {
     std::vector<std::string> lacking;

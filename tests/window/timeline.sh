@@ -22,9 +22,9 @@ cmp first.rt scene.rt~ || fault "the copy is not the file as it was"
 [[ $(diff first.rt scene.rt | grep -c '^<') == 0 ]] || fault "more than a block was added: $(diff first.rt scene.rt)"
 cp scene.rt second.rt
 
-# find_key: puts the place of the second key into x and y, at its right corner.
+# find_key: puts the place of the second key's right corner into x and y.
 find_key() {
-    # Of the keys it is not at the moment of the flight; it is the only thing of this colour.
+    # At the start of the flight this key is the only thing of this colour.
     xdotool key Home sleep 0.5
     import -window "$id" shot.png
     read -r x y < <(convert shot.png -crop 640x170+0+230 +repage txt:- | sed -n 's/^\([0-9]*\),\([0-9]*\):.*#8CCCFF.*/\1 \2/p' | sort -n | sed -n '$p')

@@ -2,7 +2,6 @@
 #include "main/commands/command_import.h"
 
 #include <filesystem>
-#include <iostream>
 
 #include "files/output_file.h"
 #include "files/read_file.h"

@@ -2,9 +2,7 @@
 
 #include <cmath>
 #include <filesystem>
-#include <iostream>
 
-#include "files/output_file.h"
 #include "main/commands/scene_file.h"
 #include "povref/convert/pov_scene.h"
 #include "scene/moving_scene.h"

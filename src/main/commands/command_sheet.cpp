@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "files/output_file.h"
 #include "files/read_file.h"
 #include "files/utf8.h"
 #include "image/picture.h"

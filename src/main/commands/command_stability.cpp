@@ -1,11 +1,9 @@
 // strahl stability: renders in float, double and long double, and shows where they disagree.
 #include "main/commands/command_stability.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "files/output_file.h"

@@ -15,7 +15,7 @@ inline std::string shown_name(const std::string& path) { return path == "-" ? "s
 /// Reads a scene and its pictures from a file, or from standard input for "-". Tells the notes about it, see
 /// OpenedScene. Throws FileError. A .pov is read as it is at the time.
 OpenedScene load_opened(const std::string& path, OpeningOptions options, std::optional<double> time = {});
-/// As above.
+/// Returns the scene of load_opened() alone.
 Scene load_scene(const std::string& path, OpeningOptions options, std::optional<double> time = {});
 
 /// Prints warnings on standard error.

@@ -1,7 +1,5 @@
 #include "main/lsp/scene_names.h"
 
-#include <algorithm>
-
 #include "files/utf8.h"
 #include "files/words.h"
 

@@ -27,7 +27,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// An answer to a message that cannot be followed, with a number of JSON-RPC 2.0 or of the protocol.
+/// The error that answers a message which cannot be followed. `code` is one of JSON-RPC 2.0 or of the protocol.
 struct Refusal {
     int code;
     const char* message;

@@ -39,6 +39,4 @@ Interrupt::~Interrupt() {
 
 const std::atomic<bool>* Interrupt::flag() const { return &was_asked; }
 
-void Interrupt::ask() { was_asked = true; }
-
 }  // namespace strahl

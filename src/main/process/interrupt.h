@@ -17,9 +17,6 @@ class Interrupt {
 
     const std::atomic<bool>* flag() const;
 
-    /// Sets the flag as a signal would. For code that finds that going on makes no sense.
-    static void ask();
-
   private:
     struct sigaction old_interrupt, old_terminate, old_hang_up;
 };

@@ -42,7 +42,7 @@ std::string alternatives(const OptionText& option) {
     return all;
 }
 
-/// Up to the first end of a clause, so that it fits on a line.
+/// Cuts a help text off at the end of its first clause, so that it fits on a line.
 std::string brief(const std::string& help) { return help.substr(0, help.find_first_of(";:,(")); }
 
 std::vector<std::string> names_of(const std::vector<CommandText>& commands) {

@@ -11,7 +11,6 @@
 #include "files/read_file.h"
 #include "scene/error.h"
 #include "scene/leaves.h"
-#include "text/parse.h"
 
 namespace strahl {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "image/picture_writer.h"
 #include "main/render/stats.h"
-#include "trace/tracer.h"
+#include "trace/world/view.h"
 
 namespace strahl {
 

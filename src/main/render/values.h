@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "image/frame_rate.h"
-#include "trace/tracer.h"
+#include "trace/cells/pixel_sampling.h"
+#include "trace/world/view.h"
 
 namespace strahl {
 

@@ -222,13 +222,6 @@ Components Interpreter::read_components() {
     state->sum(result);
     return result;
 }
-Components Interpreter::read_parenthesised() {
-    Components result;
-    expect('(');
-    state->full(result, 1);
-    expect(')');
-    return result;
-}
 bool Interpreter::at_color() { return state->at_color(); }
 FilterColor Interpreter::read_color() { return state->color(); }
 bool Interpreter::at_string() { return state->at_string(); }

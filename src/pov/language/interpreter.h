@@ -2,7 +2,6 @@
 #pragma once
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -96,8 +95,6 @@ class Interpreter {
     std::array<double, 2> read_uv();
     /// Reads an expression of up to 5 components.
     Components read_components();
-    /// Reads a condition or an argument in parentheses, where all operators are read; at '('.
-    Components read_parenthesised();
     /// Does a colour begin here: a word such as `color`, `rgb` or `red`, or the identifier of a colour?
     bool at_color();
     /// Reads a colour with or without its words.

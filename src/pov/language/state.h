@@ -1,7 +1,6 @@
 // The interpreter's state: where it reads, what identifiers stand for, and the readers of the language's own parts.
 #pragma once
 #include <array>
-#include <deque>
 #include <map>
 #include <memory>
 #include <ostream>
@@ -10,7 +9,6 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
-#include <unordered_set>
 #include <vector>
 
 #include "num/lattice_noise.h"
@@ -118,9 +116,6 @@ struct Interpreter::State {
     void pop_reading();
     const TextFile& text() const { return *files[readings.back().file]; }
     TextPlace place_of(const RawToken& raw) const { return {readings.back().file, raw.at}; }
-    std::string_view string_of(const RawToken& raw) const {
-        return std::string_view(text().text).substr(raw.at + 1, raw.index);
-    }
 
     // Directives.
     void directive(const RawToken& raw);

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <ctime>
 
+#include "files/words.h"
 #include "pov/language/state.h"
 
 namespace strahl::pov {
@@ -160,7 +161,7 @@ std::string Interpreter::State::string() {
             const bool up = function == word("strupr");
             for (char& c : text) {
                 if (up && c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-                if (!up && c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+                if (!up) c = lower(c);
             }
             break;
         }

@@ -1,7 +1,6 @@
 // Maps identifiers to their values. Scope is dynamic: tables form a stack, and the youngest entry of a name counts.
 #pragma once
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "pov/language/value.h"

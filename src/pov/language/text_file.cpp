@@ -10,8 +10,6 @@
 namespace strahl::pov {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool is_blank(char c) { return is_space(c) || c == '\0' || c == 26; }
 
 /// Cuts one text.

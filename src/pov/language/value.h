@@ -6,8 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "num/vec.h"
-
 namespace strahl::pov {
 
 /// The kinds of values. Those from `pigment` on are things of the layer above, which the language only hands on.

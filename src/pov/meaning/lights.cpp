@@ -3,7 +3,6 @@
 #include <cmath>
 #include <numbers>
 #include <utility>
-#include <vector>
 
 #include "num/vec_math.h"
 #include "pov/meaning/scene_maker.h"

@@ -58,7 +58,7 @@ class MaterialMaker {
     Material layered_material_of(const TextureThing& texture, const InteriorThing* interior, const MaterialUse& use,
                                  const Steps& way);
     static bool has_pattern(const TextureThing& texture);
-    /// Has the scene a light?
+    /// Does the scene have a light?
     bool lit();
     Material material_of(const TextureThing& texture, const InteriorThing* interior, const MaterialUse& use,
                          const Steps& way);

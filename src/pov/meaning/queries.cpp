@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "num/vec_math.h"
 #include "pov/meaning/scene_maker.h"

@@ -1,5 +1,4 @@
 // Reads cameras, fog and the sky.
-#include "num/vec_math.h"
 #include "pov/reading/reader.h"
 
 namespace strahl::pov {

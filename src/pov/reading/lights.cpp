@@ -1,6 +1,5 @@
 // Reads lights.
 #include <cmath>
-#include <numbers>
 
 #include "num/vec_math.h"
 #include "pov/reading/reader.h"

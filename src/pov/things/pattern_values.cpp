@@ -111,7 +111,7 @@ double fractal_value(const FractalForm& own, const DVec3& p) {
 }
 
 int hexagon_at(const DVec3& p) {
-    // The nearest of the middles i (1.5, sqrt 3 / 2) + j (0, sqrt 3), of two the upper one.
+    // Finds the nearest of the middles i (1.5, sqrt 3 / 2) + j (0, sqrt 3); if two are, the upper one.
     const double height = std::numbers::sqrt3;
     const double column = p.x / 1.5, row = p.z / height - column / 2;
     const int left = whole(column), below = whole(row);

@@ -133,7 +133,7 @@ struct ContourData {
     static std::shared_ptr<const ContourData> usual();
 };
 
-/// Has a kind of bodies contours?
+/// Does a kind of bodies have contours?
 template <class Kind>
 inline constexpr bool has_contours = requires(const Kind kind) {
     kind.data->pieces;

@@ -1,6 +1,5 @@
 // The disc: a flat round surface, perhaps with a round hole. It has no thickness and no inside.
 #pragma once
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <tuple>

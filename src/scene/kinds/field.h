@@ -1,7 +1,6 @@
 // The field table of a kind of body, or of a material: names, meanings and ranges of its parameters. The parser, the
 // writer, the tables of the manual and the random scenes of the tests use it.
 #pragma once
-#include "num/vec.h"
 
 namespace strahl {
 

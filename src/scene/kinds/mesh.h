@@ -16,7 +16,7 @@ namespace strahl {
 /// nothing if the mesh is closed.
 std::optional<std::pair<DVec3, DVec3>> open_side(const MeshData& mesh);
 
-/// Have two meshes the same corners, normals and places, however these are numbered?
+/// Do two meshes have the same corners, normals and places, however these are numbered?
 bool same_triangles(const MeshData& a, const MeshData& b);
 
 /// Its items are triangles. A point is inside of a closed mesh if a line from it crosses the mesh an odd number of
@@ -35,7 +35,7 @@ struct Mesh {
     static constexpr auto fields = std::make_tuple();
     static std::shared_ptr<const MeshData> tetrahedron();
 
-    /// Has it sides that two triangles do not share?
+    /// Does it have sides that two triangles do not share?
     bool open() const { return open_side(*data).has_value(); }
     const char* fault() const { return data->triangles.empty() ? "it has no triangles" : nullptr; }
     Box bounds() const { return bounds(glm::dmat4(1)); }

@@ -1,6 +1,5 @@
 // The torus about an axis.
 #pragma once
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>

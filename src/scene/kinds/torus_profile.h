@@ -146,7 +146,7 @@ struct TorusProfile {
         return {inside, outside, max(low, min(high, guess)), Mask<S>(going & ahead)};
     }
 
-    /// Which of the four crossings rays start on.
+    /// Says on which of the four crossings rays start.
     struct Starts {
         Mask<S> at[4];
     };

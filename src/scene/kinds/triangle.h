@@ -1,6 +1,5 @@
 // The triangle: a flat surface without thickness or inside; many of them make a mesh.
 #pragma once
-#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <limits>

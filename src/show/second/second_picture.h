@@ -7,6 +7,7 @@
 #include <string>
 
 #include "num/thread_pool.h"
+#include "scene/scene.h"
 #include "show/session/divider.h"
 #include "show/motion/screen_image.h"
 #include "trace/world/view.h"

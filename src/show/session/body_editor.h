@@ -84,7 +84,7 @@ class BodyEditor {
 
     /// May the user change this value? Not before saying what is meant, if it comes from elsewhere.
     bool open_to_change(const BodyValue& value) const;
-    /// From now on values that come from this block are changed there.
+    /// Allows values that come from this block to be changed there.
     void allow(const std::string& source) { allowed.insert(source); }
     /// Changes a value where it stands, or else gives the body a value of its own. Numbers out of range become the
     /// nearest ones within. Returns whether the text has changed.

@@ -2,7 +2,6 @@
 #pragma once
 #include <glm/vec2.hpp>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "scene/scene.h"

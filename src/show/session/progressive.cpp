@@ -1,7 +1,6 @@
 // Resolution levels and passes.
 #include "show/session/progressive.h"
 
-#include <algorithm>
 #include <cassert>
 #include <cmath>
 

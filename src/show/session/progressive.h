@@ -3,7 +3,7 @@
 #include <array>
 #include <span>
 
-#include "trace/tracer.h"
+#include "trace/world/view.h"
 
 namespace strahl {
 
@@ -14,15 +14,16 @@ struct Steps {
     bool operator==(const Steps&) const = default;
 };
 
-/// By level: every 16th pixel in both directions, then every 8th column of every 16th row, ... and finally all. Each
-/// level has at most twice the pixels of the one before, and up to a quarter of all at most 1.8 times as many, so that
-/// one fits the time well.
+/// The steps of each level: every 16th pixel in both directions, then every 8th column of every 16th row, ... and
+/// finally all. Each level has at most twice the pixels of the one before, and up to a quarter of all at most 1.8 times
+/// as many, so that one fits the time well.
 inline constexpr std::array<Steps, 13> level_steps{{{16, 16}, {8, 16}, {8, 8}, {6, 8}, {6, 6}, {4, 6}, {4, 4},
                                                     {3, 4}, {3, 3}, {2, 3}, {2, 2}, {1, 2}, {1, 1}}};
 inline constexpr int sixteenth_level = 6, ninth_level = 8, finest_level = static_cast<int>(level_steps.size()) - 1;
 /// All pixels are averages over their squares, as in stills.
 inline constexpr int averaged_level = finest_level + 1;
-/// As a limit of pictures in motion: some of the time goes to rays where the picture changes most (motion/sharpener.h).
+/// The finest level for pictures in motion: some of the time goes to rays where the picture changes most
+/// (motion/sharpener.h).
 inline constexpr int sharpened_level = averaged_level;
 Steps steps_of(int level);
 

@@ -60,7 +60,7 @@ void Input::settle() {
     screen.pointer.reset();
 }
 
-/// From now on the next event waits for so many drawings.
+/// Makes the next event wait for so many drawings.
 void Input::unsettle(int drawings) { settled = std::max(settled, ImGui::GetFrameCount() + drawings); }
 
 /// Takes a key for the help, if that is shown. Returns false if it is none for that.

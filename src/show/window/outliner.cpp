@@ -3,10 +3,10 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cctype>
 #include <utility>
 #include <variant>
 
+#include "files/words.h"
 #include "scene/leaves.h"
 #include "text/scene_warnings.h"
 
@@ -29,7 +29,7 @@ void add_parts(const Primitive& body, int number, int depth, int& leaf, std::vec
 
 std::string in_small_letters(std::string_view text) {
     std::string small(text);
-    for (char& c : small) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    for (char& c : small) c = lower(c);
     return small;
 }
 

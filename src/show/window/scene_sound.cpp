@@ -5,8 +5,6 @@
 #include <cstdio>
 #include <utility>
 
-#include "text/parse.h"
-
 namespace strahl {
 
 void SceneSound::load(const std::shared_ptr<const Scene>& scene, const std::string& scene_path,

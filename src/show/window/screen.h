@@ -24,9 +24,9 @@ struct WindowError : std::runtime_error {
 
 class Screen {
   public:
-    /// Size in pixels; a default size grows with the monitor's scale, and gives way to the remembered one. Throws
-    /// WindowError. Only one at a time. A window manager should not add a frame unless `framed`, so that it leaves the
-    /// size as it is.
+    /// Opens the window; there can be one at a time. `size` is in pixels; a default size grows with the monitor's
+    /// scale, but where a size is remembered that applies. Unless `framed` the window manager is asked for no frame, so
+    /// that it leaves the size as it is. Throws WindowError.
     Screen(const std::string& title, PixelSize size, bool default_size, bool full, bool framed);
     ~Screen();
     Screen(const Screen&) = delete;

@@ -70,7 +70,7 @@ std::vector<FileStamp> stamps_of(const std::vector<std::string>& files) {
     return stamps;
 }
 
-/// Thrown in a thread that was left behind.
+/// Thrown to end a thread whose answers are no longer wanted.
 struct LeftBehind {};
 
 }  // namespace

@@ -3,7 +3,6 @@
 #pragma once
 #include <algorithm>
 #include <array>
-#include <tuple>
 
 #include "scene/scene.h"
 #include "text/blocks/pigment.h"

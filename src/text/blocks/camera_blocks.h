@@ -1,6 +1,5 @@
 // Reads the blocks `camera` and `flythrough`.
 #pragma once
-#include <array>
 #include <optional>
 
 #include "scene/camera.h"

@@ -5,7 +5,6 @@
 #include <string_view>
 #include <vector>
 
-#include "scene/leaves.h"
 #include "text/blocks/materials.h"
 #include "text/reading/messages.h"
 

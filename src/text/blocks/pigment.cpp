@@ -211,7 +211,7 @@ class PatternBlock {
     std::string_view map_at, once_at, sharp_at, height_at;
 };
 
-/// Has it been read without an error that leaves it without colours?
+/// Was it read without an error that leaves it without colours?
 bool whole(const Pattern& pattern) {
     const ImagePattern* const image = std::get_if<ImagePattern>(&pattern.kind);
     return image ? image->pixels != nullptr : !pattern.colors.empty();

@@ -6,7 +6,6 @@
 #include <type_traits>
 
 #include "scene/pattern.h"
-#include "text/reading/parameter.h"
 
 namespace strahl {
 

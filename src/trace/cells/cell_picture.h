@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "trace/cells/cells.h"
-#include "trace/kernel/ray_counts.h"
 #include "trace/world/view.h"
 
 namespace strahl {

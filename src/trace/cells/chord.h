@@ -1,9 +1,8 @@
 // Divides a cell that one edge crosses: the edge is taken for a straight line between two sides.
 #pragma once
 #include <array>
+#include <cstdint>
 #include <optional>
-
-#include "trace/cells/pixel_sampling.h"
 
 namespace strahl {
 

@@ -8,6 +8,7 @@
 
 #include "num/vec_math.h"
 #include "scene/box_tree.h"
+#include "scene/capsules.h"
 
 namespace strahl {
 namespace {

@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "scene/capsules.h"
 #include "scene/facets.h"
+#include "scene/kinds/capsule.h"
 #include "scene/scene.h"
 
 namespace strahl {

@@ -17,7 +17,7 @@ ExtendedTransform::ExtendedTransform(std::span<const Transformation> steps, cons
     for (const Transformation& step : steps) std::visit([&](const auto& own) { add(own); }, step);
 }
 
-/// By less than an eighth of a turn and by quarters, which are exact. Else an angle, its sine and cosine have two
+/// Turns by less than an eighth of a turn and by quarters, which are exact. An angle, its sine and cosine have two
 /// roundings each and the sum three more, of two of a vector's components. Roundings of the matrix count once more
 /// where a point goes through it.
 void ExtendedTransform::turn_by(int from, int to, double degrees) {

@@ -149,7 +149,7 @@ void measure_colors(std::span<const ColorStop> stops, const ImagePattern* image,
         largest = std::max({largest, std::abs(most[c]), std::abs(least[c])});
     }
     slack.apart = static_cast<T>(apart), slack.largest = static_cast<T>(largest);
-    // Nothing is known of patterns among the colours.
+    // No bound is known for patterns that stand in place of colours.
     if (std::ranges::any_of(stops, [](const ColorStop& stop) { return stop.pattern != nullptr; }))
         slack.apart = slack.largest = std::numeric_limits<T>::max();
 }

@@ -5,7 +5,6 @@
 
 #include "num/vec_math.h"
 #include "scene/kinds/kinds.h"
-#include "scene/overlap.h"
 
 namespace strahl {
 

@@ -1,6 +1,5 @@
 // World: a scene made ready for one kind of number, as the kernels read it. Plain arrays, const ever after.
 #pragma once
-#include <cstddef>
 #include <cstdint>
 #include <limits>
 

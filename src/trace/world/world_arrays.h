@@ -1,7 +1,6 @@
 // Makes and holds the arrays that a World points into.
 #pragma once
 #include <array>
-#include <atomic>
 #include <memory>
 #include <type_traits>
 #include <unordered_map>

@@ -4,8 +4,6 @@
 // attack_bodies --seed N                    this one alone
 // attack_bodies --seed N --write            its scene as text
 #include <cstdio>
-#include <fstream>
-#include <string>
 
 #include "tests/attack/bodies/body_check.h"
 #include "tests/attack/bodies/degenerate_scene.h"

@@ -71,8 +71,7 @@ class Attacker {
 
     /// Makes the folder as it should be before.
     void prepare(const Case& attacked) const;
-    /// Runs the case in the folder as it is, for `seconds` at most; then it is killed, which `by_itself` says is a
-    /// fault.
+    /// Runs the case in the folder as it is. Kills it after `seconds`; its status is -1000 then.
     Ran run(const Case& attacked, double seconds = longest, bool preloaded = true);
     /// Runs the case after preparing its folder.
     Ran run_fresh(const Case& attacked);

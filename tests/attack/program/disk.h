@@ -20,8 +20,8 @@ std::vector<Event> read_log(const std::string& path);
 /// The names of a folder, and the inodes behind them.
 using Names = std::map<std::string, int>;
 
-/// A weak file system: what is written may reach the disk in pieces, in any order or not at all until the file is
-/// synced; changes of names reach it in their order, but no sooner than the folder is synced must they.
+/// A weak file system. What is written may reach the disk in pieces, in any order, or not at all before the file is
+/// synced. Changes of names reach it in their order, some of them perhaps only when the folder is synced.
 class Disk {
   public:
     /// With the files that are in this folder.

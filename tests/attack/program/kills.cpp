@@ -1,5 +1,4 @@
 // SIGKILL: before and after every file call, and at random moments of stills and films.
-#include <cstdio>
 #include <random>
 
 #include "parts.h"

@@ -1,5 +1,4 @@
 // Power cuts: after every file call of a command, folders as a weak file system may leave them.
-#include <cstdio>
 #include <set>
 
 #include "disk.h"

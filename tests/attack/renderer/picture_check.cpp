@@ -29,9 +29,9 @@ PictureCheck::Values PictureCheck::trace(Tracer& tracer, const Lattice& lattice,
     return values_of(tracer, wild.view, lattice, pool);
 }
 
-/// No value may be brighter than light in this scene can be, up to rounding. Where that is more than the precision
-/// has, infinity comes out as its largest number; that a value is less in double says nothing, for in float a ray may
-/// pass a glass body more or miss a shadow.
+/// Checks that no value is brighter than light in this scene can be, up to rounding. Where that is more than the
+/// precision can hold, infinity is written as its largest number. The value in double is no bound for the one in float,
+/// where a ray may pass one glass body more, or miss a shadow.
 void PictureCheck::look_for_strange_values(const Values& values, Precision precision, const std::string& setting) {
     const double most =
         precision == Precision::float32 ? std::numeric_limits<float>::max() : std::numeric_limits<double>::max();

@@ -7,7 +7,6 @@
 #include <type_traits>
 #include <utility>
 
-#include "scene/kinds/field.h"
 #include "tests/referee/random_pattern.h"
 #include "text/parse.h"
 #include "text/write.h"

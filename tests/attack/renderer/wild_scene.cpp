@@ -142,7 +142,7 @@ void Wild::add_bodies() {
         }
 }
 
-/// From a few times its size away, or from inside.
+/// Points the camera at a body, from a few times its size away or from inside.
 bool Wild::look_at_body(Camera& camera) {
     const auto number = dice.upto(static_cast<int>(scene.primitives.size()) - 1);
     const Box box = world_bounds(scene.primitives[number]);

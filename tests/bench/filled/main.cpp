@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "files/output_file.h"
 #include "files/read_file.h"
 #include "image/pixels.h"
 #include "image/transfer.h"

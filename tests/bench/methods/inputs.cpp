@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "tests/stability/naive.h"
 #include "tests/stability/stage.h"

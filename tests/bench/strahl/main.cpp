@@ -3,7 +3,6 @@
 // Prints seconds, rays and peak memory before the picture is written; the picture "-" is not written. Nothing is left
 // out of it (error 0), or what is less than half a step of so many bits. `strahl render` itself loads the picture
 // library while it traces, which small pictures feel.
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <iostream>

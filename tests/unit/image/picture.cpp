@@ -349,7 +349,6 @@ TEST_CASE("run away from its module" * doctest::skip()) {
     const Scratch folder;
     write_picture(noise(3, 2), folder / "a.bmp", {});
     CHECK(read_picture(folder / "a.bmp").width == 3);
-    CHECK(says(fault_of([] { require_picture_library(); }), "libstrahl_image.so"));
     CHECK(says(fault_of([] { read_picture(STRAHL_SOURCE "/assets/balls.png"); }), "libstrahl_image.so"));
 }
 

@@ -1,11 +1,9 @@
 // Channels of .exr files are found by their names, wherever they stand and whatever stands beside them.
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <bit>
 
 #include "image/picture.h"
-#include "image/pixels.h"
 #include "tests/unit/faults.h"
 #include "tests/unit/image/exr_bytes.h"
 #include "tests/unit/scratch.h"

@@ -9,7 +9,6 @@
 #include "image/picture.h"
 #include "num/vec_math.h"
 #include "pov/open_scene.h"
-#include "povref/compare/run_povray.h"
 #include "povref/convert/pov_scene.h"
 #include "scene/leaves.h"
 #include "scene/moving_scene.h"
@@ -29,7 +28,7 @@ std::vector<std::filesystem::path> pov_scenes() {
     return paths;
 }
 
-/// Has POV-Ray's text another way to say something of the scene, which cannot be read back?
+/// Does POV-Ray's text say something of the scene in another way, which cannot be read back?
 bool holds_more(const Scene& scene) {
     const auto shown_otherwise = [](const auto& own) {
         return own.pattern && !std::holds_alternative<Checker>(own.pattern->kind) &&

@@ -1,8 +1,6 @@
 // The scenes as converted for POV-Ray.
 #include <doctest/doctest.h>
 
-#include <stdexcept>
-
 #include "files/output_file.h"
 #include "povref/convert/material_names.h"
 #include "povref/convert/pov_scene.h"

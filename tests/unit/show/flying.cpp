@@ -7,7 +7,6 @@
 #include "show/session/framing.h"
 #include "show/window/controls.h"
 #include "tests/unit/show/flight_scene.h"
-#include "text/write.h"
 
 using namespace strahl;
 

@@ -1,4 +1,4 @@
-// The panels over the picture, laid out without a display.
+// Tests the layout of the panels over the picture, without a display.
 #include <doctest/doctest.h>
 #include <imgui.h>
 #include <imgui_internal.h>

@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "files/user_file.h"
 #include "num/thread_pool.h"
 #include "scene/error.h"
 #include "show/welcome/gallery.h"

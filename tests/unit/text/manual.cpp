@@ -13,7 +13,6 @@
 #include "scene/scene.h"
 #include "text/manual/syntax.h"
 #include "text/manual/word_help.h"
-#include "text/parse.h"
 
 using namespace strahl;
 

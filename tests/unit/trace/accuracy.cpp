@@ -12,7 +12,6 @@
 #include "tests/unit/scenes.h"
 #include "trace/measure/edge_pixels.h"
 #include "trace/tracer.h"
-#include "trace/world/light_bound.h"
 
 namespace strahl::accuracy {
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "num/thread_pool.h"
 #include "tests/referee/examples.h"

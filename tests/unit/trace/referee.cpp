@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "tests/referee/examples.h"
 #include "tests/referee/random_scene.h"
 
 using namespace strahl;

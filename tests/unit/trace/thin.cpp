@@ -13,6 +13,7 @@
 #include "files/read_file.h"
 #include "num/thread_pool.h"
 #include "num/vec_math.h"
+#include "scene/capsules.h"
 #include "scene/kinds/capsule.h"
 #include "tests/referee/random_scene.h"
 #include "tests/unit/scenes.h"

@@ -4,10 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
-#include <ostream>
 
 #include "num/thread_pool.h"
-#include "tests/referee/examples.h"
 #include "tests/referee/random_scene.h"
 #include "tests/referee/referee.h"
 #include "tests/unit/levels.h"
@@ -29,7 +27,7 @@ using Single = As<Precision::float32>;
 using Twice = As<Precision::float64>;
 using Extended = As<Precision::extended>;
 
-/// A scene with every feature.
+/// Makes a scene with every feature.
 Scene busy() { return random_scene(17, {.camera_inside = true}); }
 View view_of(const Scene& scene, int width, int height, int depth = 4) {
     return {.camera = scene.camera, .width = width, .height = height, .depth = depth};

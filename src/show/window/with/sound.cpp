@@ -14,7 +14,6 @@
 #include <memory>
 #include <stop_token>
 #include <thread>
-#include <utility>
 
 #include "show/window/with/samples.h"
 
