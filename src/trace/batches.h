@@ -26,7 +26,7 @@ class Batches {
     using Out = std::conditional_t<std::is_same_v<T, float>, float, double>;
 
     Batches(const World<T>& own_world, const Kernel<T>& own_kernel, const Eye<T>& own_eye, const Limits<T>& own_limits,
-            Workspace<T>& own_workspace, bool with_bounds, bool with_footprints)
+            Workspace<T>& own_workspace, bool with_bounds, bool with_footprints, double side)
         : world(own_world),
           kernel(own_kernel),
           eye(own_eye),
@@ -35,7 +35,10 @@ class Batches {
           prove(with_bounds),
           filters(with_footprints) {
         if (prove) workspace.hold_extra(), bounds.resize(scattered_pixels);
-        if (filters) workspace.hold_differentials();
+        if (filters && side > 0)
+            workspace.hold_cones(), std::ranges::fill(workspace.sides, static_cast<T>(side));
+        else if (filters)
+            workspace.hold_differentials();
         if (world.finishes.list) workspace.hold_finishes();
     }
 

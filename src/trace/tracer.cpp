@@ -93,10 +93,10 @@ class TracerOf : public AnyTracer {
     template <class Piece>
     using Work = std::function<void(Batches<T>&, const Piece&, int)>;
 
-    Counts traced(const Job& job, const Lattice& lattice) {
-        return each_tile(job, lattice, lattice_tile, 0, [&](Batches<T>& batches, const Lattice& tile, int) {
-            batches.trace_tile(tile, job.sink);
-        });
+    Counts traced(const Job& job, const Lattice& lattice) { return each_pixel(job, lattice, 0); }
+    Counts each_pixel(const Job& job, const Lattice& lattice, double footprint) {
+        const auto trace = [&](Batches<T>& batches, const Lattice& tile, int) { batches.trace_tile(tile, job.sink); };
+        return each_tile(job, lattice, lattice_tile, 0, trace, footprint);
     }
 
     Counts traced(const Job& job, std::span<const Pixel> pixels) {
@@ -112,7 +112,7 @@ class TracerOf : public AnyTracer {
             batches.trace_list(list.points.subspan(first, std::min(scattered_pixels, count - first)),
                                 list.rgb + 3 * std::ptrdiff_t(first));
         };
-        return each(job, (count + scattered_pixels - 1) / scattered_pixels, 0, trace);
+        return each(job, (count + scattered_pixels - 1) / scattered_pixels, 0, trace, list.side);
     }
 
     Counts traced(const Job& job, const FilledLattice& filled) {
@@ -127,7 +127,7 @@ class TracerOf : public AnyTracer {
         const auto trace = [&](Batches<T>& batches, const Lattice& tile, int thread) {
             batches.trace_filled(tile, filled, thin, placed.scale, lattice_cells[thread]);
         };
-        return each_tile(job, lattice, side, filled.contrast, trace);
+        return each_tile(job, lattice, side, filled.contrast, trace, filled.side);
     }
 
     /// Traces a ray in each pixel of the lattice.
@@ -147,7 +147,7 @@ class TracerOf : public AnyTracer {
         const auto keep = [&](const Tile& tile) {
             std::visit([&](const auto& values) { encode(tile.lattice, values); }, tile.rgb);
         };
-        return traced({job.view, job.pool, keep, job.stop}, all);
+        return each_pixel({job.view, job.pool, keep, job.stop}, all, filled.side);
     }
 
     Counts traced(const Job& job, const SampledRegion& sampled) {
@@ -170,25 +170,28 @@ class TracerOf : public AnyTracer {
                                     if (side > 0) batches.counts = before;  // a check is no part of the picture
                                 });
         };
-        return each(job, pass.picture.tiles(), pass.picture.contrast(), refine, true);
+        return each(job, pass.picture.tiles(), pass.picture.contrast(), refine, 0, true);
     }
 
-    /// Calls work(batches, tile, thread) for the tiles of a lattice, on all threads.
-    Counts each_tile(const Job& job, const Lattice& lattice, int side, double noticed, const Work<Lattice>& work) {
+    /// Calls work(batches, tile, thread) for the tiles of a lattice, on all threads. Footprints have this side.
+    Counts each_tile(const Job& job, const Lattice& lattice, int side, double noticed, const Work<Lattice>& work,
+                     double footprint = 0) {
         const int columns = (lattice.columns + side - 1) / side;
         const int tiles = columns * ((lattice.rows + side - 1) / side);
-        return each(job, tiles, noticed, [&](Batches<T>& batches, int i, int thread) {
+        const auto each_of = [&](Batches<T>& batches, int i, int thread) {
             const int x = i % columns * side, y = i / columns * side;
             work(batches,
                  Lattice{lattice.x + x * lattice.step_x, lattice.y + y * lattice.step_y,
                          std::min(side, lattice.columns - x), std::min(side, lattice.rows - y), lattice.step_x,
                          lattice.step_y},
                  thread);
-        });
+        };
+        return each(job, tiles, noticed, each_of, footprint);
     }
 
-    /// Calls work(batches, i, thread) for 0 <= i < tiles, on all threads.
-    Counts each(const Job& job, int tiles, double noticed, const Work<int>& work, bool averages = false) {
+    /// Calls work(batches, i, thread) for 0 <= i < tiles, on all threads. If footprints have a side, patterns are
+    /// averaged over them roughly; with `means` as well as is known, over footprints with sides of their own.
+    Counts each(const Job& job, int tiles, double noticed, const Work<int>& work, double side = 0, bool means = false) {
         const View& view = job.view;
         ThreadPool& pool = job.pool;
         while (static_cast<int>(workspaces.size()) < pool.size())
@@ -207,8 +210,9 @@ class TracerOf : public AnyTracer {
         if (!light_buffers && LightBuffers<T>::pay(world, traced_pixels, view.prove))
             light_buffers = std::make_unique<LightBuffers<T>>(world, pool, view.prove);
         if (light_buffers) world.light_buffers = light_buffers->buffers();
-        if (averages) world.patterns.mip_maps = images->mip_maps();
-        const bool filters = averages && (world.patterns.list || world.patterns.sky);
+        if (means) world.patterns.mip_maps = images->mip_maps();
+        world.patterns.quick = side > 0;
+        const bool filters = (means || side > 0) && (world.patterns.list || world.patterns.sky);
         const ProvingLimits<T> limits{{.depth = view.depth,
                                        .error = static_cast<T>(view.error),
                                        .brightest = brightest.data(),
@@ -225,8 +229,7 @@ class TracerOf : public AnyTracer {
             int list = 0;
             for (const int body : around) list = push(workspace.mediums, list, body);
             own.medium = static_cast<T>(list);
-            Batches<T> batches(world, view.prove ? proving : kernel, own, limits, workspace, view.prove,
-                               filters);
+            Batches<T> batches(world, view.prove ? proving : kernel, own, limits, workspace, view.prove, filters, side);
             for (int i; !limits.stopped() && (i = next++) < tiles;) work(batches, i, thread);
             counts[thread] = batches.counts;
         };

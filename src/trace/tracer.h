@@ -57,6 +57,7 @@ struct CellPass {
 struct PointList {
     std::span<const PicturePoint> points;
     float* rgb;
+    double side = 0;  // see FilledLattice
 };
 /// The pixels that a tracer can be asked for: a lattice or a list with one ray in each pixel, or one of the above.
 using TracedPixels = std::variant<Lattice, std::span<const Pixel>, FilledLattice, SampledRegion, CellPass, PointList>;

@@ -83,7 +83,7 @@ void Sharpener::choose(const ScreenImage& image, double most, const Place& place
 
 Counts Sharpener::trace(Tracer& tracer, const Job& job) {
     rgb.resize(3 * points.size());
-    return tracer.trace(job, PointList{points, rgb.data()});
+    return tracer.trace(job, PointList{points, rgb.data(), 1});
 }
 
 Counts Sharpener::sharpen(Tracer& tracer, const Job& job, const TransferTable& table, const ScreenImage& traced,

@@ -22,6 +22,8 @@ Lattice pixels_of(int level, int width, int height) {
     return {0, 0, steps_below(width, steps.x), steps_below(height, steps.y), steps.x, steps.y};
 }
 
+double averaged_side(Steps steps) { return std::max(1., std::sqrt(double(steps.area())) / 2); }
+
 std::span<const Pass> passes_after(int level) {
     std::span<const Pass> left = passes;
     while (!left.empty() && left.front().level <= level) left = left.subspan(1);

@@ -30,6 +30,10 @@ Steps steps_of(int level);
 /// Returns the pixels of a level, 0 <= level <= finest_level.
 Lattice pixels_of(int level, int width, int height);
 
+/// Returns the side of the squares, in pixels, over which patterns are averaged in a picture of traced pixels with
+/// these steps: less than their distance, as the picture is sharper so (tests/bench/motion_quality.md).
+double averaged_side(Steps steps);
+
 /// A pass of a picture at rest: its cells (trace/cells/cell_picture.h) are refined until no unfinished one is larger
 /// than `finest` pixels; with 0 until all are finished. Then the picture is at least as good as this level.
 struct Pass {

@@ -124,6 +124,7 @@ int TraceThread::choose(FilledLattice& filled) {
     const int level =
         resolution.choose(view.width, view.height, order.budget, finest, sharpens() ? Sharpener::first_share : 1);
     filled.lattice = pixels_of(level, view.width, view.height);
+    if (order.finest == sharpened_level) filled.side = averaged_side(steps_of(level));
     filled.contrast = most_off / steepest(order.scene->settings.assumed_gamma) / gain_of(order.exposure);
     std::lock_guard lock(mutex);
     planned = level == 0 ? 0 : allowed_seconds(level, order.budget);

@@ -18,6 +18,8 @@ struct FilledLattice {
     std::function<std::uint32_t(const double* rgb)> encode{};
     /// All pixels of the lattice, row by row. Those that were not reached when the job was stopped are as before.
     std::uint32_t* colors = nullptr;
+    /// The side of squares, in pixels of the view, over which patterns are averaged roughly; 0 for colours of points.
+    double side = 0;
 };
 
 }  // namespace strahl

@@ -62,6 +62,11 @@ void CameraRays<T>::make(const PixelBatch<T>& batch, Workspace<T>& workspace, Ra
         if (!batch.footprints) continue;
         const Real side = batch.footprints->sides[i];
         const CameraRay<Real> beside[2] = {ray(x + side, y), ray(x, y + side)};
+        if (rays.cone.width) {
+            const DVec3 down(beside[1].start - own.start), turned(beside[1].way - own.way);
+            rays.cone.width[i] = static_cast<T>(length(down)), rays.cone.spread[i] = static_cast<T>(length(turned));
+        }
+        if (!rays.differentials.loose) continue;
         for (int k = 0; k < 2; ++k)
             for (int c = 0; c < 3; ++c) {
                 rays.differentials.place[k][c][i] = static_cast<T>(beside[k].start[c] - own.start[c]);

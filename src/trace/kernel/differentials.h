@@ -74,15 +74,23 @@ template <class S, class P>
     return scale(S(1) / bit, select(dot(other, normal) < S(0), -other, other) - normal);
 }
 
-/// Returns the differentials of rays where they end on surfaces, and how normals change there.
+/// Returns true if rays may go on from some of these hits.
+template <class S, class P>
+STRAHL_INLINE bool goes_on(const Shading<S, P>& shading, const Hit<S>& hit) {
+    const MaterialKernel<S>& material = hit.material;
+    return shading.world.finishes.list || any((material.reflection > S(0)) | (material.refraction > S(0)));
+}
+
+/// Finds the differentials of rays where they end on surfaces, and how normals change there if rays go on.
 template <class S, class P>
 [[gnu::noinline, gnu::cold]] void note_differentials(const Shading<S, P>& shading, const RayQueue<Element<S>>& from,
                                                      const LaneIndices<S>& pick, const Hit<S>& hit, const S& t,
                                                      HitNotes<S, P>& notes) {
     notes.beside = differentials_at(shading, from, pick, hit.direction, t);
+    const bool on = goes_on(shading, hit);
     for (int i = 0; i < 2; ++i) {
         notes.beside.place[i] = onto_plane(notes.beside.place[i], hit.direction, notes.flat);
-        notes.turn[i] = turn_along(shading, hit, notes.flat, notes.beside.place[i], t);
+        if (on) notes.turn[i] = turn_along(shading, hit, notes.flat, notes.beside.place[i], t);
     }
 }
 

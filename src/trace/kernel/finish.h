@@ -31,6 +31,10 @@ void look_at_layers(const Shading<S, P>& shading, const Hit<S>& hit, const int* 
                     LayeredHit<S>& layers) {
     const SeenSurface<S> seen{hit.position, hit.direction, hit.normal, hit.surface, hit.outside};
     if (!filters(shading)) return void(FinishCalls<S>::look(shading.world, numbers, seen, nullptr, layers));
+    if (shading.world.patterns.quick) {
+        const Footprint<S> own = footprint_of(notes.cone.width, hit.direction, notes.flat);
+        return void(FinishCalls<S>::look(shading.world, numbers, seen, &own, layers));
+    }
     const Footprint<S> footprint{hit.direction, notes.flat, notes.beside.place[0], notes.beside.place[1],
                                  pick(from.weight)};
     Filtering<S> filtering = FinishCalls<S>::look(shading.world, numbers, seen, &footprint, layers);

@@ -1,6 +1,6 @@
 // Footprints of samples, over which patterns are averaged. Computed only if a batch has `footprints`.
 #pragma once
-#include "trace/kernel/differentials.h"
+#include "trace/kernel/ray_cones.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
@@ -42,10 +42,16 @@ template <class S, class P>
                                       MaterialKernel<S>& values) {
     const auto& d = from.direction;
     const Vec3<S> direction(pick(d.x), pick(d.y), pick(d.z)), &normal = hit.point.normal;
+    const auto paint = [&](const Footprint<S>& footprint) {
+        return PatternCalls<S>::paint_filtered(shading.world, materials, hit.point.position, hit.surface, footprint,
+                                               values);
+    };
+    if (shading.world.patterns.quick) {
+        const S wide = cone_at(shading, from, pick, direction, t).width;
+        return void(paint(footprint_of(wide, direction, normal)));
+    }
     const Differentials<S> beside = differentials_at(shading, from, pick, direction, t);
-    const Footprint<S> footprint{direction, normal, beside.place[0], beside.place[1], pick(from.weight)};
-    Filtering<S> filtering =
-        PatternCalls<S>::paint_filtered(shading.world, materials, hit.point.position, hit.surface, footprint, values);
+    Filtering<S> filtering = paint({direction, normal, beside.place[0], beside.place[1], pick(from.weight)});
     loosen(filtering, beside.loose);
     note_colors(shading, filtering, values.ambient + values.diffuse, pick(from.pixel), pick(from.weight), pick.lanes);
 }
@@ -55,8 +61,12 @@ template <class S, class P>
 [[gnu::noinline]] Vec3<S> filtered_sky(const Shading<S, P>& shading, const LaneIndices<S>& pick) {
     const RayQueue<Element<S>>& from = shading.rays.open;
     const Vec3<S> direction(pick(from.direction.x), pick(from.direction.y), pick(from.direction.z));
-    const Differentials<S> beside = differentials_at(shading, from, pick, direction, S(0));
     Vec3<S> color;
+    if (shading.world.patterns.quick) {
+        const S wide = cone_at(shading, from, pick, direction, S(0)).spread;
+        return PatternCalls<S>::sky_filtered(shading.world, footprint_of(wide, direction, direction), color), color;
+    }
+    const Differentials<S> beside = differentials_at(shading, from, pick, direction, S(0));
     const Footprint<S> footprint{direction, direction, beside.direction[0], beside.direction[1], pick(from.weight)};
     Filtering<S> filtering = PatternCalls<S>::sky_filtered(shading.world, footprint, color);
     loosen(filtering, beside.loose);

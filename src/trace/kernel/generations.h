@@ -168,7 +168,7 @@ bool trace_generation(const World<T>& world, const Limits<T>& limits, const Gene
                                 workspace,
                                 counts,
                                 depth,
-                                batch.sights != nullptr || world.patterns.bends != nullptr};
+                                batch.sights || batch.footprints || world.patterns.bends};
     shade_misses(shading);
     for (int bin = 0; bin < world.bins; ++bin)
         if (!shade_bin(shading, bin)) return false;

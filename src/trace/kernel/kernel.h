@@ -29,6 +29,12 @@ void each_number(const Visit& visit, All&... all) {
     visit(all.loose...);
 }
 
+/// How wide what a sample sees is at its ray's start or, of hits, its end, and how much wider it gets per distance.
+template <class S>
+struct RayCone {
+    S width, spread;
+};
+
 /// A queue of rays, one array per value. Arrays that no ray of the queue needs are null.
 template <class T>
 struct RayQueue {
@@ -41,14 +47,15 @@ struct RayQueue {
     int count = 0;
     T* extra[4] = {};                       // values that the kernel's policy keeps, see plain.h
     Differentials<T*> differentials{};      // only where patterns are filtered
+    RayCone<T*> cone{};                     // only where they are filtered roughly
     // In worlds with POV-Ray's finishes: the colour of its light beside `weight`, its generation as POV-Ray counts, and
     // 1 if it has been reflected on its way from the eye, else 0.
     T *tint[3] = {}, *level = nullptr, *mirrored = nullptr;
 };
 
 /// Says which rays have an array: all; those inside an enclosed body; those of a policy that keeps more; those with
-/// differentials; those of worlds with POV-Ray's finishes.
-enum class RayPart { all, inside, extra, beside, finish };
+/// differentials or cones; those of worlds with POV-Ray's finishes.
+enum class RayPart { all, inside, extra, beside, cone, finish };
 inline constexpr int ray_arrays = 11;  // number of those of the first two parts
 
 /// Calls visit(part, arrays...) for each array of a queue, or of several queues side by side.
@@ -60,6 +67,7 @@ void each_array(const Visit& visit, Queues&... queues) {
     visit(RayPart::inside, queues.t...);
     for (int i = 0; i < 4; ++i) visit(RayPart::extra, queues.extra[i]...);
     each_number([&](auto&... arrays) { visit(RayPart::beside, arrays...); }, queues.differentials...);
+    visit(RayPart::cone, queues.cone.width...), visit(RayPart::cone, queues.cone.spread...);
     for (int c = 0; c < 3; ++c) visit(RayPart::finish, queues.tint[c]...);
     visit(RayPart::finish, queues.level...), visit(RayPart::finish, queues.mirrored...);
 }

@@ -52,8 +52,12 @@ STRAHL_INLINE void push(const Shading<S, P>& shading, RayQueue<Element<S>>& to, 
         put_with([](T* place, const S& value) { store_lanes(place, value); });
     else
         put_with([&](T* place, const S& value) { compress(place, value, ray.mask); });
-    if (filters(shading)) [[unlikely]]
-        put_differentials(shading, to, Hit<S>(hit), Vec3<S>(ray.direction), Mask<S>(ray.mask), notes);
+    if (filters(shading)) [[unlikely]] {
+        if (shading.world.patterns.quick)
+            put_cones(to, Hit<S>(hit), Vec3<S>(ray.direction), Mask<S>(ray.mask), notes);
+        else
+            put_differentials(shading, to, Hit<S>(hit), Vec3<S>(ray.direction), Mask<S>(ray.mask), notes);
+    }
     to.count += count(ray.mask);
 }
 

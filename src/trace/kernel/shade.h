@@ -165,12 +165,16 @@ bool shade_bin(const Shading<S, P>& shading, int bin) {
                 hit.normal = PatternCalls<S>::bent(world, material.numbers, hit.position, hit.surface, notes.flat);
                 P::bend(shading, material.numbers, hit, notes.flat, pick(from.weight), pick.lanes, notes.own);
             }
-            if (notes_sights(shading)) {
-                Mask<S> filtered = first_lanes<S>(0);
-                if (filters(shading)) {
+            Mask<S> filtered = first_lanes<S>(0);
+            if (filters(shading)) {
+                if (world.patterns.quick) {
+                    note_cones(shading, from, pick, hit, pick(t), notes);
+                } else {
                     note_differentials(shading, from, pick, hit, pick(t), notes);
                     filtered = notes.beside.loose >= S(0);
                 }
+            }
+            if (notes_sights(shading)) {
                 S seen_from = pick(from.source);
                 if (world.patterns.list)
                     seen_from = seen_from +

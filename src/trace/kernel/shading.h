@@ -20,7 +20,7 @@ struct Shading {
     Workspace<T>& workspace;
     Counts& counts;
     int depth;
-    bool has_notes;  // hits have HitNotes: sights are noted, or normals are bent
+    bool has_notes;  // hits have HitNotes: sights are noted, patterns filtered, or normals bent
 
     bool full() const { return next.open.count + refracted.count > batch_rays || next.inside.count > batch_rays; }
 };
@@ -61,6 +61,8 @@ struct HitNotes {
     Vec3<S> flat;                   // normals before they were bent
     Differentials<S> beside;        // on the surface; only set where patterns are filtered, as the next
     Vec3<S> turn[2];                // changes of the normal from there to those places
+    RayCone<S> cone;                // only set where patterns are filtered roughly, as the next
+    S bend;                         // by how much the normal turns over the cone's width
     [[no_unique_address]] typename P::template OfHit<S> own;
 };
 

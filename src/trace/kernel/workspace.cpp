@@ -82,7 +82,7 @@ void Workspace<T>::hold_more(RayQueue<T>& queue) {
     each_array(
         [&](RayPart part, T*& array) {
             if ((part == RayPart::extra && with_extra) || (part == RayPart::beside && with_differentials) ||
-                (part == RayPart::finish && with_finishes))
+                (part == RayPart::cone && with_cones) || (part == RayPart::finish && with_finishes))
                 hold(array);
         },
         queue);
@@ -103,6 +103,12 @@ void Workspace<T>::hold_extra() {
 template <class T>
 void Workspace<T>::hold_differentials() {
     with_differentials = true;
+    hold_more();
+}
+
+template <class T>
+void Workspace<T>::hold_cones() {
+    with_cones = true;
     hold_more();
 }
 

@@ -40,6 +40,8 @@ class Workspace {
     void hold_extra();
     /// Allocates the arrays of differentials, for filtering patterns.
     void hold_differentials();
+    /// Allocates the arrays of cones, for filtering them roughly.
+    void hold_cones();
     /// Allocates the arrays that POV-Ray's finishes need.
     void hold_finishes();
 
@@ -47,7 +49,7 @@ class Workspace {
     Buffer<T> values, order_by_bin;
     std::vector<Buffer<T>> more;  // memory of arrays that queues have besides those in `values`
     std::size_t used = 0;         // arrays taken from the last of these
-    bool with_extra = false, with_differentials = false, with_finishes = false;
+    bool with_extra = false, with_differentials = false, with_cones = false, with_finishes = false;
     void hold(T*& array);
     void hold_more(RayQueue<T>& queue);
     void hold_more();

@@ -7,6 +7,7 @@
 #include "trace/patterns/footprint_kernel.h"
 #include "trace/patterns/pattern_calls.h"
 #include "trace/patterns/pattern_means.h"
+#include "trace/patterns/quick_mean_kernel.h"
 #include "trace/patterns/relief_kernel.h"
 
 namespace strahl::inline STRAHL_LEVEL {
@@ -25,19 +26,24 @@ struct ClearColor {
     Vec3<S> color;
     S filter{0}, transmit{0};
 };
+/// Finds mean colours of a pattern over footprints; lanes not in `lanes` get any colour. Of patterns among colours the
+/// footprints may be divided once.
+template <class S>
+[[gnu::noinline]] Filtering<S> filtered_at(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
+                                           const Vec3<S>& position, const S& surface, const Footprint<S>& footprint,
+                                           Mask<S> lanes, Vec3<S>& color, bool may_divide = true);
 template <bool clear, class S>
 ClearColor<S> nested_color_at(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
-                              const Vec3<S>& position, const S& surface, const S& value);
+                              const Vec3<S>& position, const S& surface, const S& value, const Footprint<S>* footprint);
 
-/// Returns the colour of a pattern at points of the world, which are on these surfaces, and if `clear` the shares.
+/// Returns the colour of a pattern where it has this value, and if `clear` the shares. Colours that are patterns
+/// themselves are means over the footprint, if there is one.
 template <bool clear, class S>
-STRAHL_INLINE ClearColor<S> clear_color_at(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
-                                           const Vec3<S>& position, const S& surface) {
-    const Vec3<S> p = place_of(world, pattern, position, surface);
-    if (pattern.form == PatternForm::image) return {image_color(pattern.image, p)};
-    const S value = value_at(pattern, p);
+STRAHL_INLINE ClearColor<S> clear_color_of(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
+                                           const Vec3<S>& position, const S& surface, const S& value,
+                                           const Footprint<S>* footprint = nullptr) {
     if (pattern.nests) [[unlikely]]
-        return nested_color_at<clear>(world, pattern, position, surface, value);
+        return nested_color_at<clear>(world, pattern, position, surface, value, footprint);
     const auto* stop = world.patterns.stops + pattern.first_stop;
     ClearColor<S> found{splat<S>(stop->color)};
     if constexpr (clear) found.filter = S(stop->filter), found.transmit = S(stop->transmit);
@@ -57,13 +63,28 @@ STRAHL_INLINE ClearColor<S> clear_color_at(const World<Element<S>>& world, const
     }
     return found;
 }
+/// Returns the colour of a pattern at points of the world, which are on these surfaces, and if `clear` the shares.
+template <bool clear, class S>
+STRAHL_INLINE ClearColor<S> clear_color_at(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
+                                           const Vec3<S>& position, const S& surface) {
+    const Vec3<S> p = place_of(world, pattern, position, surface);
+    if (pattern.form == PatternForm::image) return {image_color(pattern.image, p)};
+    return clear_color_of<clear>(world, pattern, position, surface, value_at(pattern, p));
+}
+
 /// Returns the colour of a pattern of these values that has patterns among its colours.
 template <bool clear, class S>
 [[gnu::noinline]] ClearColor<S> nested_color_at(const World<Element<S>>& world,
                                                 const PatternKernel<Element<S>>& pattern, const Vec3<S>& position,
-                                                const S& surface, const S& value) {
+                                                const S& surface, const S& value, const Footprint<S>* footprint) {
     const auto color_of = [&](const ColorStopKernel<Element<S>>& stop) -> ClearColor<S> {
         if (stop.nested < 0) return {splat<S>(stop.color), S(stop.filter), S(stop.transmit)};
+        if (footprint) {
+            ClearColor<S> found;
+            filtered_at(world, world.patterns.nested[stop.nested], position, surface, *footprint,
+                        first_lanes<S>(width<S>), found.color);
+            return found;
+        }
         return clear_color_at<clear>(world, world.patterns.nested[stop.nested], position, surface);
     };
     const auto* stop = world.patterns.stops + pattern.first_stop;
@@ -98,12 +119,25 @@ STRAHL_INLINE DVec3 lane_of(const Vec3<S>& v, int k) {
     return {static_cast<double>(lane(v.x, k)), static_cast<double>(lane(v.y, k)), static_cast<double>(lane(v.z, k))};
 }
 
-/// Finds mean colours of a pattern over footprints; lanes not in `lanes` get any colour. Of patterns among colours the
-/// footprints may be divided once.
+/// Returns approximate mean colours of a pattern over footprints, which are parallelograms around p in its space.
 template <class S>
-[[gnu::noinline]] Filtering<S> filtered_at(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
-                                           const Vec3<S>& position, const S& surface, const Footprint<S>& footprint,
-                                           Mask<S> lanes, Vec3<S>& color, bool may_divide = true);
+[[gnu::noinline]] Vec3<S> quick_mean(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
+                                     const Vec3<S>& position, const S& surface, const Footprint<S>& footprint,
+                                     const Vec3<S>& p, const Vec3<S>& across, const Vec3<S>& down) {
+    const auto color_of = [&](const S& value) {
+        return clear_color_of<false>(world, pattern, position, surface, value, &footprint).color;
+    };
+    if (pattern.form == PatternForm::checker || pattern.form == PatternForm::brick)
+        return color_of(mean_of_steps(pattern, p, across, down));
+    if (pattern.form == PatternForm::solid) return color_of(value_at(pattern, p));
+    const SpreadValue<S> value = spread_value(pattern, p, across, down);
+    const S middle = folded(pattern, value.middle);
+    const auto* const stops = world.patterns.stops + pattern.first_stop;
+    const Vec3<S> color = color_of(middle);
+    const Mask<S> crossing = crosses_stops(pattern, stops, middle, value.width);
+    if (pattern.nests || none(crossing)) return color;
+    return select(crossing, mean_of_range(pattern, stops, value.middle, value.width), color);
+}
 
 /// Means in lanes, one after the other.
 template <class S>
@@ -309,6 +343,7 @@ Filtering<S> filtered_at(const World<Element<S>>& world, const PatternKernel<Ele
     const Vec3<S> p = in_space_of(pattern, place);
     across = turned(across), down = turned(down);
     if (pattern.form == PatternForm::image) {
+        if (world.patterns.quick) return color = image_color(pattern.image, p), Filtering<S>{};
         const MipMapKernel& map = world.patterns.mip_maps[pattern.image.number];
         return filtered_color(pattern.image, map, p, across, down, lanes, color);
     }
@@ -317,6 +352,10 @@ Filtering<S> filtered_at(const World<Element<S>>& world, const PatternKernel<Ele
     const Mask<S> known = longest < S(largest_gain);
     across = select(known, across, splat<S>(Vec3<Element<S>>(0)));
     down = select(known, down, splat<S>(Vec3<Element<S>>(0)));
+    if (world.patterns.quick) {
+        color = quick_mean(world, pattern, position, surface, footprint, p, across, down);
+        return {};
+    }
     const auto find_means = [&](const Vec3<S>& middle, const Vec3<S>& side, const Vec3<S>& other,
                                 PatternMeans<S>& means) {
         const S& weight = footprint.weight;

@@ -99,7 +99,8 @@ int run(const Flown& options) {
             ScreenImage coarse;
             coarse.resize(pixels.columns, pixels.rows);
             const auto seconds = [&] { return processor_seconds() - start; };
-            tracer.trace({view, pool, {}}, FilledLattice{pixels, contrast, encode, coarse.pixels.data()});
+            tracer.trace({view, pool, {}}, FilledLattice{pixels, contrast, encode, coarse.pixels.data(),
+                                                         options.even ? 0 : averaged_side(steps_of(level))});
             resolution.observe(count(pixels), seconds());
             if (image.resize(view.width, view.height); level == finest_level)
                 image = std::move(coarse);

@@ -33,15 +33,16 @@ View view_of(const Scene& scene, int width, int height) {
     return {.camera = scene.camera, .width = width, .height = height, .depth = 6, .error = .5 / 255};
 }
 
+/// Traces a picture, filled with patterns averaged over squares of this side, or a ray in each pixel.
 Traced traced(const Scene& scene, const View& view, const Lattice& part, bool filled, int threads = 2,
-              Simd simd = Simd::automatic) {
+              Simd simd = Simd::automatic, double side = 0) {
     ThreadPool pool(threads);
     Tracer tracer(scene, Precision::float32, simd);
     const std::size_t count = std::size_t(part.columns) * part.rows;
     Traced pixels{std::vector<std::uint32_t>(count), {}};
     if (filled) {
         pixels.rays =
-            tracer.trace({view, pool, {}}, FilledLattice{part, contrast, encoded, pixels.colors.data()});
+            tracer.trace({view, pool, {}}, FilledLattice{part, contrast, encoded, pixels.colors.data(), side});
         return pixels;
     }
     std::vector<double> rgb(3 * count);
@@ -108,6 +109,20 @@ TEST_CASE("what is filled depends neither on threads, lanes nor crops") {
             const Traced part = traced(scene, view, {24 * x, 16 * y, 70, 45, x, y}, true);
             CHECK(part.colors == colors_of(picture, all.columns, {24, 16, 70, 45}));
         }
+    }
+}
+
+TEST_CASE("averaged patterns depend neither on threads, lanes nor crops") {
+    for (const Scene& scene : {read_scene("mirror_ball"), read_scene("patterns/wood"),
+                               random_scene(9, {.patterns = true}), random_scene(10, {.patterns = true})}) {
+        const View view = view_of(scene, 203, 141);
+        const Lattice all{.columns = view.width, .rows = view.height};
+        const Traced picture = traced(scene, view, all, true, 2, Simd::automatic, 1.5);
+        CHECK(picture.colors != traced(scene, view, all, true).colors);
+        CHECK(picture.colors == traced(scene, view, all, true, 3, Simd::automatic, 1.5).colors);
+        CHECK(picture.colors == traced(scene, view, all, true, 1, Simd::scalar, 1.5).colors);
+        const Traced part = traced(scene, view, {24, 16, 70, 45}, true, 2, Simd::automatic, 1.5);
+        CHECK(part.colors == colors_of(picture, all.columns, {24, 16, 70, 45}));
     }
 }
 

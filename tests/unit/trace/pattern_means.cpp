@@ -298,4 +298,40 @@ TEST_CASE("floors of checks, bricks and lines, and of patterns in these, come ou
     }
 }
 
+TEST_CASE("pictures in motion show floors and what mirrors show of them nearly as the mean of many rays") {
+    std::vector<std::string> texts(std::begin(floors), std::end(floors) - 1);  // solid patterns keep colours of points
+    texts.push_back("marble { turbulence 1.2  octaves 5  colors { 0 <1, 1, 1>  1 <.1, .1, .2> }  scale .2 }");
+    texts.push_back("wood { turbulence .2  octaves 3  colors { 0 <.9, .6, .3>  1 <.3, .2, .1> }  scale .1 }");
+    texts.push_back("noise { octaves 4  colors { .3 <1, 1, 1>  .7 <.1, .2, .5> }  scale .1 }");
+    Dice patterns(23);
+    for (int depth : {0, 0, 0, 0, 1, 1, 2}) texts.push_back(random_pattern(patterns, depth));
+    for (const std::string& text : texts) {
+        CAPTURE(text);
+        const Scene scene = parse_scene(
+            "camera { position <0, -10, 4>  look_at <0, 0, 1>  sky <0, 0, 1>  angle 40 }\n"
+            "light { position <-6, -8, 10>  color <1, 1, 1> }\n"
+            "sphere { <-1, -2, 2>, 1  material { diffuse 0  reflection .9 } }\n"
+            "plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0>  material { rgb " +
+                text + "  diffuse .9  specular 0  reflection 0 } }\n",
+            "floor", {}, {});
+        const View view{.camera = scene.camera, .width = 80, .height = 60, .depth = 3};
+        const Lattice all{.columns = view.width, .rows = view.height};
+        ThreadPool pool(2);
+        Tracer tracer(scene, Precision::float32);
+        const std::vector<double> means = values_of(tracer, view, all, pool, {.grid = 13});
+        std::vector<PicturePoint> points;
+        for (int y = 0; y < view.height; ++y)
+            for (int x = 0; x < view.width; ++x) points.push_back({static_cast<float>(x), static_cast<float>(y)});
+        const auto error = [&](double side) {
+            std::vector<float> rgb(means.size());
+            tracer.trace({view, pool, {}}, PointList{points, rgb.data(), side});
+            double squares = 0;
+            for (std::size_t i = 0; i < rgb.size(); ++i) squares += (rgb[i] - means[i]) * (rgb[i] - means[i]);
+            return std::sqrt(squares / double(rgb.size()));
+        };
+        MESSAGE("RMS in 255ths ", 255 * error(1), ", of points ", 255 * error(0));
+        CHECK(error(1) < .7 * error(0));
+    }
+}
+
 }  // namespace strahl::pattern_means
