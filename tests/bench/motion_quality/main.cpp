@@ -30,8 +30,9 @@ namespace {
 
 struct Flown {
     std::string scene, folder, picture;
-    bool one = false;   // one ray in each pixel, whatever it takes
-    bool even = false;  // equal distances between traced pixels, and nothing else
+    bool one = false;    // one ray in each pixel, whatever it takes
+    bool means = false;  // and patterns averaged over the pixels
+    bool even = false;   // equal distances between traced pixels, and nothing else
     int width = 480, height = 270, frames = 60, shown = 30;
     double start = 0, fps = 60, speed = 1;
     double budget = 2 * .8 / 60;  // seconds of processor time: .8 of a 60th of a second on two threads
@@ -91,7 +92,13 @@ int run(const Flown& options) {
         ScreenImage image;
         const double start = processor_seconds();
         if (options.one) {
-            if (frame >= 0) image = traced_picture(tracer, view, pool, table, {.grid = 1});
+            if (options.means) {
+                image.resize(view.width, view.height);
+                const Lattice all = pixels_of(finest_level, view.width, view.height);
+                tracer.trace({view, pool, {}}, FilledLattice{all, 0, encode, image.pixels.data(), 1});
+            } else if (frame >= 0) {
+                image = traced_picture(tracer, view, pool, table, {.grid = 1});
+            }
         } else {
             const int level = resolution.choose(view.width, view.height, options.budget, finest_level,
                                                 options.even ? 1 : Sharpener::first_share);
@@ -122,11 +129,12 @@ int run(const Flown& options) {
     const Quality quality = log.quality();
     std::printf("| %s, %dx%d | %s | %.1f | %.1f | %.2f | %.0f | %.4f | %.2f %% | %.2f |",
                 std::filesystem::path(options.scene).stem().c_str(), options.width, options.height,
-                options.one    ? "one ray a pixel"
+                options.means  ? "one ray a pixel, means"
+                : options.one  ? "one ray a pixel"
                 : options.even ? "even"
                                : "sharpened",
-                1000 * options.budget, 1000 * seconds / options.frames,
-                quality.rms, quality.p99, quality.ssim, 100 * quality.visible, quality.flicker);
+                1000 * options.budget, 1000 * seconds / options.frames, quality.rms, quality.p99, quality.ssim,
+                100 * quality.visible, quality.flicker);
     for (auto at = levels.rbegin(); at != levels.rend(); ++at)
         std::printf(" 1/%d: %d", steps_of(at->first).area(), at->second);
     std::puts(" |");
@@ -151,6 +159,8 @@ int main(int argc, char** argv) {
             std::sscanf(value.c_str(), "%dx%d", &options.width, &options.height);
         else if (text == "one=yes")
             options.one = true;
+        else if (text == "means=yes")
+            options.one = options.means = true;
         else if (text == "even=yes")
             options.even = true;
         else if (name == "budget")
@@ -171,7 +181,7 @@ int main(int argc, char** argv) {
     if (options.scene.empty())
         return std::puts(
                    "usage: bench_motion_quality SCENE [size=480x270] [budget=26.7] [frames=60] [start=0] "
-                   "[one=yes] [even=yes]\n                            [speed=1] [picture=NAME [shown=30]]\n"
+                   "[one=yes] [means=yes] [even=yes]\n                            [speed=1] [picture=NAME [shown=30]]\n"
                    "The budget is in ms of processor time. One row: RMS in 1/255, 99 %, SSIM, share of the pixels off\n"
                    "by more than 8/255, flicker; and how many pictures had which share of the pixels traced."),
                2;
