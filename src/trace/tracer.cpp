@@ -212,7 +212,8 @@ class TracerOf : public AnyTracer {
         if (light_buffers) world.light_buffers = light_buffers->buffers();
         if (means) world.patterns.mip_maps = images->mip_maps();
         world.patterns.quick = side > 0;
-        const bool filters = (means || side > 0) && (world.patterns.list || world.patterns.sky);
+        const bool filters =
+            side > 0 ? world.patterns.has_quick_means : means && (world.patterns.list || world.patterns.sky);
         const ProvingLimits<T> limits{{.depth = view.depth,
                                        .error = static_cast<T>(view.error),
                                        .brightest = brightest.data(),

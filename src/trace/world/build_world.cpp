@@ -213,6 +213,11 @@ WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, Thre
         if (!world.patterns.list) world.patterns.list = &patterns.sky;  // kernels then keep the numbers of materials
     }
     world.patterns.nested = patterns.nested.data();
+    const auto averaged = [](const PatternKernel<T>& pattern) { return has_quick_mean(pattern.form); };
+    world.patterns.has_quick_means = std::ranges::any_of(patterns.list, averaged) ||
+                                     std::ranges::any_of(patterns.nested, averaged) ||
+                                     std::ranges::any_of(finishes.layers, averaged, &LayerKernel<T>::pattern) ||
+                                     (world.patterns.sky && averaged(*world.patterns.sky));
     for (const Light& light : points_of(scene.lights)) lights.push_back(light_kernel<T>(light, placement));
     if (scene.fog) {
         const long double per = 1 / (scene.fog->distance * placement.scale);

@@ -203,6 +203,7 @@ struct PatternTables {
     const BendKernel<T>* bends = nullptr;         // likewise; null if no normals are bent
     const ColorStopKernel<T>* stops = nullptr;
     const MipMapKernel* mip_maps = nullptr;  // by the numbers of images; null where these are not filtered
+    bool has_quick_means = false;            // some patterns have
     bool quick = false;                      // filters are approximate, and note nothing
     const PatternKernel<T>* sky = nullptr;   // of the background, by direction; null if it has none
     const PatternKernel<T>* nested = nullptr;  // those in the colours of others

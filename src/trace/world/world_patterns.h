@@ -12,6 +12,8 @@ struct SolidPattern;
 
 /// The forms of patterns, by how their value is computed.
 enum class PatternForm : std::int32_t { checker, brick, ramp, noise, layers, rings, image, solid, constant };
+/// Returns whether patterns of this form have approximate means, see quick_mean_kernel.h.
+inline constexpr bool has_quick_mean(PatternForm form) { return form < PatternForm::image; }
 /// A picture at one size: three values for each pixel, row by row from the top.
 struct MipLevel {
     const float* pixels;
