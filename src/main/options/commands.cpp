@@ -32,7 +32,7 @@ void add_render(CLI::App& app, ChosenCommand& chosen) {
     add_parsed(command, "--crop", o->crop, parse_crop,
                "Render only this part of it; X and Y count from its top left corner", "X,Y,W,H");
     command->add_flag("--fit", o->fit,
-                      "Widen the view of a camera whose aspectratio is not the picture's, which distorts it else");
+                      "Widen the view if the camera's aspectratio is not the picture's, which would else be distorted");
     add_depth(command, o->depth);
     command
         ->add_option(

@@ -129,7 +129,7 @@ inline void add_opening(CLI::App* command, OpeningOptions& options) {
         ->allow_extra_args(false)
         ->type_name("DIR");
     command->add_flag("--strict", options.strict,
-                      "Take whatever in a .pov file cannot be shown as it is meant for an error");
+                      "Treat whatever in a .pov file cannot be shown as it is meant as an error");
 }
 /// Adds the scene; of an .ini file, FILE.ini or FILE.ini[SECTION], the scene in it. Options that are added later
 /// replace what an .ini file says: `follow` is called with it first.
