@@ -309,6 +309,7 @@ void Interpreter::State::declare(bool local) {
     });
     if (!array) {
         value_of(*symbol) = std::move(value);
+        if (peeked && next.code == new_name_code && next.raw->index == name.index) cursor = next.raw, peeked = false;
         return;
     }
     if (value.kind == ValueKind::array) add_level(*array, value);

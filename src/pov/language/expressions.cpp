@@ -168,8 +168,8 @@ void Interpreter::State::component(Components& result) {
     take();
     const auto& v = result.value;
     const int count = std::exchange(result.count, 1);
-    if (index == 5 && count >= 3) return set(result, .297 * v[0] + .589 * v[1] + .114 * v[2]);
-    if (index >= count || count == 1) fail(last, "there is no such component: the value has " + std::to_string(count));
+    if (index == 5) return set(result, .297 * v[0] + (count > 1 ? .589 * v[1] : 0) + (count > 2 ? .114 * v[2] : 0));
+    if (index >= count) fail(last, "there is no such component: the value has " + std::to_string(count));
     set(result, v[index]);
 }
 

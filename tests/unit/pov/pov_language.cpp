@@ -12,6 +12,7 @@ TEST_CASE("POV-Ray's values and promotion") {
 #debug concat(vstr(3, <1,2> + (2*<1,2,3>), ",", 0, 3), "\n")
 #debug concat(vstr(2, <1 -1 2>, ",", 0, 3), "\n")
 #debug concat(vstr(5, <1,2,3> + t + u, ",", 0, 3), "\n")
+#debug concat(str((7).x, 0, 1), " ", str((2+1).red, 0, 1), " ", str((u+v).gray, 0, 3), "\n")
 #debug concat(str((<1,2,3>*2).z, 0, 3), " ", str(<1,2,3,4,5>.transmit, 0, 3), " ", str(<1,.5,.25>.gray, 0,
        6), "\n")
 #debug concat(str(2/4*2-1+-3, 0, 3), " ", str(--2, 0, 3), " ", str(!3 + !0, 0, 3), " ", str(1e+3*.5-5., 0,
@@ -24,6 +25,7 @@ TEST_CASE("POV-Ray's values and promotion") {
 3.000,6.000,6.000
 0.000,2.000
 2.000,2.000,3.000,1.000,0.000
+7.0 3.0 0.886
 6.000 5.000 0.620000
 -3.000 2.000 1.000 495.000
 )");
