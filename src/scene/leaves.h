@@ -121,11 +121,9 @@ void for_each_leaf(const Primitive& primitive, const Visit& visit) {
 
 /// Does any surface of the primitive transmit light?
 inline bool transparent(const Scene& scene, const Primitive& primitive) {
-    bool any = false;
-    for_each_leaf(primitive, [&](const Primitive& leaf, const glm::dmat4&) {
-        any |= scene.materials[static_cast<std::size_t>(leaf.material)].transmits();
-    });
-    return any;
+    bool any = false, composite = false;
+    each_part(primitive, [&](const Primitive& part) { composite = true, any = any || transparent(scene, part); });
+    return composite ? any : scene.materials[static_cast<std::size_t>(primitive.material)].transmits();
 }
 
 }  // namespace strahl

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "trace/world/duplicate_bodies.h"
 #include "trace/world/world_arrays.h"
@@ -109,17 +110,12 @@ void WorldArrays<T>::make_hierarchy(ThreadPool& pool) {
         const std::size_t fields = traits[form].fields;
         std::copy(&own.numbers[own.in_hierarchy * fields], &own.numbers[own.count * fields],
                   &sorted[form][own.in_hierarchy * fields]);
-        own.numbers = std::move(sorted[form]);
+        // The columns take over the memory: the system would have to clear new memory first.
+        own.columns = std::exchange(own.numbers, std::move(sorted[form]));
+        std::fill_n(&own.columns[own.in_hierarchy * fields], widest_pack, T(0));
     }
     hierarchy.order.reset();
     places.reset(), form_of.reset();
-    for (int form = 0; form < Forms::size; ++form) {
-        FormItems<T>& own = forms[form];
-        if (own.in_hierarchy == 0) continue;
-        const std::size_t length = std::size_t(own.in_hierarchy) * traits[form].fields;
-        own.columns = uninitialized_buffer<T>(length + widest_pack);
-        std::fill_n(&own.columns[length], widest_pack, T(0));
-    }
     add_columns(hierarchy, pool);
     world.nodes = hierarchy.nodes.get();
 }
