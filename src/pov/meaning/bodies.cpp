@@ -185,18 +185,28 @@ int SceneMaker::material_of(const ObjectThing& object, const Around& around, boo
     return doubtful ? materials.apart(number) : number;
 }
 
+/// Returns into how many cells the box around a surface is divided to make it a mesh: the fewer the more surfaces there
+/// are and, of one that is used often, the smaller it looks. Each use has triangles of its own.
+int SceneMaker::cells_of(const ObjectThing& object, const Around& around) {
+    SurfaceUse& use = surface_uses[object.surface.get()];
+    if (use.cells == 0) use.cells = surfaces_made < 8 ? 64 : surfaces_made < 64 ? 32 : 16, ++surfaces_made;
+    if (use.count < 64) return use.cells;
+    Steps steps = object.steps;
+    append(steps, around.after);
+    const Box box = Mesh{object.surface->mesh(16), ""}.bounds(matrix_of(steps));
+    const DVec3 sides = box.size();
+    const double area = std::max({sides.x * sides.y, sides.y * sides.z, sides.z * sides.x});
+    const double size = std::sqrt(area) / length(box.centre() - axes.location);  // seen from the camera
+    return std::max(size > .1 ? use.cells : size > .03 ? use.cells / 2 : use.cells / 4, 16);
+}
+
 std::optional<SceneMaker::Part> SceneMaker::build(const ObjectThing& object, const Around& around) {
     tell_notes(object);
     std::optional<Part> part;
     if (object.kind == ObjectKind::shape) {
         in.count_bytes(4 * sizeof(Primitive), object.place);  // unions of unions make many bodies of few words
         Shape shape = *object.shape;
-        if (object.surface) {
-            const bool known = object.surface->made != nullptr;
-            const int cells = surfaces_made < 8 ? 64 : surfaces_made < 64 ? 32 : 16;
-            shape = Mesh{object.surface->mesh(cells), ""};
-            surfaces_made += !known;
-        }
+        if (object.surface) shape = Mesh{object.surface->mesh(cells_of(object, around)), ""};
         Steps steps = object.steps;
         fold_matrix(shape, steps);
         if (mirrored) {
@@ -310,6 +320,14 @@ void SceneMaker::push(Part part, const ObjectThing& object, const Around& around
     take_over(object, flags);
     shown.push_back({flags.no_shadow, flags.no_image, flags.no_reflection, object.place});
     scene.primitives.push_back(std::move(part.primitive));
+}
+
+/// Counts how often each surface will be a mesh, in the first million objects: unions of unions may hold far more.
+void SceneMaker::count_surfaces(const ObjectThing& object) {
+    if (++objects_counted > 1'000'000) return;
+    if (object.surface) ++surface_uses[object.surface.get()].count;
+    for (const auto* const inner : {&object.parts, &object.clips})
+        for (const auto& each : *inner) count_surfaces(*each);
 }
 
 void SceneMaker::tell_notes(const ObjectThing& object) const {

@@ -68,8 +68,10 @@ class SceneMaker {
     int number_of(Shared& shared);
     template <class Way>
     int number_of(const Looks& own, bool mapped, const Way& way);
+    int cells_of(const ObjectThing& object, const Around& around);
     int material_of(const ObjectThing& object, const Around& around, bool mapped);
     void push(Part part, const ObjectThing& object, const Around& around);
+    void count_surfaces(const ObjectThing& object);
     void tell_notes(const ObjectThing& object) const;
     void take(double Material::*part, Primitive& body);
     void set_planes();
@@ -97,6 +99,12 @@ class SceneMaker {
     std::vector<Seen> shown;  // of each primitive
     std::vector<TextPlace> kept_places;
     int surfaces_made = 0;  // meshes of bodies that functions define
+    struct SurfaceUse {
+        int count = 0;  // of bodies that are this surface
+        int cells = 0;
+    };
+    std::map<const LevelSurface*, SurfaceUse> surface_uses;
+    int objects_counted = 0;
     // By their originals, of which all uses share one.
     std::map<std::shared_ptr<const MeshData>, std::shared_ptr<const MeshData>> mirrored_meshes;
 };

@@ -253,6 +253,7 @@ Scene SceneMaker::make() {
     set_settings();
     set_camera();
     set_background();
+    for (const PlacedObject& each : contents.objects) count_surfaces(*each.object);
     for (const PlacedObject& each : contents.objects) {
         Around around;
         around.texture = each.fallback;

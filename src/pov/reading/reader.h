@@ -91,7 +91,7 @@ class PovReader : public SceneLayer {
     std::vector<std::pair<TextPlace, std::shared_ptr<std::atomic<bool>>>> pattern_functions;  // was it called?
     std::shared_ptr<const TextureThing> default_texture = std::make_shared<TextureThing>();
     CameraThing default_camera;
-    std::map<Point2, std::shared_ptr<const MeshData>> superellipsoids;  // made so far, by their exponents
+    std::map<Point2, std::shared_ptr<const LevelSurface>> superellipsoids;  // so far, by their exponents
 };
 
 }  // namespace strahl::pov

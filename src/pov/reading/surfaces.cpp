@@ -41,6 +41,11 @@ void set_mesh(ObjectThing& object, MeshData mesh) {
     set_mesh(object, std::make_shared<const MeshData>(std::move(mesh)));
 }
 
+void set_lathe(ObjectThing& object, std::vector<Contour> contours) {
+    object.kind = ObjectKind::shape;
+    object.shape = Lathe{std::make_shared<const ContourData>(std::move(contours), true)};
+}
+
 std::shared_ptr<const ObjectThing> part_of(const ObjectThing& whole, const Shape& shape, Steps steps = {}) {
     auto part = std::make_shared<ObjectThing>();
     part->kind = ObjectKind::shape, part->place = whole.place, part->shape = shape, part->steps = std::move(steps);
@@ -152,15 +157,20 @@ bool PovReader::read_surface(Interpreter& in, std::uint16_t code, ObjectThing& o
     switch (code) {
         case word("lathe"): {
             const SplineKind kind = read_spline_kind(in);
-            object.kind = ObjectKind::shape;
-            object.shape = Lathe{std::make_shared<const ContourData>(contours_of(kind, read_points(in), true), true)};
+            set_lathe(object, contours_of(kind, read_points(in), true));
             return true;
         }
         case word("sor"): {
             const std::vector<Point2> points = read_points(in);
-            const std::vector<Contour> contours{contour_of_sor(points, in.accept("open"))};
-            object.kind = ObjectKind::shape;
-            object.shape = Lathe{std::make_shared<const ContourData>(contours, true)};
+            set_lathe(object, {contour_of_sor(points, in.accept("open"))});
+            return true;
+        }
+        case word("ovus"): {
+            const double bottom = in.read_number();
+            in.skip_comma();
+            const double top = in.read_number();
+            if (bottom < 0 || top < 0) in.fail("a radius of an ovus is below 0");
+            set_lathe(object, {contour_of_ovus(bottom, top)});
             return true;
         }
         case word("prism"): {
@@ -220,10 +230,11 @@ bool PovReader::read_surface(Interpreter& in, std::uint16_t code, ObjectThing& o
         }
         case word("superellipsoid"): {
             const Point2 exponents = in.read_uv();
-            std::shared_ptr<const MeshData>& made = superellipsoids[exponents];
-            if (!made) made = std::make_shared<const MeshData>(superellipsoid(exponents[0], exponents[1]));
-            set_mesh(object, made);
-            object.approximated("'superellipsoid" + mesh);
+            std::shared_ptr<const LevelSurface>& known = superellipsoids[exponents];
+            set_surface(object, "superellipsoid",
+                        [exponents](int cells) { return superellipsoid(exponents[0], exponents[1], cells); });
+            if (known) object.surface = known;
+            known = object.surface;
             return true;
         }
         case word("bicubic_patch"): {
@@ -274,6 +285,7 @@ bool PovReader::read_surface(Interpreter& in, std::uint16_t code, ObjectThing& o
                      : in.accept("b_spline")   ? b_spline
                                                : linear;
             in.accept("linear_spline");
+            in.skip_comma();
             const int count = in.read_integer();
             std::vector<std::pair<DVec3, double>> given, balls;
             for (int i = 0; i < count; ++i) {

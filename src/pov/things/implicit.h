@@ -1,6 +1,7 @@
 // Turns bodies that a function defines into meshes.
 #pragma once
 #include <functional>
+#include <map>
 #include <memory>
 #include <span>
 
@@ -20,11 +21,12 @@ MeshData level_surface(const Inside& inside, const Box& box, int cells);
 /// A body that becomes a mesh once it is shown: standard include files declare many that no scene uses.
 struct LevelSurface {
     std::function<MeshData(int cells)> make;
-    mutable std::shared_ptr<const MeshData> made{};
+    mutable std::map<int, std::shared_ptr<const MeshData>> made{};  // by their cells
 
     const std::shared_ptr<const MeshData>& mesh(int cells) const {
-        if (!made) made = std::make_shared<const MeshData>(make(cells));
-        return made;
+        std::shared_ptr<const MeshData>& own = made[cells];
+        if (!own) own = std::make_shared<const MeshData>(make(cells));
+        return own;
     }
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace strahl::pov {
 namespace {
@@ -123,6 +124,39 @@ Contour contour_of_sor(std::span<const Point2> points, bool open) {
         const Point2 end{0, contour.strokes.back().end[1]};
         contour.strokes.push_back({end, end});
     }
+    return contour;
+}
+
+Contour contour_of_ovus(double bottom, double top) {
+    constexpr double right = std::numbers::pi / 2;
+    Contour contour{{0, -bottom}, {}};
+    const auto add_arc = [&](const Point2& centre, double radius, double from, double to) {
+        const int pieces = static_cast<int>(std::ceil((to - from) / (right / 6)));
+        const double step = (to - from) / pieces, reach = 4. / 3 * std::tan(step / 4);
+        const auto at = [&](double angle, double ahead) {  // of a circle, and ahead along its tangent
+            return Point2{centre[0] + radius * (std::cos(angle) - ahead * std::sin(angle)),
+                          centre[1] + radius * (std::sin(angle) + ahead * std::cos(angle))};
+        };
+        for (int i = 0; i < pieces; ++i) {
+            const double a = from + i * step, b = i + 1 < pieces ? a + step : to;
+            contour.strokes.push_back({at(a, reach), at(b, 0), at(b, -reach)});
+        }
+    };
+    const double large = 2 * std::max(bottom, top);
+    // The large circle's middle is at (-aside, height): from the balls' middles by its radius less theirs.
+    const double height =
+        (bottom * bottom + (large - bottom) * (large - bottom) - (large - top) * (large - top)) / (2 * bottom);
+    const double aside = std::sqrt(std::max((large - bottom) * (large - bottom) - height * height, 0.));
+    if (top < 2 * bottom) {
+        const double lower = std::atan2(-height, aside), upper = std::atan2(bottom - height, aside);
+        add_arc({0, 0}, bottom, -right, lower);
+        add_arc({-aside, height}, large, lower, upper);
+        add_arc({0, bottom}, top, upper, right);
+    } else {  // the lower ball is within the upper one
+        contour.start[1] = bottom - top;
+        add_arc({0, bottom}, top, -right, right);
+    }
+    contour.strokes.back().end[0] = 0;
     return contour;
 }
 

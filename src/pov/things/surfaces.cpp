@@ -153,8 +153,8 @@ MeshData swept(std::vector<Outline> outlines, const Sweep& sweep) {
     return mesh.finish();
 }
 
-MeshData superellipsoid(double e, double n) {
-    constexpr int around = 128, up = 64;
+MeshData superellipsoid(double e, double n, int cells) {
+    const int around = std::min(4 * cells, 128), up = around / 2;
     const auto power = [](double v, double exponent) { return std::copysign(std::pow(std::fabs(v), exponent), v); };
     const auto exact = [](double v) { return std::fabs(v) < 1e-12 ? 0 : v; };
     const auto powers = [&](int count, const auto& angle, double exponent) {
@@ -163,8 +163,8 @@ MeshData superellipsoid(double e, double n) {
             all.push_back({power(exact(std::cos(angle(i))), exponent), power(exact(std::sin(angle(i))), exponent)});
         return all;
     };
-    const auto u = [](int i) { return 2 * std::numbers::pi * (i % around) / around; };
-    const auto v = [](int j) { return std::numbers::pi * (double(j) / up - .5); };
+    const auto u = [=](int i) { return 2 * std::numbers::pi * (i % around) / around; };
+    const auto v = [=](int j) { return std::numbers::pi * (double(j) / up - .5); };
     const std::vector<Point2> east = powers(around, u, e), north = powers(up, v, n);
     const std::vector<Point2> east_slopes = powers(around, u, 2 - e), north_slopes = powers(up, v, 2 - n);
     const auto place = [](const Point2& about, const Point2& along) {

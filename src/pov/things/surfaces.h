@@ -33,7 +33,7 @@ struct Sweep {
 /// material again, and so on.
 MeshData swept(std::vector<Outline> outlines, const Sweep& sweep);
 /// (|x|^(2/e) + |y|^(2/e))^(e/n) + |z|^(2/n) = 1.
-MeshData superellipsoid(double e, double n);
+MeshData superellipsoid(double e, double n, int cells);
 /// The bicubic surface of 16 control points, row by row, in `pieces` by `pieces` squares.
 MeshData bicubic(const std::array<DVec3, 16>& points, int pieces);
 /// The field of heights over x and z from 0 to 1, from the lower row of z on; what is below `water` is left out.

@@ -57,6 +57,9 @@ TEST_CASE("POV-Ray: unions keep the surfaces inside them, merges do not") {
     CHECK(two.primitives[1].transformations == std::vector<Transformation>{Translate{{0, 1, 0}}});
     REQUIRE(one.primitives.size() == 1);
     CHECK(shape<Union>(one).parts->size() == 2);
+    // A body may stand alone by its name, right after it was declared.
+    CHECK(whole("#declare B = sphere { 0, 1 } B").primitives.size() == 1);
+    CHECK(whole("sphere_sweep { linear_spline, 2, 0, 1, x, 1 }").primitives.size() == 3);
 }
 
 TEST_CASE("POV-Ray: composites with bodies turned inside out contain the same points") {
@@ -323,6 +326,32 @@ TEST_CASE("POV-Ray: a sor is a lathe whose squared radius is a cubic of the heig
                "left out: a body without extent: it has no surface"));
 }
 
+TEST_CASE("POV-Ray: an ovus is two balls and the arc that touches both") {
+    const auto ovus = [](const std::string& words) { return shape<Lathe>(whole("ovus { " + words + " }")); };
+    // Of a thin and of a thick end: the arc's middle, and a point of it half way.
+    for (const auto& [bottom, top] : {std::pair(1., .5), std::pair(.6, 1.)}) {
+        const Lathe egg = ovus(std::to_string(bottom) + ", " + std::to_string(top));
+        CHECK_FALSE(egg.open());
+        const double large = 2 * std::max(bottom, top), from_bottom = large - bottom, from_top = large - top;
+        const double y = (bottom * bottom + from_bottom * from_bottom - from_top * from_top) / (2 * bottom);
+        const double x = -std::sqrt(from_bottom * from_bottom - y * y);
+        const double angle = (std::atan2(-y, -x) + std::atan2(bottom - y, -x)) / 2;
+        const auto is_edge = [&](double radius, double height, double dx, double dy) {
+            CHECK(egg.contains({radius - 1e-8 * dx, height - 1e-8 * dy, 0}));
+            CHECK_FALSE(egg.contains({radius + 1e-8 * dx, height + 1e-8 * dy, 0}));
+        };
+        is_edge(x + large * std::cos(angle), y + large * std::sin(angle), std::cos(angle), std::sin(angle));
+        is_edge(bottom * .6, bottom * -.8, .6, -.8);
+        is_edge(top * .28, bottom + top * .96, .28, .96);
+    }
+    // A ball if one is within the other.
+    CHECK(ovus(".5, 1").contains({0, -.4999, 0}));
+    CHECK_FALSE(ovus(".5, 1").contains({0, -.5001, 0}));
+    CHECK_FALSE(ovus("1, 0").contains({.01, 1, 0}));
+    CHECK(says(notes_of("\novus { 0, 0 }"), "left out: a body without extent"));
+    CHECK_THROWS_AS(opened("ovus { 1, -1 }"), FileError);
+}
+
 TEST_CASE("POV-Ray: height fields of functions") {
     const Scene scene = whole("height_field { function 3, 2 { x*.5 + y*2 } }");
     // POV-Ray's own heights at these corners, where y = 1 stands at z = 0, and 2 and 2.25 become 1 and .25.
@@ -433,6 +462,15 @@ TEST_CASE("POV-Ray: blobs, polynomials and isosurfaces become meshes near their 
     CHECK(slab.low.x == doctest::Approx(1. / 3).epsilon(.001));
     CHECK(slab.high.x == doctest::Approx(2. / 3).epsilon(.001));
     CHECK(slab.high.y == doctest::Approx(1).epsilon(.001));
+    // Of a body that is used often those are coarse that look small.
+    const Scene many = opened(
+                           "#declare S = blob { threshold .5 sphere { 0, 1, 1 } }"
+                           "#for (i, 1, 70) object { S translate i * i * z } #end")
+                           .scene;
+    REQUIRE(many.primitives.size() == 70);
+    CHECK(shape<Mesh>(many, 0).data->triangles.size() > 10'000);
+    CHECK(shape<Mesh>(many, 69).data->triangles.size() < 2'000);
+    CHECK(shape<Mesh>(many, 69).data == shape<Mesh>(many, 60).data);
     // A body that is declared and not shown is not made.
     CHECK(opened("#declare S = isosurface { function { x } }").notes.empty());
 }
