@@ -199,4 +199,16 @@ Vec3<S> lattice_vector_turbulence(const Vec3<S>& point, int octaves, float omega
     return sum;
 }
 
+/// Returns the share of the variance of an octave that a grid lacks: what has faded, and what is left out by straight
+/// lines between points that are these parts of a cell apart. Fitted to 40,000 points of noise.
+template <class S>
+STRAHL_INLINE S lost_of_octave(const S& left, const S& step, const S& other) {
+    S curved(0);
+    for (const S& own : {step, other}) {
+        const S t = min(max((own - S(.25)) * S(1 / .6), S(0)), S(1));
+        curved = fma(S(.29) * t * t, fma(S(-2), t, S(3)), curved);
+    }
+    return S(1) - left * left * (S(1) - curved);
+}
+
 }  // namespace strahl::inline STRAHL_LEVEL

@@ -17,35 +17,36 @@ bool is_known(const SolidPattern& own) {
     return !own.function && own.solid != Solid::spiral1 && own.solid != Solid::spiral2;
 }
 
+/// Returns the detail that a kind has everywhere alike, a deviation of 0 if it has none. Deviations are those of
+/// 200,000 points.
+SolidDetail even_detail(const SolidPattern& own) {
+    switch (own.solid) {
+        case Solid::agate:
+            return {2.2, .34};
+        case Solid::bozo:
+        case Solid::bumps:
+            return {1, own.generator == 1 ? .25 : .13};
+        case Solid::cells:
+            return {1, .29};
+        case Solid::crackle:
+            return {1.5, .16};
+        case Solid::dents:
+            return {1, own.generator == 1 ? .24 : .11};
+        case Solid::leopard:
+            return {1 / std::numbers::pi, .2};
+        case Solid::quilted:
+            return {1.5, .11};
+        case Solid::ripples:
+        case Solid::waves:
+            return {2 * std::fabs(own.frequency), .12};
+        default:
+            return {0, 0};
+    }
+}
+
 }  // namespace
 
 std::optional<DVec3> SolidFunction::bend_at(const DVec3&) const { return {}; }
-
-/// Means and deviations are those of 200,000 points.
-EvenDetail even_detail(const SolidPattern& own) {
-    switch (own.solid) {
-        case Solid::agate:
-            return {2.2, .55, .34};
-        case Solid::bozo:
-        case Solid::bumps:
-            return {1, .5, own.generator == 1 ? .25 : .13};
-        case Solid::cells:
-            return {1, .5, .29};
-        case Solid::crackle:
-            return {1.5, .2, .16};
-        case Solid::dents:
-            return {1, own.generator == 1 ? .2 : .15, own.generator == 1 ? .24 : .11};
-        case Solid::leopard:
-            return {1 / std::numbers::pi, 1. / 6, .2};
-        case Solid::quilted:
-            return {1.5, .25, .11};
-        case Solid::ripples:
-        case Solid::waves:
-            return {2 * std::fabs(own.frequency), .5, .12};
-        default:
-            return {};
-    }
-}
 
 const double* random_numbers() {
     static const auto table = [] {
@@ -112,11 +113,12 @@ double smoothed_value(const SolidPattern& own, const DVec3& p, double step) { re
 DVec3 bend_at(const SolidPattern& own, const DVec3& p) { return solid_bend(own, p); }
 
 SolidDetails details_of(const SolidPattern& own) {
-    const EvenDetail even = even_detail(own);
+    const SolidDetail even = even_detail(own);
     const bool linear = own.solid == Solid::gradient || own.solid == Solid::marble;
     SolidDetails all{.repeat = repeat_of(own),
                      .known = is_known(own),
-                     .jumps = own.solid == Solid::cells || (begins_anew(own.solid) && !goes_on(own))};
+                     .jumps = own.solid == Solid::cells || (begins_anew(own.solid) && !goes_on(own)),
+                     .even = even.deviation > 0 || own.solid == Solid::granite || own.solid == Solid::wrinkles};
     const double per = own.frequency == 0 ? 1 : std::fabs(own.frequency);
     const auto add = [&](double fineness, double deviation) {
         if (all.count < static_cast<int>(all.sizes.size())) all.sizes[all.count++] = {fineness, per * deviation};

@@ -69,6 +69,7 @@ struct SolidDetails {
     enum class Repeat { ramp, triangle, never } repeat;
     bool known;  // else only points have values
     bool jumps;  // values change by steps
+    bool even;   // detail is alike everywhere
     int count = 0;
     std::array<SolidDetail, 20> sizes{};
 };

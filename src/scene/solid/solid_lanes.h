@@ -19,11 +19,6 @@ struct WaveSource {
 };
 const std::array<WaveSource, 10>& wave_sources();
 
-/// The detail that a kind has everywhere alike; a deviation of 0 if it has none.
-struct EvenDetail {
-    double fineness = 0, mean = 0, deviation = 0;
-};
-EvenDetail even_detail(const SolidPattern& own);
 SolidDetails::Repeat repeat_of(const SolidPattern& own);
 /// Does the kind itself begin anew at whole numbers, where that makes no difference?
 bool goes_on(const SolidPattern& own);
@@ -326,14 +321,11 @@ template <class S>
 /// See smoothed_value() of solid.h.
 template <class S>
 [[gnu::noinline]] S smoothed_solid(const SolidPattern& own, const Vec3<S>& point, double step) {
-    const EvenDetail detail = own.function ? EvenDetail{} : even_detail(own);
     const auto find = [&](const Vec3<S>& near) {
         const Vec3<S> p = place_of(own, near, step);
         S value;
         if (!own.function && goes_on(own))
             value = own.solid == Solid::onion ? rooted(p.x, p.y, p.z) : along_axis(own, p);
-        else if (detail.deviation > 0)
-            value = lattice::faded(detail.fineness * step, S(detail.mean), [&] { return raw_value(own, p, step); });
         else
             value = raw_value(own, p, step);
         value = repeated(own, value);

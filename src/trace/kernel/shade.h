@@ -135,6 +135,19 @@ STRAHL_INLINE Hit<S> make_hit(const Shading<S, P>& shading, int bin, const RayQu
             bin};
 }
 
+/// Returns the mean directions of bent normals over footprints. Light that falls on all of them is less than on one in
+/// that direction.
+template <class S, class P>
+[[gnu::noinline, gnu::cold]] Vec3<S> bend_filtered(const Shading<S, P>& shading, const Hit<S>& hit, const S& weight,
+                                                   const HitNotes<S, P>& notes, HitMaterial<S>& material) {
+    const Footprint<S> footprint{hit.direction, notes.flat, notes.beside.place[0], notes.beside.place[1], weight};
+    S length;
+    const Vec3<S> normal =
+        PatternCalls<S>::bent_filtered(shading.world, material.numbers, hit.position, hit.surface, footprint, length);
+    material.values.diffuse = scale(length, material.values.diffuse);  // painted anew for each pack
+    return normal;
+}
+
 /// Shades the hits of a bin, first those of rays inside an enclosed body. Returns false if the queues are full.
 template <class S, class P>
 bool shade_bin(const Shading<S, P>& shading, int bin) {
@@ -161,19 +174,20 @@ bool shade_bin(const Shading<S, P>& shading, int bin) {
         P::meet(shading, hit, from, pick, t, within, material, notes.own);
         if (shading.has_notes) [[unlikely]] {
             notes.flat = hit.normal;
+            Mask<S> filtered = first_lanes<S>(0);
+            const bool exact = filters(shading) && !world.patterns.quick;
+            if (exact) {
+                note_differentials(shading, from, pick, hit, pick(t), notes);
+                filtered = notes.beside.loose >= S(0);
+            }
             if (world.patterns.bends) {
-                hit.normal = PatternCalls<S>::bent(world, material.numbers, hit.position, hit.surface, notes.flat);
+                if (exact)
+                    hit.normal = bend_filtered(shading, hit, pick(from.weight), notes, material);
+                else
+                    hit.normal = PatternCalls<S>::bent(world, material.numbers, hit.position, hit.surface, notes.flat);
                 P::bend(shading, material.numbers, hit, notes.flat, pick(from.weight), pick.lanes, notes.own);
             }
-            Mask<S> filtered = first_lanes<S>(0);
-            if (filters(shading)) {
-                if (world.patterns.quick) {
-                    note_cones(shading, from, pick, hit, pick(t), notes);
-                } else {
-                    note_differentials(shading, from, pick, hit, pick(t), notes);
-                    filtered = notes.beside.loose >= S(0);
-                }
-            }
+            if (filters(shading) && !exact) note_cones(shading, from, pick, hit, pick(t), notes);
             if (notes_sights(shading)) {
                 S seen_from = pick(from.source);
                 if (world.patterns.list)

@@ -54,21 +54,25 @@ struct ImageLookups {
         // further.
         const bool ends_at_poles = image.map == ImageMap::spherical && number > 0;
         const auto pair = [](T place, std::int32_t size, bool ends, std::int32_t(&numbers)[2]) {
-            const T from_middle = place * static_cast<T>(size) - T(.5), low = std::floor(from_middle);
+            const T from_middle = place - T(.5), low = std::floor(from_middle);
             const auto first = static_cast<std::int32_t>(low), last = size - 1;
             numbers[0] = first < 0 ? (ends ? 0 : last) : first;
             numbers[1] = first + 1 > last ? (ends ? last : 0) : first + 1;
             return from_middle - low;
         };
         std::int32_t columns[2], rows[2];
-        const auto narrowed = [&](T share, T own) {
+        const auto narrowed = [&](T share, T own, T place, std::int32_t size) {
             if (!exact) return share;
+            // Along a border of pixels it shows the one in which rounding has its points.
+            if (own <= T(1e4) * std::numeric_limits<T>::epsilon())
+                return T(std::floor(std::min(place, static_cast<T>(size - 1))) > std::floor(place - T(.5)));
             const T all = std::clamp(fma(share - T(.5), T(1) / own, T(.5)), T(0), T(1));
             varies = varies || (all > 0 && all < 1);
             return all;
         };
-        const T across = narrowed(pair(u, level.width, image.once, columns), width[0]);
-        const T down = narrowed(pair(T(1) - v, level.height, image.once || ends_at_poles, rows), width[1]);
+        const T x = u * static_cast<T>(level.width), y = (T(1) - v) * static_cast<T>(level.height);
+        const T across = narrowed(pair(x, level.width, image.once, columns), width[0], x, level.width);
+        const T down = narrowed(pair(y, level.height, image.once || ends_at_poles, rows), width[1], y, level.height);
         for (int j = 0; j < 2; ++j)
             for (int i = 0; i < 2; ++i) {
                 const T own = share * (i ? across : T(1) - across) * (j ? down : T(1) - down);

@@ -53,6 +53,9 @@ struct PatternCalls {
     /// Returns the normals at these positions of these surfaces as the materials bend them, of length 1.
     static Vec3<S> bent(const World<T>& world, const int* materials, const Vec3<S>& position, const S& surface,
                         const Vec3<S>& normal);
+    /// Does the same with means over footprints, for bumps of values; `length` becomes that of the mean normal.
+    static Vec3<S> bent_filtered(const World<T>& world, const int* materials, const Vec3<S>& position, const S& surface,
+                                 const Footprint<S>& footprint, S& length);
     /// Returns a number for the piece of the pattern at each position. Pieces have edges in between: checks, bricks,
     /// ramps, repetitions of images. 0 where there are none, and where patterns are filtered, but for images that are
     /// there once.

@@ -187,8 +187,9 @@ template <class S>
         return max(-floor(share * -min(S(T(steps_per_cell)) * finest * own, most)), one);
     };
     const S columns = steps_along(lengths[0], lengths[1]), rows = steps_along(lengths[1], lengths[0]);
-    const S step = max(lengths[0] / columns, lengths[1] / rows), fine = finest * (lengths[0] + lengths[1]);
-    const LostOctaves<S> lost = lost_octaves(pattern, step, lengths);
+    const S steps[2] = {lengths[0] / columns, lengths[1] / rows}, step = max(steps[0], steps[1]);
+    const S fine = finest * (lengths[0] + lengths[1]);
+    const LostOctaves<S> lost = lost_octaves(pattern, p, across, down, steps, lengths);
     // Packs hold points of one grid: grids have different sizes.
     constexpr int lanes_of = width<S>, most_packs = (ValueGrid::most_values + lanes_of - 1) / lanes_of;
     alignas(64) T along[2][most_packs * lanes_of], values[most_packs * lanes_of];
@@ -220,10 +221,41 @@ template <class S>
     });
 }
 
+/// Finds mean colours of a pattern that is no image over parallelograms with these sides around points of its space.
+template <class S>
+[[gnu::noinline]] void find_means_of(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
+                                     const Vec3<S>& middle, const Vec3<S>& across, const Vec3<S>& down, const S& weight,
+                                     Mask<S> lanes, PatternMeans<S>& means) {
+    if (!has_mean(pattern.form)) return mean_of_values(world, pattern, middle, across, down, weight, lanes, means);
+    each_lane<S>(lanes, [&](int k) {
+        means.set(pattern, k, [&](double* weights) {
+            return mean_over(pattern, world.patterns.stops + pattern.first_stop,
+                             PatternArea{lane_of(middle, k), lane_of(across, k), lane_of(down, k),
+                                         static_cast<double>(lane(weight, k))},
+                             weights, smoothed_values<Widest<double>>);
+        });
+    });
+}
+/// Makes footprints points where they are not known or go beyond the horizon.
+template <class S>
+STRAHL_INLINE void limit_ways(Vec3<S>& across, Vec3<S>& down) {
+    const Mask<S> known = dot(across, across) + dot(down, down) < S(largest_gain);
+    across = select(known, across, splat<S>(Vec3<Element<S>>(0)));
+    down = select(known, down, splat<S>(Vec3<Element<S>>(0)));
+}
+
 /// Returns where a way beside a ray leads on a surface with this normal.
 template <class S>
 STRAHL_INLINE Vec3<S> along_surface(const Footprint<S>& footprint, const Vec3<S>& way, const Vec3<S>& normal) {
     return fma(-dot(way, normal) / dot(footprint.direction, normal), footprint.direction, way);
+}
+
+/// Returns a way in the world in the pattern's space.
+template <class S>
+STRAHL_INLINE Vec3<S> turned_for(const PatternKernel<Element<S>>& pattern, const Vec3<S>& way) {
+    Vec3<S> own;
+    for (int c = 0; c < 3; ++c) own[c] = dot(splat<S>(pattern.rows[c]), way);
+    return own;
 }
 
 /// Footprints with edges of a pattern and of one among its colours are divided into so many parts in a row, and their
@@ -324,11 +356,6 @@ Filtering<S> filtered_at(const World<Element<S>>& world, const PatternKernel<Ele
         if (pattern.form != PatternForm::constant) return {S(1), S(1)};  // not filtered at all
         return {};
     }
-    const auto turned = [&](const Vec3<S>& way) {
-        Vec3<S> own;
-        for (int c = 0; c < 3; ++c) own[c] = dot(splat<S>(pattern.rows[c]), way);
-        return own;
-    };
     Vec3<S> place = position, across, down;
     if (pattern.by_uv) {
         const PlacedTriangles<S> triangles = placed_triangles(world, pattern.places, surface);
@@ -341,33 +368,20 @@ Filtering<S> filtered_at(const World<Element<S>>& world, const PatternKernel<Ele
         down = along_surface(footprint, footprint.down, footprint.normal);
     }
     const Vec3<S> p = in_space_of(pattern, place);
-    across = turned(across), down = turned(down);
+    across = turned_for(pattern, across), down = turned_for(pattern, down);
     if (pattern.form == PatternForm::image) {
         if (world.patterns.quick) return color = image_color(pattern.image, p), Filtering<S>{};
         const MipMapKernel& map = world.patterns.mip_maps[pattern.image.number];
         return filtered_color(pattern.image, map, p, across, down, lanes, color);
     }
-    // Where footprints are not known, or go beyond the horizon, colours are those of points.
-    const S longest = dot(across, across) + dot(down, down);
-    const Mask<S> known = longest < S(largest_gain);
-    across = select(known, across, splat<S>(Vec3<Element<S>>(0)));
-    down = select(known, down, splat<S>(Vec3<Element<S>>(0)));
+    limit_ways(across, down);
     if (world.patterns.quick) {
         color = quick_mean(world, pattern, position, surface, footprint, p, across, down);
         return {};
     }
     const auto find_means = [&](const Vec3<S>& middle, const Vec3<S>& side, const Vec3<S>& other,
                                 PatternMeans<S>& means) {
-        const S& weight = footprint.weight;
-        if (!has_mean(pattern.form)) return mean_of_values(world, pattern, middle, side, other, weight, lanes, means);
-        each_lane<S>(lanes, [&](int k) {
-            means.set(pattern, k, [&](double* weights) {
-                return mean_over(pattern, world.patterns.stops + pattern.first_stop,
-                                 PatternArea{lane_of(middle, k), lane_of(side, k), lane_of(other, k),
-                                             static_cast<double>(lane(weight, k))},
-                                 weights, smoothed_values<Widest<double>>);
-            });
-        });
+        find_means_of(world, pattern, middle, side, other, footprint.weight, lanes, means);
     };
     NestedMeans<S> means;
     find_means(p, across, down, means.whole);
@@ -461,6 +475,55 @@ Vec3<S> PatternCalls<S>::bent(const World<T>& world, const int* materials, const
         Vec3<S> n = normal;
         if (!own.map.flat) n = bent_by(world, own.map, position, surface, n);
         if (!own.bump.flat) n = bent_by(world, own.bump, position, surface, normal, n);
+        all = select(lanes, n, all);
+    });
+    return all;
+}
+
+/// Returns the mean direction of normals over footprints as a bump bends them; `length` becomes the length of their
+/// mean, if they are all as steep as at the middle.
+template <class S>
+[[gnu::noinline]] Vec3<S> mean_bent(const World<Element<S>>& world, const BumpKernel<Element<S>>& bump,
+                                    const Vec3<S>& position, const Footprint<S>& footprint, Mask<S> lanes, S& length) {
+    const PatternKernel<Element<S>>& pattern = bump.pattern;
+    const Vec3<S>& normal = footprint.normal;
+    const Vec3<S> p = in_space_of(pattern, position);
+    Vec3<S> across = turned_for(pattern, along_surface(footprint, footprint.across, normal));
+    Vec3<S> down = turned_for(pattern, along_surface(footprint, footprint.down, normal));
+    limit_ways(across, down);
+    Vec3<S> mean = splat<S>(Vec3<Element<S>>(0)), middle = mean, own;
+    for (int i = 0; i < 4; ++i) {
+        const Vec3<S> at = p + splat<S>(bump.steps[i]), bend = splat<S>(bump.bends[i]);
+        PatternMeans<S> means;
+        find_means_of(world, pattern, at, across, down, footprint.weight, lanes, means);
+        mean = fma(load_lanes<S>(means.values[0]), bend, mean), middle = fma(value_at(pattern, at), bend, middle);
+    }
+    for (int c = 0; c < 3; ++c) own[c] = dot(splat<S>(bump.columns[c]), normal);
+    const S steep = sqrt(dot(own, own));
+    const auto slope = [&](const Vec3<S>& bend) {  // squared, along the surface
+        const Vec3<S> along = scale(steep, fma(-dot(bend, normal), normal, bend));
+        return dot(along, along);
+    };
+    length = select(lanes, S(1) / sqrt(S(1) + max(slope(middle) - slope(mean), S(0))), length);
+    return unit_or(fma(steep, mean, normal), normal);
+}
+template <class S>
+Vec3<S> PatternCalls<S>::bent_filtered(const World<T>& world, const int* materials, const Vec3<S>& position,
+                                       const S& surface, const Footprint<S>& footprint, S& length) {
+    const Vec3<S>& normal = footprint.normal;
+    Vec3<S> all = normal;
+    length = S(1);
+    each_pattern<S>(world, materials, [&](int which, Mask<S> lanes) {
+        const BendKernel<T>& own = world.patterns.bends[which];
+        const PatternKernel<T>& bump = own.bump.pattern;
+        Vec3<S> n = normal;
+        if (!own.map.flat) n = bent_by(world, own.map, position, surface, n);
+        if (own.bump.flat) {
+        } else if (own.map.flat && !own.bump.by_vectors && !bump.by_uv && bump.form != PatternForm::image) {
+            n = mean_bent(world, own.bump, position, footprint, lanes, length);
+        } else {
+            n = bent_by(world, own.bump, position, surface, normal, n);
+        }
         all = select(lanes, n, all);
     });
     return all;

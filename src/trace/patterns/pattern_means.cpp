@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <memory>
+#include <numbers>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "num/lattice_noise.h"
 #include "num/vec_math.h"
@@ -28,11 +32,14 @@ constexpr double of_points = .3;
 /// Grids have fewer steps, in proportion, where the difference of colours times the weight of a ray is less than this:
 /// the error of a mean is about that over the root of the number of values (tests/bench/sampling.md).
 constexpr double full_contrast = .5;
+/// Values so many cells apart are coarse: straight lines between them would deviate too little.
+constexpr double coarse_step = .25;
+/// Values of solid patterns repeat at this distance: those of exactly 1 are still at the end of the colours.
+constexpr double period = 1.00001;
 /// Noise is detailed from so many of its finest cells on.
 constexpr double finely = .25;
 
 double fraction(double x) { return x - std::floor(x); }
-double length_of(double x, double y) { return std::sqrt(x * x + y * y); }
 
 /// A periodic function less its mean, and its integrals, which are periodic too.
 struct Square {  // 1 from 0 to 1 and -1 from 1 to 2
@@ -226,35 +233,31 @@ double share_of_bricks(const PatternArea& area, const DVec3& mortar) {
     return sum;
 }
 
-/// How the argument of a map becomes a value from 0 to 1.
-enum class Fold {
-    repeat,  // from 0 to 1, over and over
-    wave,    // up to 1 and down again within a length of 1
-    limit,   // smaller ones are 0 and larger ones 1
-};
+/// How the argument of a map becomes a value from 0 to 1: smaller ones count as 0 and larger ones as 1, or it repeats
+/// as the waves of solid patterns do.
+enum class Fold { limit, ramp, triangle, sine, scallop, cubic };
 
-/// The colours of a map by its argument; of periodic ones less their mean.
-template <class T>
+/// The colours of a map by its argument, of periodic ones less their mean: linear between nodes, which are its stops
+/// wherever a wave comes to them, and points of the wave in between.
 class MapFunction {
   public:
-    MapFunction(const ColorStopKernel<T>* own, int own_count, Fold own_fold)
-        : stops(own), count(own_count), fold(own_fold) {
+    template <class T>
+    MapFunction(const ColorStopKernel<T>* stops, int count, Fold own_fold) : fold(own_fold) {
+        for (int i = 0; i < count; ++i)
+            nodes.push_back(
+                {double(stops[i].at), {double(stops[i].color.x), double(stops[i].color.y), double(stops[i].color.z)}});
+        add_up();
+        if (fold > Fold::ramp) follow_wave(), add_up();
         if (fold == Fold::limit) return;
-        if (fold == Fold::wave) half = sums_of_map(1);
-        const Sums period = sums(1);
-        mean = period.first, middle = period.second - .5 * mean;
+        const Sums whole = sums(1);
+        mean = whole.first, middle = whole.second - .5 * mean;
     }
     DVec3 mean{0};
 
     DVec3 value(double x) const {
-        x = fold == Fold::limit ? std::clamp(x, 0., 1.) : fraction(x);
-        if (fold == Fold::wave) x = 1 - std::abs(2 * x - 1);
-        DVec3 color = color_of(0);
-        for (int i = 1; i < count && x > at(i - 1); ++i) {
-            const double share = at(i) > at(i - 1) ? std::min((x - at(i - 1)) / (at(i) - at(i - 1)), 1.) : 1;
-            color = color_of(i - 1) + share * (color_of(i) - color_of(i - 1));
-        }
-        return color - mean;
+        if (fold != Fold::limit) x = fraction(x);
+        const Node* const node = before(x);
+        return (node ? node->color + (x - node->at) * node->slope : nodes[0].color) - mean;
     }
     DVec3 integral(double x) const {
         if (fold != Fold::limit) x = fraction(x);
@@ -267,66 +270,158 @@ class MapFunction {
         return own.second - x * x / 2 * mean - x * middle;
     }
     /// Returns whether a colour jumps, or a value begins anew, for an argument in this range.
-    bool has_jump(double low, double high) const { return has_stop(low, high, true); }
+    bool has_jump(double low, double high) const { return has_node(low, high, true); }
     /// Returns whether colours change linearly in this range.
-    bool is_linear(double low, double high) const { return !has_stop(low, high, false); }
+    bool is_linear(double low, double high) const { return !has_node(low, high, false); }
 
   private:
-    bool has_stop(double low, double high, bool jumps) const {
-        const auto within = [&](double place) {
-            return fold == Fold::limit ? low < place && place < high
-                                       : std::floor(low - place) != std::floor(high - place);
-        };
-        if (fold == Fold::repeat && within(0)) return true;
-        if (fold == Fold::wave && !jumps && (within(0) || within(.5))) return true;
-        for (int i = 0; i < count; ++i) {
-            if (jumps && (i == 0 || at(i) > at(i - 1))) continue;
-            if (fold == Fold::wave ? within(at(i) / 2) || within(1 - at(i) / 2) : within(at(i))) return true;
-        }
-        return false;
-    }
-
     /// The integral of the colours from 0 on, and the integral of that.
     struct Sums {
         DVec3 first{0}, second{0};
     };
-    double at(int i) const { return double(stops[i].at); }
-    DVec3 color_of(int i) const {
-        return {double(stops[i].color.x), double(stops[i].color.y), double(stops[i].color.z)};
+    struct Node {
+        double at;
+        DVec3 color, slope{0}, first{0}, second{0};
+        Sums sums(double x) const {
+            return {first + x * (color + x / 2 * slope), second + x * (first + x / 2 * (color + x / 3 * slope))};
+        }
+    };
+    static bool jumps_between(const Node& a, const Node& b) { return a.at == b.at && a.color != b.color; }
+    const Node* before(double x) const {
+        const auto next = std::ranges::lower_bound(nodes, x, {}, &Node::at);
+        return next == nodes.begin() ? nullptr : &next[-1];
     }
     Sums sums(double x) const {
-        if (fold != Fold::wave) return sums_of_map(x);
-        if (x <= .5) {
-            const Sums own = sums_of_map(2 * x);
-            return {.5 * own.first, .25 * own.second};
-        }
-        const Sums rest = sums_of_map(2 - 2 * x);
-        return {half.first - .5 * rest.first, (x - .5) * half.first + .25 * rest.second};
+        const Node* const node = before(x);
+        return node ? node->sums(x - node->at) : Sums{x * nodes[0].color, x * x / 2 * nodes[0].color};
     }
-    Sums sums_of_map(double x) const {
-        if (x < 0) return {x * color_of(0), x * x / 2 * color_of(0)};
-        Sums sums;
-        double since = 0;
-        const auto add = [&](double until, const DVec3& from, const DVec3& to) {
-            const double full = until - since, way = std::min(until, x) - since;
-            if (!(way > 0)) return;
-            const DVec3 slope = (1 / full) * (to - from);
-            sums.second += way * sums.first + way * way / 2 * from + way * way * way / 6 * slope;
-            sums.first += way * from + way * way / 2 * slope;
-            since = until;
+    bool has_node(double low, double high, bool jumps) const {
+        const auto within = [&](double place) {
+            return fold == Fold::limit ? low < place && place < high
+                                       : std::floor(low - place) != std::floor(high - place);
         };
-        add(at(0), color_of(0), color_of(0));
-        for (int i = 1; i < count && since < x; ++i) add(at(i), color_of(i - 1), color_of(i));
-        add(std::max(1., x), color_of(count - 1), color_of(count - 1));
-        return sums;
+        if ((fold == Fold::ramp || fold == Fold::cubic) && within(0)) return true;
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+            if ((!jumps || (i > 0 && jumps_between(nodes[i - 1], nodes[i]))) && within(nodes[i].at)) return true;
+        return false;
     }
 
-    const ColorStopKernel<T>* stops;
-    int count;
+    /// Sets what follows from the places and colours of the nodes.
+    void add_up() {
+        DVec3 first = nodes[0].at * nodes[0].color, second = nodes[0].at / 2 * first;
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            Node& node = nodes[i];
+            const double way = i + 1 < nodes.size() ? nodes[i + 1].at - node.at : 0;
+            node.slope = way > 0 ? (1 / way) * (nodes[i + 1].color - node.color) : DVec3(0);
+            node.first = first, node.second = second;
+            const Sums next = node.sums(way);
+            first = next.first, second = next.second;
+        }
+    }
+    /// Replaces the map by that of the argument of a wave, which goes up and down along these parts of its length.
+    void follow_wave() {
+        constexpr double turn = 2 * std::numbers::pi;
+        MapFunction map = *this;
+        map.fold = Fold::limit;
+        const auto wave = [&](double x) {
+            return fold == Fold::triangle  ? 1 - std::abs(2 * x - 1)
+                   : fold == Fold::sine    ? (1 + std::sin(turn * x)) / 2
+                   : fold == Fold::scallop ? std::abs(std::sin(turn / 2 * x))
+                                           : x * x * (3 - 2 * x);
+        };
+        const auto place = [&](double v, bool up, double low) {
+            switch (fold) {
+                case Fold::triangle:
+                    return up ? v / 2 : 1 - v / 2;
+                case Fold::sine: {
+                    const double off = std::asin(2 * v - 1) / turn;
+                    return up ? off + std::round(low) : .5 - off;
+                }
+                case Fold::scallop:
+                    return up ? 2 * std::asin(v) / turn : 1 - 2 * std::asin(v) / turn;
+                default:
+                    return .5 - std::sin(std::asin(1 - 2 * v) / 3);
+            }
+        };
+        nodes.clear();
+        const auto follow = [&](double low, double high, bool up) {
+            std::vector<Node> own;
+            for (std::size_t i = 0; i < map.nodes.size(); ++i) {
+                const Node& stop = map.nodes[up ? i : map.nodes.size() - 1 - i];
+                const double x = place(std::clamp(stop.at, 0., 1.), up, low);
+                if (x >= low && x <= high) own.push_back({x, stop.color});
+            }
+            const auto known = [&](double x) {
+                return std::ranges::any_of(own, [&](const Node& node) { return std::abs(node.at - x) < 1e-6; });
+            };
+            const int parts = fold == Fold::triangle ? 1 : static_cast<int>(std::ceil(48 * (high - low)));
+            std::vector<Node> between;
+            for (int i = 0; i <= parts; ++i) {
+                const double x = low + i * (high - low) / parts;
+                if (!known(x)) between.push_back({x, map.value(wave(x))});
+            }
+            std::ranges::merge(own, between, std::back_inserter(nodes), {}, &Node::at, &Node::at);
+        };
+        switch (fold) {
+            case Fold::sine:
+                follow(0, .25, true), follow(.25, .75, false), follow(.75, 1, true);
+                break;
+            case Fold::cubic:
+                follow(0, 1, true);
+                break;
+            default:
+                follow(0, .5, true), follow(.5, 1, false);
+        }
+    }
+
     Fold fold;
+    std::vector<Node> nodes;
     DVec3 middle{0};  // of the integral
-    Sums half;        // the integrals over the way up of a wave
 };
+
+/// Values of a solid pattern that is alike everywhere, or everywhere in a plane across an axis.
+struct KnownValues {
+    SolidPattern solid;
+    int axis;
+    double place;
+    ValuesAnywhere values;
+};
+/// Returns the values that the plane of an area shows in equal shares, where it lies across an axis, and else those of
+/// space: there, what is seen of a floor at a whole number is not what is seen of others. They are the means of 8 each
+/// of values at points spread evenly (M. Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018), and
+/// each thread keeps those that it has found.
+const ValuesAnywhere& values_anywhere(const SolidPattern& solid, const SolidDetails& details, const PatternArea& area,
+                                      SmoothedValues find) {
+    constexpr std::size_t most_known = 64;
+    static thread_local std::vector<std::unique_ptr<KnownValues>> known;
+    const double longest = std::max({extent(area, 0), extent(area, 1), extent(area, 2)});
+    int axis = -1;
+    for (int c = 0; c < 3; ++c)
+        if (extent(area, c) < shortest * longest) axis = c;
+    const double place = axis < 0 ? 0 : std::round(area.middle[axis] * 4096) / 4096;
+    for (const auto& own : known)
+        if (own->axis == axis && own->place == place && own->solid == solid) return own->values;
+    if (known.size() >= most_known) known.clear();
+    constexpr int in_each = 8, count = most_anywhere * in_each;
+    const double across = 64 / details.sizes[0].fineness;
+    std::array<double, count> all;
+    for (int first = 0; first < count; first += ValueGrid::room) {
+        alignas(64) double at[3][ValueGrid::room], values[ValueGrid::room];
+        for (int i = 0; i < ValueGrid::room; ++i)
+            for (int c = 0; c < 3; ++c) {
+                constexpr double steps[3] = {.8191725133961645, .6710436067037893, .5497004779019703};
+                at[c][i] = c == axis ? place : across * fraction((first + i + .5) * steps[c]);
+            }
+        find(solid, at, std::min(ValueGrid::room, count - first), 0, values);
+        std::copy_n(values, std::min(ValueGrid::room, count - first), all.begin() + first);
+    }
+    for (double& value : all)
+        if (details.repeat != SolidDetails::Repeat::never) value /= period;
+    std::ranges::sort(all);
+    auto own = std::make_unique<KnownValues>(KnownValues{solid, axis, place, {}});
+    for (int i = 0; i < count; ++i) own->values[static_cast<std::size_t>(i / in_each)] += all[i] / in_each;
+    return known.emplace_back(std::move(own))->values;
+}
 
 /// Finds the values of a solid pattern over an area.
 ValueGrid values_over(const SolidPattern& solid, const SolidDetails& details, const PatternArea& area, double share,
@@ -337,9 +432,11 @@ ValueGrid values_over(const SolidPattern& solid, const SolidDetails& details, co
     for (const SolidDetail& size : sizes)
         if (size.deviation >= least_strength * largest || size.deviation == 0) finest = std::max(finest, size.fineness);
     const double lengths[2] = {length(area.across), length(area.down)};
+    const double dense = steps_per_cell * finest * std::max(std::fabs(solid.frequency), 1.);
     const auto steps_along = [&](double own, double other) {
-        const double most = own < other && !details.jumps ? ValueGrid::most_steps / 2 : ValueGrid::most_steps;
-        const double wanted = details.jumps ? most : std::min(steps_per_cell * finest * own, most);
+        const bool fewer = own < other && !details.jumps && !details.even;
+        const double most = fewer ? ValueGrid::most_steps / 2 : ValueGrid::most_steps;
+        const double wanted = details.jumps ? most : std::min(dense * own, most);
         return static_cast<int>(std::max(std::ceil(share * wanted), 1.));
     };
     if (is_far(area)) return {.columns = 1, .rows = 1};
@@ -351,16 +448,23 @@ ValueGrid values_over(const SolidPattern& solid, const SolidDetails& details, co
     ValueGrid grid{.columns = steps_along(lengths[0], lengths[1]), .rows = steps_along(lengths[1], lengths[0])};
     grid.cells = finest * (lengths[0] + lengths[1]);
     // Values that jump are not linear in between: all points count as they are.
-    const double step = details.jumps ? 0 : std::max(lengths[0] / grid.columns, lengths[1] / grid.rows);
+    const double between = details.jumps ? 0 : 1, step_across = between * lengths[0] / grid.columns;
+    const double step_down = between * lengths[1] / grid.rows, step = std::max(step_across, step_down);
+    grid.coarse = details.jumps || (details.even && sizes[0].fineness * step > coarse_step);
     double squares = 0, missed = 0, all = 0;
     for (const auto& [fineness, deviation] : sizes) {
-        const double own = fineness * step, lost = deviation * (1 - lattice::left_of_noise(own));
-        squares += lost * lost;
+        const double own = fineness * step, left = lattice::left_of_noise(own);
+        if (details.even && all == 0)
+            grid.lost = 1 - left * left;
+        else
+            squares += deviation * deviation * lost_of_octave(left, fineness * step_across, fineness * step_down);
         double varies = deviation * deviation;
         for (const double length : lengths) varies /= std::max(fineness * length, 1.);
         const double share = std::min(own, 1.);
         missed += varies * share * share, all += varies;
     }
+    if (grid.lost > 0) grid.anywhere = &values_anywhere(solid, details, area, find);
+    if (grid.lost == 1) grid.columns = grid.rows = 1;
     grid.spread = std::sqrt(squares);
     grid.loose = details.jumps ? of_points : all > 0 ? std::sqrt(missed / all) : std::min(finest * step, 1.);
     alignas(64) double at[3][ValueGrid::room] = {};
@@ -371,78 +475,20 @@ ValueGrid values_over(const SolidPattern& solid, const SolidDetails& details, co
             for (int c = 0; c < 3; ++c) at[c][n] = area.middle[c] + x * area.across[c] + y * area.down[c];
         }
     find(solid, at, n, step, grid.values);
+    for (int i = 0; i < n && details.repeat != SolidDetails::Repeat::never; ++i) grid.values[i] /= period;
     return grid;
 }
 
-/// Do values go through a wave that is not linear before colours are looked up?
-template <class T>
-bool has_wave(const PatternKernel<T>& pattern, const SolidDetails* details) {
-    return details && details->known && pattern.solid->wave > 1;
-}
 /// Are values 0 everywhere beyond a distance?
 bool ends_somewhere(Solid solid) {
     return solid == Solid::boxed || solid == Solid::cylindrical || solid == Solid::planar || solid == Solid::spherical;
 }
-/// Returns what a wave makes of a value, by a table; off by up to .00005.
-double tabled_wave(const SolidPattern& solid, double value) {
-    if (!(std::abs(value) < furthest)) return 0;
-    constexpr int steps = 512;
-    static const auto waves = [] {
-        std::array<std::array<double, steps + 1>, 6> all;
-        for (std::size_t k = 0; k < all.size(); ++k)
-            for (std::size_t i = 0; i <= steps; ++i)
-                all[k][i] = waved(SolidPattern{.wave = static_cast<double>(k)}, static_cast<double>(i) / steps);
-        return all;
-    }();
-    const double at = steps * fraction(value / 1.00001), whole = std::floor(at);  // where waved() repeats
-    const double* const wave = waves[static_cast<std::size_t>(std::min(solid.wave, 5.))].data();
-    const auto i = static_cast<std::size_t>(std::clamp(whole, 0., steps - 1.));
-    return wave[i] + (at - whole) * (wave[i + 1] - wave[i]);
-}
-/// Returns the least and the largest value that a wave makes of values from `low` to `high`.
-std::pair<double, double> range_of_wave(const SolidPattern& solid, double low, double high) {
-    // Sines turn at a quarter and at three quarters, scallops at halves, and cubic waves begin anew at whole numbers.
-    const double first = solid.wave >= 2 && solid.wave < 3 ? .25 : 0, apart = solid.wave < 4 ? .5 : 1;
-    const double last_turn = std::floor((high - first) / apart), turns = last_turn - std::floor((low - first) / apart);
-    if (!(turns < 2) || (turns > 0 && solid.wave >= 4)) return {0, 1};
-    const double ends[2] = {tabled_wave(solid, low), tabled_wave(solid, high)};
-    const double turn = turns > 0 ? std::round(tabled_wave(solid, first + apart * last_turn)) : ends[0];
-    return {std::min({ends[0], ends[1], turn}), std::max({ends[0], ends[1], turn})};
-}
-/// Returns the mean of the colours of values that change by a and by b along the sides of an area, after their wave. A
-/// short part of a wave is taken for straight; the mean of others is that of `most` values (a power of two), spread
-/// evenly in both directions and alike on both sides.
-template <class T>
-DVec3 mean_of_wave(const SolidPattern& solid, const MapFunction<T>& map, double x, double a, double b, int most) {
-    const double length = std::abs(a) + b, low = x - length / 2, high = x + length / 2;
-    if (length < .125 && (solid.wave < 4 || std::floor(low) == std::floor(high))) {
-        const double middle = tabled_wave(solid, x), rise = tabled_wave(solid, high) - tabled_wave(solid, low);
-        const double reach = std::abs(rise) / 2, slope = length < shortest ? 0 : rise / length;
-        return map.is_linear(middle - reach, middle + reach) ? map.value(middle)
-                                                             : mean_of(map, middle, slope * a, slope * b);
-    }
-    // Values of most kinds are between 0 and 1 before they repeat: a box around them ends there.
-    const bool beyond = solid.solid == Solid::marble || solid.solid == Solid::wood || goes_on(solid);
-    const double end = solid.phase + solid.frequency;
-    const double first = beyond ? -HUGE_VAL : std::min(solid.phase, end);
-    const double last = beyond || solid.frequency == 0 ? HUGE_VAL : std::max(solid.phase, end);
-    DVec3 sum(0);
-    for (int i = 0; i < most; ++i) {
-        const double along = (i + .5) / most - .5, down = ((3 * i + 1) % most + .5) / most - .5;
-        sum += map.value(tabled_wave(solid, std::clamp(x + a * along + b * down, first, last)));
-    }
-    return (1. / most) * sum;
-}
-
 template <class T>
 Fold fold_of(const PatternKernel<T>& pattern, const SolidDetails* details) {
-    using Repeat = SolidDetails::Repeat;
-    if (has_wave(pattern, details)) return Fold::limit;
-    if (details)
-        return details->repeat == Repeat::ramp    ? Fold::repeat
-               : details->repeat == Repeat::never ? Fold::limit
-                                                  : Fold::wave;
-    return pattern.form == PatternForm::noise ? Fold::limit : Fold::wave;
+    if (!details) return pattern.form == PatternForm::noise ? Fold::limit : Fold::triangle;
+    if (details->repeat == SolidDetails::Repeat::never) return Fold::limit;
+    const double wave = std::floor(pattern.solid->wave);
+    return wave < 5 ? static_cast<Fold>(static_cast<int>(Fold::ramp) + static_cast<int>(wave)) : Fold::ramp;
 }
 
 /// Calls mean(map) for maps in which one stop is 1 and all others are 0, three at a time, for the mean of each.
@@ -453,7 +499,7 @@ void weigh(const ColorStopKernel<T>* stops, int count, Fold fold, double* weight
     for (int first = 0; first < count; first += 3) {
         for (int i = 0; i < count; ++i)
             for (int c = 0; c < 3; ++c) own[i].color[c] = i == first + c ? T(1) : T(0);
-        const DVec3 shares = mean(MapFunction<T>(own.data(), count, fold));
+        const DVec3 shares = mean(MapFunction(own.data(), count, fold));
         for (int c = 0; c < 3 && first + c < count; ++c) weights[first + c] = std::clamp(shares[c], 0., 1.);
     }
 }
@@ -480,53 +526,70 @@ ValueGrid refined(const ValueGrid& grid) {
     return all;
 }
 
+/// Returns the sides of a box with as much more of the sum of their squares, as even as they can be: sums of detail
+/// have few values far from their mean.
+std::pair<double, double> spread_out(double a, double b, double more) {
+    const double even = (a * a + b * b + more) / 2, longer = std::max({a * a, b * b, even});
+    const double shorter = std::max(2 * even - longer, 0.);
+    return {std::copysign(std::sqrt(longer), a), std::sqrt(shorter)};
+}
+
 template <class T>
 PatternMean mean_of_grid(const PatternKernel<T>& pattern, const ColorStopKernel<T>* stops, const ValueGrid& given,
                          const SolidDetails* details, double* weights) {
     ValueGrid grid = given;
     const Fold fold = fold_of(pattern, details);
-    const bool wave = has_wave(pattern, details), may_end = details && ends_somewhere(pattern.solid->solid);
-    const double spread = grid.spread * std::sqrt(12.);  // the width of a box of this deviation
-    struct Piece {
-        double x, a, b;
-        const double *top, *bottom;
+    const bool may_end = details && ends_somewhere(pattern.solid->solid);
+    /// Visits parts of the area with their shares of it, values in their middles, and how much these change across.
+    const auto each_part = [&](const auto& visit) {
+        // A half of the variance is that of three places with the kurtosis of a bell curve: with the boxes 2.85.
+        const auto visit_spread = [&](double share, double x, double a, double b, double deviation) {
+            if (deviation == 0) return visit(share, x, std::pair(a, std::abs(b)));
+            const double variance = deviation * deviation, aside = std::sqrt(1.5 * variance);
+            const auto sides = spread_out(a, b, 6 * variance);  // a box with a side of 1 has a twelfth of its square
+            visit(2 * share / 3, x, sides);
+            for (const double other : {x - aside, x + aside}) visit(share / 6, other, sides);
+        };
+        const int stride = grid.columns + 1, count = grid.rows * grid.columns;
+        const auto at = [&](int i, int j) { return grid.values[j * stride + i]; };
+        if (!grid.coarse) {
+            for (int j = 0; j < grid.rows; ++j)
+                for (int i = 0; i < grid.columns; ++i) {
+                    const double top[2] = {at(i, j), at(i + 1, j)}, bottom[2] = {at(i, j + 1), at(i + 1, j + 1)};
+                    const bool over = may_end && top[0] == top[1] && top[0] == bottom[0] && top[0] == bottom[1];
+                    visit_spread(1. / count, (top[0] + top[1] + bottom[0] + bottom[1]) / 4,
+                                 (top[1] - top[0] + bottom[1] - bottom[0]) / 2,
+                                 (bottom[0] - top[0] + bottom[1] - top[1]) / 2, over ? 0 : grid.spread);
+                }
+            return;
+        }
+        const auto ends = [](int k, int last) { return k == 0 || k == last ? .5 : 1.; };
+        for (int j = 0; j <= grid.rows; ++j)
+            for (int i = 0; i <= grid.columns; ++i)
+                visit_spread(ends(i, grid.columns) * ends(j, grid.rows) / count, at(i, j), 0, 0, grid.spread);
     };
-    const auto each_piece = [&](const auto& visit) {
-        for (int j = 0; j < grid.rows; ++j)
-            for (int i = 0; i < grid.columns; ++i) {
-                const double* const top = &grid.values[j * (grid.columns + 1) + i];
-                const double* const bottom = top + grid.columns + 1;
-                const bool over = may_end && top[0] == top[1] && top[0] == bottom[0] && top[0] == bottom[1];
-                visit(Piece{(top[0] + top[1] + bottom[0] + bottom[1]) / 4,
-                            (top[1] - top[0] + bottom[1] - bottom[0]) / 2,
-                            length_of((bottom[0] - top[0] + bottom[1] - top[1]) / 2, over ? 0 : spread), top, bottom});
-            }
-    };
-    const auto mean_by = [&](const MapFunction<T>& map) {
+    const auto mean_by = [&](const MapFunction& map) {
         DVec3 sum(0);
-        each_piece([&](const Piece& own) {
-            const auto& [x, a, b, top, bottom] = own;
+        each_part([&](double share, double x, const auto& sides) {
+            const auto& [a, b] = sides;
             const double reach = (std::abs(a) + b) / 2;
-            const auto at = [&](double v) { return map.value(wave ? waved(*pattern.solid, v) : v); };
-            if (details && details->jumps)
-                sum += .25 * (at(top[0]) + at(top[1]) + at(bottom[0]) + at(bottom[1]));
-            else if (wave)
-                sum += mean_of_wave(*pattern.solid, map, x, a, b, grid.rows * grid.columns < 8 ? 16 : 8);
-            else
-                sum += map.is_linear(x - reach, x + reach) ? map.value(x) : mean_of(map, x, a, b);
+            const bool point = (details && details->jumps) || map.is_linear(x - reach, x + reach);
+            sum += share * (point ? map.value(x) : mean_of(map, x, a, b));
         });
-        return map.mean + 1. / (grid.rows * grid.columns) * sum;
+        sum *= 1 - grid.lost;
+        if (grid.lost > 0)
+            for (const double value : *grid.anywhere) sum += grid.lost / most_anywhere * map.value(value);
+        return map.mean + sum;
     };
-    const MapFunction<T> map(stops, pattern.stops, fold);
+    const MapFunction map(stops, pattern.stops, fold);
     double low = HUGE_VAL, high = -HUGE_VAL;
-    each_piece([&](const Piece& own) {
-        const double reach = 1.5 * (std::abs(own.a) + own.b);
-        low = std::min(low, own.x - reach), high = std::max(high, own.x + reach);
+    each_part([&](double, double x, const auto& sides) {
+        const double reach = 1.5 * (std::abs(sides.first) + sides.second);
+        low = std::min(low, x - reach), high = std::max(high, x + reach);
     });
-    const auto [least, most] = wave ? range_of_wave(*pattern.solid, low, high) : std::pair(low, high);
-    const bool has_jump = map.has_jump(least, most);
-    const bool detailed = grid.cells > finely || most - least > .25 || has_jump;
-    if (has_jump && !(details && details->jumps)) grid = refined(given);
+    const bool has_jump = map.has_jump(low, high);
+    const bool detailed = grid.cells > finely || high - low > .25 || has_jump;
+    if (has_jump && !grid.coarse) grid = refined(given);
     const DVec3 color = mean_by(map);
     const bool known = std::abs(color.x) + std::abs(color.y) + std::abs(color.z) < furthest;
     if (weights) weigh(stops, pattern.stops, fold, weights, mean_by);
@@ -583,13 +646,13 @@ PatternMean mean_over(const PatternKernel<T>& pattern, const ColorStopKernel<T>*
                                 weights);
         }
         default: {
-            const MapFunction<T> map(stops, pattern.stops, Fold::repeat);
+            const MapFunction map(stops, pattern.stops, Fold::ramp);
             const double x = area.middle.x - double(pattern.border), reach = 1.5 * extent(area, 0);
             const bool detailed = reach > .25 || map.has_jump(x - reach, x + reach);
-            const auto mean_by = [&](const MapFunction<T>& own) {
+            const auto mean_by = [&](const MapFunction& own) {
                 return is_far(area) ? own.mean : own.mean + mean_of(own, x, area.across.x, area.down.x);
             };
-            if (weights) weigh(stops, pattern.stops, Fold::repeat, weights, mean_by);
+            if (weights) weigh(stops, pattern.stops, Fold::ramp, weights, mean_by);
             return {max(mean_by(map), DVec3(0)), detailed || is_far(area), exact};
         }
     }

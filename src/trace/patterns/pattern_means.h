@@ -6,6 +6,8 @@
 // which all but one of them are constant. Compare A. Apodaca and L. Gritz, "Advanced RenderMan", 1999, chapter 11, on
 // antialiasing by analytic integration; it has boxes along the axes, here parallelograms are what they are.
 #pragma once
+#include <array>
+
 #include "num/vec.h"
 #include "trace/world/world_patterns.h"
 
@@ -17,6 +19,10 @@ struct PatternArea {
     double weight = 1;  // of the ray that sees it: means of little weight are less exact
 };
 
+/// Values that a pattern has in equal shares, from the least to the largest.
+inline constexpr int most_anywhere = 256;
+using ValuesAnywhere = std::array<double, most_anywhere>;
+
 /// Values of noise, layers, rings or a solid pattern, not yet folded or limited, at the corners of a parallelogram's
 /// columns and rows.
 struct ValueGrid {
@@ -26,6 +32,9 @@ struct ValueGrid {
     double spread = 0;  // the standard deviation of what the values lack of the finest detail
     double loose = 0;   // the share of their variation over areas beside each other that they lack, from 0 to 1
     double cells = 0;   // how many cells of the finest detail that counts the sides of the area cross
+    bool coarse = false;  // detail is lost between values: colours of these count, not of what lies between
+    double lost = 0;      // to this share the area shows so many cells that any value may be anywhere
+    const ValuesAnywhere* anywhere = nullptr;  // those values
     alignas(64) double values[room] = {};  // row by row
 };
 

@@ -106,24 +106,42 @@ template <class S>
     if (noise) return sum + S(T(.5));
     return sum + (pattern.form == PatternForm::layers ? p.x : sqrt(fma(p.x, p.x, p.y * p.y)));
 }
+/// Returns the variance of an octave over an area, as a share of that over all of space: less where the area lies in a
+/// plane of the lattice, on which floors often are. Fitted to 2,000,000 points; off by up to 3 %.
+template <class S>
+STRAHL_INLINE S variance_in_plane(const Vec3<S>& p, const Vec3<S>& across, const Vec3<S>& down) {
+    using T = Element<S>;
+    const S one(1), two(T(2));
+    S share(1);
+    for (int c = 0; c < 3; ++c) {
+        const S within = max(one - two * (abs(across[c]) + abs(down[c])), S(0));
+        const S part = p[c] - floor(p[c]), t = two * min(part, one - part);
+        share = share * fma(S(T(-.143)) * within, fma(S(T(-2)) * t * t, fma(S(T(-2)), t, S(T(3))), one), one);
+    }
+    return share;
+}
 /// Says what a grid lacks of octaves.
 template <class S>
 struct LostOctaves {
     S spread;  // the standard deviation of what smoothed_value leaves out
     S loose;   // the share of their variation over areas beside each other that the grid does not show, from 0 to 1
 };
-/// Finds that for a grid over areas with sides of these lengths. Over an area, octaves with many cells vary little.
+/// Finds that for a grid over an area around p whose sides, of these lengths, have steps as long as these. Over an
+/// area, octaves with many cells vary little.
 template <class S>
-LostOctaves<S> lost_octaves(const PatternKernel<Element<S>>& pattern, const S& step, const S (&lengths)[2]) {
+LostOctaves<S> lost_octaves(const PatternKernel<Element<S>>& pattern, const Vec3<S>& p, const Vec3<S>& across,
+                            const Vec3<S>& down, const S (&steps)[2], const S (&lengths)[2]) {
     using T = Element<S>;
-    constexpr T deviation = T(.17);  // of one octave, found by experiment
-    const S one(1);
+    constexpr T variance = T(.0121);  // of one octave, over all of space
+    const S one(1), step = max(steps[0], steps[1]);
     S squares(0), missed(0), all(0);
     T strength = pattern.form == PatternForm::noise ? T(1) : pattern.turbulence, fineness = 1;
     for (int i = 0; i < pattern.octaves && strength != 0; ++i) {
-        const S own = S(fineness) * step, lost = S(strength * deviation) * (one - left_of_octave(own));
-        squares = fma(lost, lost, squares);
-        const S cells = max(S(fineness) * lengths[0], one) * max(S(fineness) * lengths[1], one);
+        const S fine(fineness), own = fine * step;
+        const S lost = lost_of_octave(left_of_octave(own), fine * steps[0], fine * steps[1]);
+        const S flat = variance_in_plane(scale(fine, p), scale(fine, across), scale(fine, down));
+        squares = fma(S(strength * strength * variance) * flat, lost, squares);
+        const S cells = max(fine * lengths[0], one) * max(fine * lengths[1], one);
         const S varies = S(strength * strength) / cells, share = min(own, one);
         missed = fma(varies * share, share, missed), all = all + varies;
         strength *= pattern.omega, fineness *= pattern.lambda;

@@ -99,7 +99,9 @@ SpreadValue<S> spread_value(const PatternKernel<Element<S>>& pattern, const Vec3
     const S step = max(lengths[0], lengths[1]);
     S middle = p.x, a = across.x, b = down.x, spread(0);
     if (pattern.form != PatternForm::ramp) {
-        middle = smoothed_value(pattern, p, step), spread = lost_octaves(pattern, step, lengths).spread;
+        const S steps[2] = {step, step};
+        middle = smoothed_value(pattern, p, step);
+        spread = lost_octaves(pattern, p, across, down, steps, lengths).spread;
         if (pattern.form == PatternForm::noise) a = b = S(0);
     }
     if (pattern.form == PatternForm::rings) {

@@ -62,6 +62,10 @@ BendKernel<T> WorldArrays<T>::bend_of(const Material& material, const glm::dmat4
     };
     finish(material.normal, own.map.pattern);
     finish(material.bump, own.bump.pattern);
+    // Means of a bump's values are those of colours from black to white.
+    own.bump.pattern.first_stop = static_cast<std::int32_t>(patterns.stops.size()), own.bump.pattern.stops = 2;
+    for (int value = 0; value < 2; ++value)
+        patterns.stops.push_back({.at = T(value), .per = 1 / T(value), .color = Vec3<T>(T(value))});
     return own;
 }
 

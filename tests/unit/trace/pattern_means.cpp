@@ -141,6 +141,26 @@ TEST_CASE("solid patterns with waves keep their light where they are finer than 
         }
 }
 
+TEST_CASE("where nothing is left of solid patterns their colours are those of many points, on floors, too") {
+    for (const Solid kind : {Solid::agate, Solid::bozo, Solid::crackle, Solid::leopard, Solid::quilted})
+        for (const double wave : {0., 1., 2., 3., 4.})
+            for (const double height : {0., .3}) {
+                const SolidPattern solid{
+                    .solid = kind, .turbulence = {.05, .75, .4}, .octaves = 2, .frequency = 2, .wave = wave};
+                CAPTURE(solid_names[static_cast<std::size_t>(kind)]);
+                CAPTURE(wave);
+                PatternKernel<double> pattern{};
+                pattern.form = PatternForm::solid, pattern.stops = 6, pattern.solid = &solid;
+                Dice dice(7);
+                constexpr int points = 20000;
+                DVec3 sum(0);
+                for (int i = 0; i < points; ++i)
+                    sum += 1. / points * mapped(six, value_at(solid, {dice.in(-300, 300), dice.in(-300, 300), height}));
+                const PatternMean mean = mean_over(pattern, six.data(), {{9, 2, height}, {617, 0, 0}, {0, 583, 0}});
+                for (int c = 0; c < 3; ++c) CHECK(std::abs(mean.color[c] - sum[c]) < .04);
+            }
+}
+
 TEST_CASE("turbulence only moves points: values deviate no more than without it") {
     const auto variance_of = [](const SolidPattern& solid) {
         const SolidDetails details = details_of(solid);
@@ -228,6 +248,13 @@ TEST_CASE("means of patterns end and are finite, whatever the footprint") {
             }
 }
 
+const char* const fine_floors[]{  // all that is left of them is how often there is which value
+    "noise { octaves 1  colors { 0 <.5, .4, .4>  .2 <.4, .1, .7>  .62 <.05, .05, .05>  .62 <1, 1, 1>\n"
+    "                           1 <.05, .05, .05> }  scale .006 }",
+    "solid { quilted  turbulence <.05, .75, .4>  octaves 2  frequency 5  wave 4\n"
+    "        colors { 0 <.2, .6, .5>  .85 <.4, .3, .7>  1 <1, 1, 1> }  scale .004 }",
+    "<.8, .8, .8>  bump wood { height .05  scale .02 }",
+};
 const char* const floors[]{
     "checker { <1, 1, 1>, <.05, .05, .05> }",
     "checker { <1, 1, 1>, <.05, .05, .05>  scale .4  rotate <0, 0, 20> }",
@@ -255,6 +282,7 @@ std::string random_pattern(Dice& dice, int depth) {
 
 TEST_CASE("floors of checks, bricks and lines, and of patterns in these, come out as the mean of many rays") {
     std::vector<std::string> texts(std::begin(floors), std::end(floors));
+    texts.insert(texts.end(), std::begin(fine_floors), std::end(fine_floors));
     Dice patterns(17);
     for (int depth : {1, 1, 2, 2}) texts.push_back(random_pattern(patterns, depth));
     for (const std::string& text : texts) {
