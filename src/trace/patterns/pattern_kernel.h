@@ -170,6 +170,13 @@ void smoothed_values(const SolidPattern& solid, const double (&at)[3][ValueGrid:
     }
 }
 
+/// Returns how many of the finest cells that count noise, layers or rings have in a unit of their space.
+template <class T>
+T finest_detail(const PatternKernel<T>& pattern) {
+    const bool noisy = pattern.form == PatternForm::noise || pattern.turbulence != 0;
+    return noisy ? finest_octave(pattern, T(least_strength)) : T(1);
+}
+
 /// Finds mean colours of noise, layers or rings around p: from their values on a grid over the footprint, between which
 /// these are taken for linear. Octaves that are finer than the grid fade away.
 template <class S>
@@ -177,8 +184,7 @@ template <class S>
                                       const Vec3<S>& p, const Vec3<S>& across, const Vec3<S>& down, const S& weight,
                                       Mask<S> lanes, PatternMeans<S>& means) {
     using T = Element<S>;
-    const bool noisy = pattern.form == PatternForm::noise || pattern.turbulence != 0;
-    const S finest(noisy ? finest_octave(pattern, T(least_strength)) : T(1)), one(1);
+    const S finest(finest_detail(pattern)), one(1);
     const S lengths[2] = {sqrt(dot(across, across)), sqrt(dot(down, down))};
     const T contrast = static_cast<T>(share_of_steps(pattern, world.patterns.stops + pattern.first_stop));
     const S share = min(S(contrast) * weight, one);
@@ -480,18 +486,28 @@ Vec3<S> PatternCalls<S>::bent(const World<T>& world, const int* materials, const
     return all;
 }
 
-/// Returns the mean direction of normals over footprints as a bump bends them; `length` becomes the length of their
-/// mean, if they are all as steep as at the middle.
+/// Bumps whose finest detail is larger than so many footprints are as they are at points.
+inline constexpr double coarse_bump = .5;
+
+/// Sets normals that a bump bends to the mean directions over footprints, where these are not much smaller than the
+/// bump's detail. There `length` becomes the length of their mean, if they are all as steep as at the middle.
 template <class S>
-[[gnu::noinline]] Vec3<S> mean_bent(const World<Element<S>>& world, const BumpKernel<Element<S>>& bump,
-                                    const Vec3<S>& position, const Footprint<S>& footprint, Mask<S> lanes, S& length) {
-    const PatternKernel<Element<S>>& pattern = bump.pattern;
+[[gnu::noinline]] void mean_bent(const World<Element<S>>& world, const BumpKernel<Element<S>>& bump,
+                                 const Vec3<S>& position, const Footprint<S>& footprint, Mask<S> lanes, Vec3<S>& bent,
+                                 S& length) {
+    using T = Element<S>;
+    const PatternKernel<T>& pattern = bump.pattern;
     const Vec3<S>& normal = footprint.normal;
     const Vec3<S> p = in_space_of(pattern, position);
     Vec3<S> across = turned_for(pattern, along_surface(footprint, footprint.across, normal));
     Vec3<S> down = turned_for(pattern, along_surface(footprint, footprint.down, normal));
     limit_ways(across, down);
-    Vec3<S> mean = splat<S>(Vec3<Element<S>>(0)), middle = mean, own;
+    if (!has_mean(pattern.form)) {  // others are found by grids of values
+        const S finest(finest_detail(pattern)), cells = finest * (sqrt(dot(across, across)) + sqrt(dot(down, down)));
+        lanes = lanes & (cells > S(T(coarse_bump)));
+        if (none(lanes)) return;
+    }
+    Vec3<S> mean = splat<S>(Vec3<T>(0)), middle = mean, own;
     for (int i = 0; i < 4; ++i) {
         const Vec3<S> at = p + splat<S>(bump.steps[i]), bend = splat<S>(bump.bends[i]);
         PatternMeans<S> means;
@@ -505,7 +521,7 @@ template <class S>
         return dot(along, along);
     };
     length = select(lanes, S(1) / sqrt(S(1) + max(slope(middle) - slope(mean), S(0))), length);
-    return unit_or(fma(steep, mean, normal), normal);
+    bent = select(lanes, unit_or(fma(steep, mean, normal), normal), bent);
 }
 template <class S>
 Vec3<S> PatternCalls<S>::bent_filtered(const World<T>& world, const int* materials, const Vec3<S>& position,
@@ -518,12 +534,9 @@ Vec3<S> PatternCalls<S>::bent_filtered(const World<T>& world, const int* materia
         const PatternKernel<T>& bump = own.bump.pattern;
         Vec3<S> n = normal;
         if (!own.map.flat) n = bent_by(world, own.map, position, surface, n);
-        if (own.bump.flat) {
-        } else if (own.map.flat && !own.bump.by_vectors && !bump.by_uv && bump.form != PatternForm::image) {
-            n = mean_bent(world, own.bump, position, footprint, lanes, length);
-        } else {
-            n = bent_by(world, own.bump, position, surface, normal, n);
-        }
+        if (!own.bump.flat) n = bent_by(world, own.bump, position, surface, normal, n);
+        if (!own.bump.flat && own.map.flat && !own.bump.by_vectors && !bump.by_uv && bump.form != PatternForm::image)
+            mean_bent(world, own.bump, position, footprint, lanes, n, length);
         all = select(lanes, n, all);
     });
     return all;

@@ -379,6 +379,31 @@ class MapFunction {
     DVec3 middle{0};  // of the integral
 };
 
+/// Returns the map of these stops. Each thread keeps the last ones, since making one takes as long as a mean; it stays
+/// until the next call.
+template <class T>
+const MapFunction& kept_map(const ColorStopKernel<T>* stops, int count, Fold fold) {
+    struct KeptMap {
+        Fold fold;
+        std::vector<std::array<double, 4>> stops;
+        MapFunction map;
+    };
+    constexpr std::size_t most_kept = 16;
+    static thread_local std::vector<KeptMap> all;
+    const auto numbers = [](const ColorStopKernel<T>& stop) {
+        return std::array{double(stop.at), double(stop.color.x), double(stop.color.y), double(stop.color.z)};
+    };
+    for (const KeptMap& own : all)
+        if (own.fold == fold && own.stops.size() == static_cast<std::size_t>(count) &&
+            std::equal(own.stops.begin(), own.stops.end(), stops,
+                       [&](const auto& kept, const auto& stop) { return kept == numbers(stop); }))
+            return own.map;
+    if (all.size() == most_kept) all.clear();
+    KeptMap& made = all.emplace_back(KeptMap{fold, {}, {stops, count, fold}});
+    std::transform(stops, stops + count, std::back_inserter(made.stops), numbers);
+    return made.map;
+}
+
 /// Values of a solid pattern that is alike everywhere, or everywhere in a plane across an axis.
 struct KnownValues {
     SolidPattern solid;
@@ -581,7 +606,7 @@ PatternMean mean_of_grid(const PatternKernel<T>& pattern, const ColorStopKernel<
             for (const double value : *grid.anywhere) sum += grid.lost / most_anywhere * map.value(value);
         return map.mean + sum;
     };
-    const MapFunction map(stops, pattern.stops, fold);
+    const MapFunction& map = kept_map(stops, pattern.stops, fold);
     double low = HUGE_VAL, high = -HUGE_VAL;
     each_part([&](double, double x, const auto& sides) {
         const double reach = 1.5 * (std::abs(sides.first) + sides.second);
@@ -646,7 +671,7 @@ PatternMean mean_over(const PatternKernel<T>& pattern, const ColorStopKernel<T>*
                                 weights);
         }
         default: {
-            const MapFunction map(stops, pattern.stops, Fold::ramp);
+            const MapFunction& map = kept_map(stops, pattern.stops, Fold::ramp);
             const double x = area.middle.x - double(pattern.border), reach = 1.5 * extent(area, 0);
             const bool detailed = reach > .25 || map.has_jump(x - reach, x + reach);
             const auto mean_by = [&](const MapFunction& own) {
