@@ -1,5 +1,5 @@
-// What the window records: stills, films, and with --benchmark pictures of the flight. The program ends when they are
-// done.
+// Makes what the window records: stills, films, and with --benchmark pictures of the flight. Ends the program when they
+// are done.
 #pragma once
 #include <atomic>
 #include <functional>

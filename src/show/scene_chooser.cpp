@@ -50,7 +50,7 @@ std::string SceneChooser::take(const Screen& screen) {
         if (chosen->path.empty()) notes.fail("there is no file dialog: install zenity or kdialog, or type the name");
         return chosen->path;
     }
-    // Where there is no dialog, new scenes get names of their own.
+    // Begins a new scene; without a dialog there is no path, and it gets a name of its own.
     if (!chosen->from.empty())
         begin(chosen->from, chosen->path);
     else if (chosen->path.empty())

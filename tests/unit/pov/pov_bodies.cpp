@@ -328,7 +328,7 @@ TEST_CASE("POV-Ray: a sor is a lathe whose squared radius is a cubic of the heig
 
 TEST_CASE("POV-Ray: an ovus is two balls and the arc that touches both") {
     const auto ovus = [](const std::string& words) { return shape<Lathe>(whole("ovus { " + words + " }")); };
-    // Of a thin and of a thick end: the arc's middle, and a point of it half way.
+    // Checks the middle of the arc and a point of each ball, with the thin end above and below.
     for (const auto& [bottom, top] : {std::pair(1., .5), std::pair(.6, 1.)}) {
         const Lathe egg = ovus(std::to_string(bottom) + ", " + std::to_string(top));
         CHECK_FALSE(egg.open());
@@ -462,7 +462,7 @@ TEST_CASE("POV-Ray: blobs, polynomials and isosurfaces become meshes near their 
     CHECK(slab.low.x == doctest::Approx(1. / 3).epsilon(.001));
     CHECK(slab.high.x == doctest::Approx(2. / 3).epsilon(.001));
     CHECK(slab.high.y == doctest::Approx(1).epsilon(.001));
-    // Of a body that is used often those are coarse that look small.
+    // Expects many triangles where one of 70 uses is near the camera, and few where another is far away.
     const Scene many = opened(
                            "#declare S = blob { threshold .5 sphere { 0, 1, 1 } }"
                            "#for (i, 1, 70) object { S translate i * i * z } #end")
