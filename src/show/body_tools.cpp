@@ -8,52 +8,32 @@
 
 #include "num/vec_math.h"
 #include "pov/open_scene.h"
-#include "scene/moving_scene.h"
 #include "scene/overlap.h"
 #include "show/external_editor.h"
 
 namespace strahl {
-namespace {
-
-constexpr double handle_pixels = 80;  // how far handles reach
-
-constexpr std::array<DVec3, 3> world_axes{DVec3(1, 0, 0), DVec3(0, 1, 0), DVec3(0, 0, 1)};
-
-}  // namespace
 
 void BodyTools::loaded(const Loaded& scene) {
-    if (scene.opened) show_all();
+    if (scene.opened) not_shown.show_all();
     if (scene.opened)
         bodies.open(scene.text, is_pov(scene.path));
     else if (bodies.edited.reload(scene.text))
         notes.announce("the file has other numbers now, which replace yours");
-    drag.reset(), awaited = false, next.reset(), later.reset();
+    handles.let_go(), awaited = {};
     good = scene.text;
     bodies.take_lines(scene.lines, scene.text);
     if (bodies.edited.changed()) return show_anew();  // there may be other bodies than in the file
     bodies.look(*session.scene);
 }
 
-/// The scene at the moment of the view.
-const Scene& BodyTools::scene_seen(const View& view) {
-    if (still == session.scene) return *still;
-    const SceneMoment wanted{session.scene, view.time, view.tracks};
-    if (moment == wanted) return now;
-    moment = wanted;
-    if (!Movers(*session.scene).any()) return *(still = session.scene);
-    now = *session.scene;
-    if (view.tracks) now.tracks = *view.tracks;
-    return now = at(now, view.time);
-}
-
 void BodyTools::click(const View& view, const glm::dvec2& point, double reach) {
     pace.redraw(3);
     if (to_add) return add(view, point);
-    const auto mark = lights_shown ? mark_at(marks, point, reach) : std::nullopt;
+    const auto mark = marks ? mark_at(*marks, point, reach) : std::nullopt;
     if (mark)
         bodies.choose(*mark, *session.scene);
     else
-        bodies.click(scene_seen(view), *session.scene, view, point.x, point.y, not_shown);
+        bodies.click(scene_seen(view), *session.scene, view, point.x, point.y, hidden());
     log_choice();
     if (bodies.any() && view.camera.projection > Projection::orthographic)
         notes.note("handles are there in perspective and orthographic views only");
@@ -66,19 +46,14 @@ void BodyTools::log_drawn() {
 void BodyTools::log_choice() {
     if (!bodies.any()) return;
     const BodyText& text = bodies.body();
-    to_log.push_back((bodies.light() ? "chosen: light " : "chosen: body ") + std::to_string(number() + 1) + ", " +
-                     text.kind + (text.line > 0 ? ", line " + std::to_string(text.line) : ""));
-}
-
-/// Returns the number of the body or the light chosen; -1 if there is none.
-int BodyTools::number() const {
-    return bodies.choice() ? bodies.choice()->at.body : bodies.light() ? bodies.light()->light : -1;
+    to_log.push_back((bodies.light() ? "chosen: light " : "chosen: body ") + std::to_string(bodies.number() + 1) +
+                     ", " + text.kind + (text.line > 0 ? ", line " + std::to_string(text.line) : ""));
 }
 
 void BodyTools::apply(const BodyInput& input) {
     if (input.close) bodies.close(), pace.redraw();
     if (input.allow) bodies.allow(*input.allow), pace.redraw();
-    if (awaited || drag || !bodies.any()) return;
+    if (changing() || !bodies.any()) return;
     const auto& values = bodies.body().values;
     bool changed = false;
     if (const auto& change = input.change)
@@ -111,9 +86,9 @@ bool BodyTools::change_text(const std::string& newer, bool merged) {
 }
 
 void BodyTools::apply(const OutlinerInput& input) {
-    if (const auto& row = input.choose; row && !awaited && !drag) {
+    if (const auto& row = input.choose; row && !changing()) {
         if (row->what == TopBlock::light) {
-            lights_shown = true;
+            if (!marks) marks.emplace();
             bodies.choose({row->number, false}, *session.scene);
         } else {
             const Box box = world_bounds(session.scene->primitives[std::size_t(row->number)]);
@@ -124,28 +99,7 @@ void BodyTools::apply(const OutlinerInput& input) {
     }
     if (!input.choose && !input.hide && !input.alone && !input.show_all) return;
     pace.redraw(3);
-    const std::set<int> before = not_shown;
-    if (input.hide && not_shown.erase(input.hide->number) == 0) not_shown.insert(input.hide->number);
-    if (input.alone) {
-        not_shown.clear();
-        for (int i = 0; i < std::ssize(session.scene->primitives); ++i)
-            if (i != input.alone->number) not_shown.insert(i);
-        if (not_shown == before) not_shown.clear();
-    }
-    if (input.show_all) not_shown.clear();
-    if (not_shown != before) whole = not_shown.empty() ? nullptr : session.scene, shown = nullptr;
-}
-
-std::shared_ptr<const Scene> BodyTools::scene_shown() {
-    // Shows all once bodies were added or removed: the numbers of hidden ones are those of other bodies then.
-    if (whole && whole->primitives.size() != session.scene->primitives.size()) show_all();
-    if (not_shown.empty()) return session.scene;
-    if (shown && whole == session.scene) return shown;
-    Scene rest = *(whole = session.scene);
-    rest.primitives.clear();
-    for (int i = 0; i < std::ssize(whole->primitives); ++i)
-        if (!not_shown.contains(i)) rest.primitives.push_back(whole->primitives[std::size_t(i)]);
-    return shown = std::make_shared<const Scene>(std::move(rest));
+    not_shown.apply(input, session.scene);
 }
 
 /// Shows the text as it is now, in which bodies and lights have the numbers that they had.
@@ -164,12 +118,12 @@ std::optional<ChangedBody> BodyTools::changed_body() const {
     if (good.size() <= begin + behind || good.compare(0, begin, text, 0, begin) != 0 ||
         good.compare(good.size() - behind, behind, text, body.block_end, behind) != 0)
         return std::nullopt;
-    return ChangedBody{session.scene, number(), body.context, text.substr(begin, body.block_end - begin)};
+    return ChangedBody{session.scene, bodies.number(), body.context, text.substr(begin, body.block_end - begin)};
 }
 
 /// Shows a text in which there may be more bodies and lights, or fewer.
 void BodyTools::show_anew() {
-    drag.reset(), awaited = true;
+    handles.let_go(), awaited.scene = true;
     file.show(bodies.edited.text());
     pace.redraw(3);
 }
@@ -178,7 +132,7 @@ bool BodyTools::undo(Action action) {
     const bool done = action == Action::undo ? bodies.edited.undo(others()) : bodies.edited.redo(others());
     if (!done) return false;
     notes.note(action == Action::undo ? "undone" : "redone");
-    next.reset(), undone = true;
+    awaited.next.reset(), awaited.undone = true;
     show_anew();
     return true;
 }
@@ -196,15 +150,16 @@ bool BodyTools::end_adding() {
 
 /// Adds what the user has chosen from the list at a point of the view's picture.
 void BodyTools::add(const View& view, const glm::dvec2& point) {
-    if (awaited) return;
+    if (awaited.scene) return;
     const NewBlock& block = *std::exchange(to_add, nullptr);
     const bool light = block.what == TopBlock::light;
-    const StandingPlace place = standing_place(scene_seen(view), view, point.x, point.y, not_shown);
+    const StandingPlace place = standing_place(scene_seen(view), view, point.x, point.y, hidden());
     const int count = static_cast<int>(light ? session.scene->lights.size() : session.scene->primitives.size());
     bodies.edited.change(
         with_new_block(bodies.edited.text(), block, count, place.point, place.normal, place.size, place.decimals),
         false, others());
-    next = {block.what, count, place.point}, lights_shown |= light;
+    awaited.next = {block.what, count, place.point};
+    if (light && !marks) marks.emplace();
     notes.announce(std::string(block.name) + " added: drag its handles; F2 writes it into the file");
     show_anew();
 }
@@ -225,17 +180,18 @@ bool BodyTools::remove() { return change_block(false); }
 /// Copies or removes what is chosen. False if nothing is chosen.
 bool BodyTools::change_block(bool copies) {
     if (!bodies.any()) return false;
-    if (awaited) return later = copies, true;
+    if (awaited.scene) return awaited.later = copies, true;
     if (bodies.read_only()) return notes.note("the text of this scene is changed in an editor: F4 opens it"), true;
     const bool light = bodies.light().has_value();
-    const std::string name = (light ? "light " : "body ") + std::to_string(number() + 1);
+    const std::string name = (light ? "light " : "body ") + std::to_string(bodies.number() + 1);
     const std::string& before = bodies.edited.text();
     const TopBlock what = light ? TopBlock::light : TopBlock::body;
-    const std::string text = copies ? with_copy(before, what, number()) : without_block(before, what, number());
+    const std::string text =
+        copies ? with_copy(before, what, bodies.number()) : without_block(before, what, bodies.number());
     if (text == before) return notes.note("the text of this scene is changed in an editor: F4 opens it"), true;
     bodies.edited.change(text, false, others());
-    next.reset();
-    if (copies) next = {what, number() + 1};
+    awaited.next.reset();
+    if (copies) awaited.next = {what, bodies.number() + 1};
     notes.announce(copies ? name + " copied; the copy is in the same place: drag its handles"
                           : name + " removed; Ctrl+Z brings it back");
     show_anew();
@@ -245,25 +201,19 @@ bool BodyTools::change_block(bool copies) {
 void BodyTools::toggle(Action action) {
     pace.redraw();
     if (action == Action::lights) {
-        lights_shown = !lights_shown;
-        if (!lights_shown && bodies.light()) bodies.close();
-        return notes.note(lights_shown ? "lights are shown: click their marks" : "lights are hidden");
+        if (!marks) return marks.emplace(), notes.note("lights are shown: click their marks");
+        marks.reset();
+        if (bodies.light()) bodies.close();
+        return notes.note("lights are hidden");
     }
     if (!bodies.any()) return notes.note("click a body first; its handles then move, turn or scale it");
     if (bodies.read_only()) return notes.note("the text of this scene is changed in an editor: F4 opens it");
-    const bool spot = spot_chosen();
-    if (bodies.light() && !spot) return notes.note("handles of this light only move it");
-    if (spot && mode == HandleMode::scale) mode = HandleMode::move;  // as they are shown
-    mode = mode == (spot ? HandleMode::turn : HandleMode::scale) ? HandleMode::move
-                                                                 : static_cast<HandleMode>(static_cast<int>(mode) + 1);
-    notes.note(mode == HandleMode::move   ? "handles move; with Ctrl by round distances"
-               : mode == HandleMode::turn ? "handles turn; with Ctrl by 15 degrees"
-                                          : "handles scale; with Ctrl by tenths");
+    notes.note(handles.change_mode());
 }
 
 void BodyTools::approach(const View& view) {
-    if (!bodies.choice() || awaited) return notes.note("click a body first; B then moves the camera to it");
-    const Box box = world_bounds(scene_seen(view).primitives[std::size_t(number())]);
+    if (!bodies.choice() || awaited.scene) return notes.note("click a body first; B then moves the camera to it");
+    const Box box = world_bounds(scene_seen(view).primitives[std::size_t(bodies.number())]);
     if (!std::isfinite(length(box.high - box.low))) return notes.note("this body has no end");
     notes.tell(session.steer({}, pace.now()));
     session.camera = approached(session.camera, box, double(view.width) / view.height);
@@ -302,119 +252,58 @@ void BodyTools::take_shown() {
             session.replace(std::move(shown->scene), false);
             good = shown->text;
             bodies.take_lines(std::move(shown->lines), good);
-            if (other_bodies && !next) bodies.close();
+            if (other_bodies && !awaited.next) bodies.close();
         }
     } else if (newest) {
         notes.fail(shown->fault.substr(0, shown->fault.find('\n')));
         bodies.edited.change(good, true, others());
-        drag.reset(), next.reset();
+        handles.let_go(), awaited.next.reset();
     }
     if (newest) {
         to_log.emplace_back("the changed text is shown");
-        if (std::exchange(undone, false)) bodies.find_point(*session.scene);
-        awaited = false;
-        if (const auto chosen = std::exchange(next, std::nullopt)) choose(*chosen), log_choice();
+        if (std::exchange(awaited.undone, false)) bodies.find_point(*session.scene);
+        awaited.scene = false;
+        if (const auto chosen = std::exchange(awaited.next, std::nullopt)) choose(*chosen), log_choice();
     }
-    if (!awaited) bodies.look(*session.scene);
-    if (!awaited && later) change_block(*std::exchange(later, std::nullopt));
+    if (!awaited.scene) bodies.look(*session.scene);
+    if (!awaited.scene && awaited.later) change_block(*std::exchange(awaited.later, std::nullopt));
     pace.redraw();
 }
 
 void BodyTools::follow(const View& view, double scale) {
     take_shown();
     drag_on();
-    place_handles(view, scale);
+    if (marks) marks = light_marks(scene_seen(view), view);
+    handles.hide();
+    if (bodies.any() && !bodies.read_only() && !awaited.scene) handles.place(scene_seen(view), view, scale);
     if (!bodies.choice())
         silhouette.drop();
-    else if (!pace.moving() && !awaited)
-        silhouette.want(session.scene, number(), view);
+    else if (!pace.moving() && !awaited.scene)
+        silhouette.want(session.scene, bodies.number(), view);
     if (silhouette.take()) pace.redraw();
 }
 
-/// Finds where handles and marks are in this view.
-void BodyTools::place_handles(const View& view, double scale) {
-    if (lights_shown) marks = light_marks(scene_seen(view), view);
-    handles.reset();
-    if (!bodies.any() || bodies.read_only() || awaited) return;
-    const Scene& scene = scene_seen(view);
-    DVec3 centre;
-    std::array<DVec3, 3> axes = world_axes;
-    if (bodies.light()) {
-        centre = position_of(scene, *bodies.light());
-    } else {
-        const Box box = world_bounds(scene.primitives[std::size_t(number())]);
-        centre = box.finite() ? box.centre() : bodies.choice()->point;
-        if (mode == HandleMode::scale) axes = own_axes();
-    }
-    const bool moves = bodies.light() && (!spot_chosen() || mode == HandleMode::scale);
-    handles.emplace(moves ? HandleMode::move : mode, centre, axes, handle_pixels * scale, view);
-    find_pointed();
-}
-
-/// Is a spotlight chosen, or its target?
-bool BodyTools::spot_chosen() const {
-    return bodies.light() && session.scene->lights[std::size_t(bodies.light()->light)].spot;
-}
-
-/// Returns the axes of the body chosen, along which it is scaled.
-std::array<DVec3, 3> BodyTools::own_axes() {
-    if (axes_scene != session.scene || axes_body != number()) {
-        const auto body = PlacedBody::find(bodies.edited.text(), *session.scene, number());
-        axes = body ? body->axes() : world_axes, axes_scene = session.scene, axes_body = number();
-    }
-    return axes;
-}
-
-bool BodyTools::points_at(const glm::dvec2& point, double reach) {
-    pointer = point, pointer_reach = reach;
-    find_pointed();
-    return pointed.has_value();
-}
-
-/// Finds the handle under the pointer, which may have come there by itself.
-void BodyTools::find_pointed() {
-    const auto at = drag ? std::optional(drag->handle()) : handles ? handles->at(pointer, pointer_reach) : std::nullopt;
-    if (at != std::exchange(pointed, at)) pace.redraw();
-}
-
 void BodyTools::hold(const glm::dvec2& point, double reach) {
-    if (!points_at(point, reach) || awaited) return;
-    std::string why;
-    drag = Drag::begin(bodies, *session.scene, *handles, *pointed, point, why);
-    if (!drag) notes.note(why);
-    dragged_to.reset(), dragged = false;
-    if (bodies.choice()) clicked = bodies.choice()->point;
-}
-
-void BodyTools::pull(const glm::dvec2& to, bool steps) {
-    pointer = to;
-    if (drag) dragged_to = DragPoint{to, steps};
+    if (!points_at(point, reach) || awaited.scene) return;
+    if (const std::string why = handles.hold(point); !why.empty()) notes.note(why);
 }
 
 void BodyTools::let_go() {
     drag_on();
-    drag.reset();
+    handles.let_go();
     pace.redraw();
 }
 
-/// Applies the drag up to the last place of the pointer. A text is read meanwhile, and those between are skipped.
+/// Shows what the drag has changed up to now.
 void BodyTools::drag_on() {
-    const auto to = std::exchange(dragged_to, std::nullopt);
-    if (!drag || !to) return;
-    const std::string text = drag->text(to->place, to->steps);
-    if (text == bodies.edited.text()) return;
-    bodies.edited.change(text, dragged, others());
-    dragged = true;
-    if (bodies.choice()) bodies.move_point(clicked + drag->moved(to->place, to->steps));
-    show();
+    if (handles.change_text(others())) show();
 }
 
 Overlay::Tools BodyTools::drawn() const {
     Overlay::Tools tools;
-    if (lights_shown) tools.marks = marks;
+    if (marks) tools.marks = *marks;
     tools.chosen = bodies.light();
-    if (handles) tools.handles = handles->lines();
-    tools.pointed = pointed;
+    handles.draw(tools);
     return tools;
 }
 

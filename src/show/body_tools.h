@@ -1,6 +1,5 @@
 // The user's work on bodies and lights: connects clicks, handles, the panel, the file and the silhouette.
 #pragma once
-#include <array>
 #include <functional>
 #include <glm/vec2.hpp>
 #include <memory>
@@ -10,10 +9,11 @@
 #include <vector>
 
 #include "scene/scene.h"
+#include "show/body_handles.h"
+#include "show/hidden_bodies.h"
 #include "show/keys/commands.h"
+#include "show/scene_moment.h"
 #include "show/session/body_editor.h"
-#include "show/session/drag.h"
-#include "show/session/handles.h"
 #include "show/session/light_marks.h"
 #include "show/session/session.h"
 #include "show/window/body_panel.h"
@@ -33,7 +33,7 @@ class BodyTools {
   public:
     /// `notify` is called from another thread when there is something to take.
     BodyTools(Session& session, WatchedScene& file, Notes& notes, Pace& pace, const std::function<void()>& notify)
-        : session(session), file(file), notes(notes), pace(pace), silhouette(notify) {}
+        : session(session), file(file), notes(notes), pace(pace), handles(bodies, session, pace), silhouette(notify) {}
 
     /// To be called when the session has taken over a scene that was read from the file.
     void loaded(const Loaded& scene);
@@ -51,9 +51,9 @@ class BodyTools {
     /// Chooses, hides and shows what the user asked for in the outline.
     void apply(const OutlinerInput& input);
     /// The bodies that are hidden in the picture. Hiding does not change the text.
-    const std::set<int>& hidden() const { return not_shown; }
+    const std::set<int>& hidden() const { return not_shown.numbers(); }
     /// Returns the session's scene without these.
-    std::shared_ptr<const Scene> scene_shown();
+    std::shared_ptr<const Scene> scene_shown() { return not_shown.scene_without(session.scene); }
     /// Changes the text elsewhere than in what is chosen. `merged`: see EditedText::change. False if it cannot be
     /// changed here, as is the case of scenes without a text.
     bool change_text(const std::string& newer, bool merged);
@@ -74,11 +74,11 @@ class BodyTools {
     void follow(const View& view, double scale);
 
     /// Is a handle at this point of the picture, or is one held?
-    bool points_at(const glm::dvec2& point, double reach);
+    bool points_at(const glm::dvec2& point, double reach) { return handles.points_at(point, reach); }
     /// Begins to drag the handle at this point of the view's picture, if one is there. Goes on to another point. Lets
     /// go of it.
     void hold(const glm::dvec2& point, double reach);
-    void pull(const glm::dvec2& to, bool steps);
+    void pull(const glm::dvec2& to, bool steps) { handles.pull(to, steps); }
     void let_go();
 
     const BodyEditor& editor() const { return bodies; }
@@ -102,71 +102,42 @@ class BodyTools {
         int number;
         std::optional<DVec3> added_at{};  // where it was added
     };
+    /// What follows once the scene of a text with other bodies is read; until then nothing is changed.
+    struct Awaited {
+        bool scene = false;              // it is being read
+        bool undone = false;             // what was chosen may be elsewhere then
+        std::optional<NextChoice> next;  // is chosen then
+        std::optional<bool> later;       // what is chosen is copied (true) or removed then
+    };
     std::size_t others() const { return session.editor.steps() + session.track_keys.steps(); }
-    const Scene& scene_seen(const View& view);
+    const Scene& scene_seen(const View& view) { return moment.at(session.scene, view); }
+    bool changing() const { return awaited.scene || handles.held(); }
     bool follow_track(const BodyInput::NewTrack& track);
     void show();
     void show_anew();
-    void show_all() { not_shown.clear(), whole = shown = nullptr; }
     void add(const View& view, const glm::dvec2& point);
     void choose(const NextChoice& chosen);
     bool change_block(bool copies);
     void take_shown();
-    void place_handles(const View& view, double scale);
     void drag_on();
     std::optional<ChangedBody> changed_body() const;
-    bool spot_chosen() const;
-    std::array<DVec3, 3> own_axes();
-    void find_pointed();
-    int number() const;
     void log_choice();
 
     Session& session;
-    std::vector<std::string> to_log;  // after the next drawing
     WatchedScene& file;
     Notes& notes;
     Pace& pace;
     BodyEditor bodies;
+    BodyHandles handles;
     Silhouette silhouette;
-    std::string good;                    // the last text that was shown
-    std::string asked_about;             // a text
-    bool awaited = false;                // the scene of a text with other bodies; until then nothing is changed
-    bool undone = false;        // what was chosen may be elsewhere then
-    std::optional<bool> later;  // what is chosen is copied or removed then
-    std::optional<NextChoice> next;
-    const NewBlock* to_add = nullptr;    // by the next click
-    std::shared_ptr<const Scene> still;  // a scene, if nothing moves in it
-    /// A moment of a scene.
-    struct SceneMoment {
-        std::shared_ptr<const Scene> scene;
-        double time = 0;
-        std::shared_ptr<const std::vector<Track>> tracks;
-        bool operator==(const SceneMoment&) const = default;
-    };
-    std::set<int> not_shown;                   // bodies
-    std::shared_ptr<const Scene> whole, shown;  // the scene of these, and what it is without them
-    SceneMoment moment;  // the one of `now`
-    Scene now;
-
-    std::array<DVec3, 3> axes{};  // of this body, along which it is scaled
-    std::shared_ptr<const Scene> axes_scene;
-    int axes_body = -1;
-
-    HandleMode mode = HandleMode::move;
-    bool lights_shown = false;
-    LightMarks marks;
-    std::optional<Handles> handles;  // of what is chosen
-    std::optional<Handle> pointed;   // the one under the pointer
-    glm::dvec2 pointer{-1};
-    double pointer_reach = 0;
-    std::optional<Drag> drag;
-    struct DragPoint {
-        glm::dvec2 place{0};
-        bool steps = false;
-    };
-    std::optional<DragPoint> dragged_to;  // not yet applied
-    bool dragged = false;                 // this drag has changed the text
-    DVec3 clicked{0};                     // the point that was clicked, when it began
+    HiddenBodies not_shown;
+    SceneMoment moment;
+    std::string good;         // the last text that was shown
+    std::string asked_about;  // a text
+    Awaited awaited;
+    const NewBlock* to_add = nullptr;  // by the next click
+    std::optional<LightMarks> marks;   // if lights are shown
+    std::vector<std::string> to_log;   // after the next drawing
 };
 
 }  // namespace strahl

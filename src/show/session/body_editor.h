@@ -68,6 +68,8 @@ class BodyEditor {
     const std::optional<Chosen>& choice() const { return chosen; }
     const std::optional<LightPoint>& light() const { return chosen_light; }
     bool any() const { return chosen || chosen_light; }
+    /// Returns its number among the bodies or the lights of the scene; -1 if none is chosen.
+    int number() const { return chosen ? chosen->at.body : chosen_light ? chosen_light->light : -1; }
     /// To be called when the body chosen was moved: the point that was clicked moves with it.
     void move_point(const DVec3& to) { chosen->point = to; }
     /// Looks for that point again along the line of the click, where the body may be back.
