@@ -117,18 +117,13 @@ void TraceThread::announce(std::unique_lock<std::mutex>& lock) {
     if (!told) notify();
 }
 
-/// Chooses the pixels of the first picture that are traced, and returns the level of their lattice.
-int TraceThread::choose(FilledLattice& filled) {
-    const View& view = order.view;
-    const int finest = order.moving ? std::min(order.finest, finest_level) : finest_level;
-    const int level =
-        resolution.choose(view.width, view.height, order.budget, finest, sharpens() ? Sharpener::first_share : 1);
-    filled.lattice = pixels_of(level, view.width, view.height);
-    if (order.finest == sharpened_level) filled.side = averaged_side(steps_of(level));
-    filled.contrast = most_off / steepest(order.scene->settings.assumed_gamma) / gain_of(order.exposure);
-    std::lock_guard lock(mutex);
-    planned = level == 0 ? 0 : allowed_seconds(level, order.budget);
-    return level;
+/// Returns what the first picture is to be like.
+QuickPictures::Wish TraceThread::wish() const {
+    return {.budget = order.budget,
+            .sharpened_until = sharpens() ? sharpening_until * order.budget : 0,
+            .finest = order.moving ? std::min(order.finest, finest_level) : finest_level,
+            .averages = order.finest == sharpened_level,
+            .contrast = most_off / steepest(order.scene->settings.assumed_gamma) / gain_of(order.exposure)};
 }
 
 void TraceThread::first_picture() {
@@ -140,25 +135,14 @@ void TraceThread::first_picture() {
     tracer->prepare(view, pool);  // not counted: a coarser picture would need it too
     building = Clock::time_point();
     const auto start = Clock::now();
-    FilledLattice filled;
-    const int level = choose(filled);
-    const Lattice& pixels = filled.lattice;
-    const Steps steps{pixels.step_x, pixels.step_y};
-    ScreenImage& traced = steps == Steps{} ? spare : coarse;
-    traced.resize(pixels.columns, pixels.rows);
-    filled.colors = traced.pixels.data();
-    filled.encode = [this](const double* rgb) { return table->pixel(rgb); };
-    const Job job{view, pool, {}, &stop};
-    Counts rays = tracer->trace(job, filled);
     const auto seconds = [&] { return seconds_since(start); };
-    if (built) resolution.observe(count(pixels), seconds());  // a stopped one would have taken even longer
-    if (stop) return;
-    if (!(steps == Steps{})) {
-        spare.resize(view.width, view.height);
-        expand(coarse, steps, spare, pool);
+    const int level = quick.choose(view.width, view.height, wish());
+    {
+        std::lock_guard lock(mutex);
+        planned = level == 0 ? 0 : allowed_seconds(level, order.budget);
     }
-    if (const double left = sharpening_until * order.budget - seconds(); sharpens() && left > 0)
-        rays += sharpener.sharpen(*tracer, job, *table, coarse, steps, left, seconds, spare);
+    const Job job{view, pool, {}, &stop};
+    const Counts rays = quick.trace(*tracer, job, *table, wish(), level, seconds, built, spare);
     if (stop) return;
     done = sharpens() && level >= sharp_level ? std::max(level, passes[0].level) : level;
     std::unique_lock lock(mutex);

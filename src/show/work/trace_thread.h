@@ -10,9 +10,8 @@
 #include <thread>
 
 #include "num/thread_pool.h"
-#include "show/motion/resolution.h"
+#include "show/motion/quick_pictures.h"
 #include "show/motion/screen_image.h"
-#include "show/motion/sharpener.h"
 #include "trace/cells/cell_picture.h"
 #include "trace/tracer.h"
 
@@ -93,7 +92,7 @@ class TraceThread {
     bool accept(std::stop_token quit);
     void first_picture();
     bool sharpens() const { return order.moving && order.finest == sharpened_level; }
-    int choose(FilledLattice& filled);
+    QuickPictures::Wish wish() const;
     void refine();
     void announce(std::unique_lock<std::mutex>& lock);
     bool outdated(const Order& order) const;
@@ -101,9 +100,7 @@ class TraceThread {
     // Used by the thread alone:
     std::optional<Tracer> tracer;
     std::optional<TransferTable> table;
-    Resolution resolution;
-    Sharpener sharpener;
-    ScreenImage coarse;                // the traced pixels of a level
+    QuickPictures quick;
     ScreenImage spare;                 // pictures are made here and then swapped with the one on the screen
     int done = -1;                     // the finest level of `order` that is complete
     std::optional<CellPicture> cells;  // of `order`, while it is refined

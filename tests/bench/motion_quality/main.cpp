@@ -18,9 +18,8 @@
 #include "image/transfer.h"
 #include "num/thread_pool.h"
 #include "show/motion/quality.h"
-#include "show/motion/resolution.h"
+#include "show/motion/quick_pictures.h"
 #include "show/motion/screen_image.h"
-#include "show/motion/sharpener.h"
 #include "show/session/session.h"
 #include "text/parse.h"
 #include "trace/tracer.h"
@@ -78,10 +77,12 @@ int run(const Flown& options) {
     session.perform({Action::play}, -options.start);
     ThreadPool pool(1);
     Tracer tracer(*scene, Precision::float32);
-    const double contrast = 3. / 255 / steepest(scene->settings.assumed_gamma);  // as in the window
+    const QuickPictures::Wish wish{.budget = options.budget,
+                                   .sharpened_until = options.even ? 0 : options.budget,
+                                   .averages = !options.even,
+                                   .contrast = 3. / 255 / steepest(scene->settings.assumed_gamma)};  // as in the window
     const auto encode = [&](const double* rgb) { return table.pixel(rgb); };
-    Sharpener sharpener;
-    Resolution resolution;
+    QuickPictures quick;
     QualityLog log;
     std::map<int, int> levels;
     double seconds = 0;
@@ -100,21 +101,9 @@ int run(const Flown& options) {
                 image = traced_picture(tracer, view, pool, table, {.grid = 1});
             }
         } else {
-            const int level = resolution.choose(view.width, view.height, options.budget, finest_level,
-                                                options.even ? 1 : Sharpener::first_share);
-            const Lattice pixels = pixels_of(level, view.width, view.height);
-            ScreenImage coarse;
-            coarse.resize(pixels.columns, pixels.rows);
-            const auto seconds = [&] { return processor_seconds() - start; };
-            tracer.trace({view, pool, {}}, FilledLattice{pixels, contrast, encode, coarse.pixels.data(),
-                                                         options.even ? 0 : averaged_side(steps_of(level))});
-            resolution.observe(count(pixels), seconds());
-            if (image.resize(view.width, view.height); level == finest_level)
-                image = std::move(coarse);
-            else
-                expand(coarse, steps_of(level), image, pool);
-            if (const double left = options.budget - seconds(); !options.even && left > 0)
-                sharpener.sharpen(tracer, {view, pool, {}}, table, coarse, steps_of(level), left, seconds, image);
+            const int level = quick.choose(options.width, options.height, wish);
+            quick.trace(
+                tracer, {view, pool, {}}, table, wish, level, [&] { return processor_seconds() - start; }, true, image);
             if (frame >= 0) ++levels[level];
         }
         if (frame < 0) continue;

@@ -1,0 +1,31 @@
+#include "show/motion/quick_pictures.h"
+
+namespace strahl {
+
+int QuickPictures::choose(int width, int height, const Wish& wish) {
+    return resolution.choose(width, height, wish.budget, wish.finest,
+                             wish.sharpened_until > 0 ? Sharpener::first_share : 1);
+}
+
+Counts QuickPictures::trace(Tracer& tracer, const Job& job, const TransferTable& table, const Wish& wish, int level,
+                            const std::function<double()>& clock, bool learns, ScreenImage& picture) {
+    const View& view = job.view;
+    const Steps steps = steps_of(level);
+    const Lattice pixels = pixels_of(level, view.width, view.height);
+    ScreenImage& traced = level == finest_level ? picture : coarse;
+    traced.resize(pixels.columns, pixels.rows);
+    const auto encode = [&](const double* rgb) { return table.pixel(rgb); };
+    Counts rays = tracer.trace(job, FilledLattice{pixels, wish.contrast, encode, traced.pixels.data(),
+                                                  wish.averages ? averaged_side(steps) : 0});
+    if (learns) resolution.observe(count(pixels), clock());  // a stopped one would have taken even longer
+    if (job.stopped()) return rays;
+    if (level != finest_level) {
+        picture.resize(view.width, view.height);
+        expand(coarse, steps, picture, job.pool);
+    }
+    if (const double left = wish.sharpened_until - clock(); left > 0)
+        rays += sharpener.sharpen(tracer, job, table, coarse, steps, left, clock, picture);
+    return rays;
+}
+
+}  // namespace strahl
