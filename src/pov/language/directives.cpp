@@ -307,13 +307,13 @@ void Interpreter::State::declare(bool local) {
         const bool numbers = value.kind >= ValueKind::number && value.kind <= ValueKind::color;
         if (!accept(';') && numbers && version >= 3.5) warn(at, "';' is missing after this declaration");
     });
-    if (!array) {
+    if (array) {
+        if (value.kind == ValueKind::array) add_level(*array, value);
+        array->elements[index] = std::move(value);
+    } else {
         value_of(*symbol) = std::move(value);
-        if (peeked && next.code == new_name_code && next.raw->index == name.index) cursor = next.raw, peeked = false;
-        return;
     }
-    if (value.kind == ValueKind::array) add_level(*array, value);
-    array->elements[index] = std::move(value);
+    if (peeked && next.code == new_name_code && next.raw->index == name.index) cursor = next.raw, peeked = false;
 }
 
 void Interpreter::State::undefine() {

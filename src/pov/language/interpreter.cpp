@@ -130,13 +130,14 @@ bool Interpreter::State::resolve(const RawToken& raw) {
     const TextPlace place = place_of(raw);
     Symbol* symbol = symbols.find(raw.index);
     while (symbol && value_of(*symbol).kind == ValueKind::none) symbol = symbol->outer;
-    if (!symbol) {
+    const auto no_value = [&] {
         next = {};
         next.code = new_name_code;
         next.place = place;
         next.raw = &raw;
         return true;
-    }
+    };
+    if (!symbol) return no_value();
     clock_used |= raw.index == frame_number;
     NamedValue* value = &value_of(*symbol);
     if (value->kind == ValueKind::macro) {
@@ -148,7 +149,7 @@ bool Interpreter::State::resolve(const RawToken& raw) {
     std::size_t index = 0;
     if (value->kind == ValueKind::array && cursor->code == '[') {
         value = raw_element(value, array, index);
-        if (value->kind == ValueKind::none) fail(place, "this element of the array has no value yet");
+        if (value->kind == ValueKind::none) return no_value();  // a declaration may give it one before it is used
     }
     next.code = value_code;
     next.postponed = false;
@@ -305,6 +306,8 @@ void Interpreter::State::expected(const std::string& what) {
     const std::uint16_t found = code();
     std::string message = what + " expected, but found ";
     if (found == new_name_code) {
+        if (Symbol* symbol = symbols.find(next.raw->index); symbol && value_of(*symbol).kind == ValueKind::array)
+            fail(next.place, "this element of the array has no value yet");
         const std::string& name = names.text(next.raw->index);
         message = "unknown name " + strahl::quoted(name) + "; " + what + " expected";
         std::vector<std::string_view> known;

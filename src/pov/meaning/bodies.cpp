@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <set>
 #include <unordered_map>
 
 #include "num/vec_math.h"
@@ -55,11 +56,11 @@ void fold_matrix(Shape& shape, Steps& steps) {
     auto* const torus = std::get_if<Torus>(&shape);
     const auto* const step = steps.empty() ? nullptr : std::get_if<MatrixStep>(&steps[0]);
     if (!torus || !step) return;
-    const glm::dmat3 m(step->m), squares = glm::transpose(m) * m;
+    const glm::dmat3 m(step->m()), squares = glm::transpose(m) * m;
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
             if (std::fabs(squares[i][j] - (i == j)) > 1e-14) return;
-    torus->centre = transform_point(step->m, torus->centre), torus->axis = m * torus->axis;
+    torus->centre = transform_point(step->m(), torus->centre), torus->axis = m * torus->axis;
     steps.erase(steps.begin());
 }
 
@@ -152,10 +153,9 @@ Steps SceneMaker::to_owner(const ObjectThing& object, const Around& around) {
 }
 
 SceneMaker::Around SceneMaker::inside(const ObjectThing& object, const Around& around) const {
-    Around own = around;
-    own.after = object.steps;
+    Around own{around, object.steps, {}, to_owner(object, around), around.clips};
     append(own.after, around.after);
-    own.to_owner = to_owner(object, around);
+    own.moves = transformations_of(own.after, mirrored);
     take_over(object, own);
     return own;
 }
@@ -313,9 +313,8 @@ std::optional<SceneMaker::Part> SceneMaker::clipped(const ObjectThing& object, c
 }
 
 void SceneMaker::push(Part part, const ObjectThing& object, const Around& around) {
-    const auto more = transformations_of(around.after, mirrored);
     std::vector<Transformation>& own = part.primitive.transformations;
-    own.insert(own.end(), more.begin(), more.end());
+    own.insert(own.end(), around.moves.begin(), around.moves.end());
     Looks flags = around;
     take_over(object, flags);
     shown.push_back({flags.no_shadow, flags.no_image, flags.no_reflection, object.place});
@@ -405,18 +404,25 @@ void SceneMaker::drop_shadow_copies() {
     const auto is_copy = [&](std::size_t i) { return shown[i].no_image && shown[i].no_reflection; };
     // The bodies that may be the same as one that not all rays see, by a hash of shape and place.
     std::unordered_map<std::size_t, std::vector<std::size_t>> places;
+    std::set<std::pair<std::size_t, std::size_t>> forms;  // their kinds and numbers of steps, which tell most apart
+    const auto form_of = [](const Primitive& body) {
+        return std::pair(body.shape.index(), body.transformations.size());
+    };
     for (std::size_t i = 0; i < shown.size(); ++i)
-        if (shown[i].no_image || shown[i].no_reflection) places[place_of(scene.primitives[i])];
+        if (shown[i].no_image || shown[i].no_reflection)
+            places[place_of(scene.primitives[i])], forms.insert(form_of(scene.primitives[i]));
+    const auto bodies_beside = [&](const Primitive& body) {
+        const auto known = forms.contains(form_of(body)) ? places.find(place_of(body)) : places.end();
+        return known == places.end() ? nullptr : &known->second;
+    };
     for (std::size_t i = 0; i < shown.size() && !places.empty(); ++i)
-        if (const auto known = places.find(place_of(scene.primitives[i])); known != places.end())
-            known->second.push_back(i);
+        if (auto* const beside = bodies_beside(scene.primitives[i])) beside->push_back(i);
     for (std::size_t i = 0; i < shown.size() && !places.empty(); ++i) {
         if (!shown[i].no_shadow || is_copy(i)) continue;
         const Primitive& seen = scene.primitives[i];
-        const auto known = places.find(place_of(seen));
-        if (known == places.end()) continue;
-        const std::vector<std::size_t>& beside = known->second;
-        const auto same = std::ranges::find_if(beside, [&](std::size_t n) {
+        const auto* const beside = bodies_beside(seen);
+        if (!beside) continue;
+        const auto same = std::ranges::find_if(*beside, [&](std::size_t n) {
             if (!is_copy(n) || gone[n]) return false;
             Primitive copy = scene.primitives[n];
             copy.material = seen.material;
@@ -424,7 +430,7 @@ void SceneMaker::drop_shadow_copies() {
             return copy == seen && std::fabs(own.refraction * max_of(own.rgb.color) -
                                              shadow.refraction * max_of(shadow.rgb.color)) < 1e-6;
         });
-        if (same == beside.end()) continue;
+        if (same == beside->end()) continue;
         gone[*same] = true, shown[i].no_shadow = false;
     }
     for (std::size_t i = 0; i < shown.size(); ++i) {

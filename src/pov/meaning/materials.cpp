@@ -250,6 +250,7 @@ Material MaterialMaker::plain_material_of(const TextureThing& texture, const Int
         layer.look = pigments.look_of(layer.values->pigment, way, use.mapped);
         if (layer.look.varies)
             notes.approximated(layer.values->place, "transparency that varies in a pattern is its mean");
+        if (notes.only_asked && *notes.only_asked) return {};
         layers.push_back(std::move(layer));
     }
     Color through(1);  // the light that all layers let through

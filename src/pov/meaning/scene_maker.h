@@ -50,6 +50,7 @@ class SceneMaker {
     /// Holds the properties that an object takes over from the objects around it.
     struct Around : Looks {
         Steps after;         // transformations of these, the innermost one's first
+        std::vector<Transformation> moves{};  // the same as the scene has them
         Steps to_owner;      // from the space around the object into that of the texture
         bool clips = false;  // it clips another object, and is not seen itself
     };

@@ -12,12 +12,12 @@ DVec3 read_factors(Interpreter& in) {
 }
 
 MatrixStep read_matrix(Interpreter& in) {
-    MatrixStep step;
+    glm::dmat4 m(1);
     in.expect('<');
     for (int column = 0; column < 4; ++column)
-        for (int row = 0; row < 3; ++row) step.m[column][row] = in.read_number(), in.skip_comma();
+        for (int row = 0; row < 3; ++row) m[column][row] = in.read_number(), in.skip_comma();
     in.expect('>');
-    return step;
+    return MatrixStep(m);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ struct Overloaded : Cases... {
 };
 
 glm::dmat4 matrix_of(const Step& step) {
-    return std::visit(Overloaded{[](const MatrixStep& own) { return own.m; },
+    return std::visit(Overloaded{[](const MatrixStep& own) { return own.m(); },
                                  [](const auto& own) { return matrix(std::vector<Transformation>{own}); }},
                       step);
 }
@@ -96,7 +96,7 @@ Steps inverse(std::span<const Step> steps) {
                               [&](const Translate& own) { all.push_back(Translate{-own.by}); },
                               [&](const Scale& own) { all.push_back(Scale{1. / own.by}); },
                               [&](const MatrixStep& own) {
-                                  if (glm::determinant(own.m) != 0) all.push_back(MatrixStep{glm::inverse(own.m)});
+                                  if (glm::determinant(own.m()) != 0) all.push_back(MatrixStep(glm::inverse(own.m())));
                               }},
                    *step);
     return all;
@@ -114,7 +114,7 @@ std::vector<Transformation> transformations_of(std::span<const Step> steps, bool
                               [&](const Translate& own) { all.push_back(Translate{mirror(own.by, mirrored)}); },
                               [&](const Scale& own) { all.push_back(own); },
                               [&](const MatrixStep& own) {
-                                  glm::dmat4 m = own.m;
+                                  glm::dmat4 m = own.m();
                                   if (mirrored)
                                       for (int i = 0; i < 3; ++i) m[i][2] = -m[i][2], m[2][i] = -m[2][i];
                                   if (mirrored) m[3][2] = -m[3][2];

@@ -1,6 +1,7 @@
 // Transformations of POV-Ray's things, in the order written, and their translation into those of a scene.
 #pragma once
 #include <glm/mat4x4.hpp>
+#include <memory>
 #include <span>
 #include <variant>
 #include <vector>
@@ -9,10 +10,15 @@
 
 namespace strahl::pov {
 
-/// An affine transformation of column vectors: p' = m * (p, 1).
-struct MatrixStep {
-    glm::dmat4 m{1};
-    bool operator==(const MatrixStep&) const = default;
+/// An affine transformation of column vectors: p' = m * (p, 1). Copies share the matrix, which keeps all steps small.
+class MatrixStep {
+  public:
+    explicit MatrixStep(const glm::dmat4& m) : shared(std::make_shared<const glm::dmat4>(m)) {}
+    const glm::dmat4& m() const { return *shared; }
+    bool operator==(const MatrixStep& other) const { return m() == other.m(); }
+
+  private:
+    std::shared_ptr<const glm::dmat4> shared;
 };
 using Step = std::variant<Rotate, Translate, Scale, MatrixStep>;
 using Steps = std::vector<Step>;

@@ -102,7 +102,7 @@ void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement
     for (std::size_t i = 0; i < ranges.size(); ++i)
         if (varies(scene.materials[i]))
             add_colors(scene.materials[i].rgb, ranges[i], scene.settings.assumed_gamma, glm::dmat4(1), placement);
-    const bool any_uv = std::ranges::any_of(scene.materials, &Material::by_uv);
+    const bool any_uv = std::ranges::any_of(scene.materials, &Material::by_uv), finished = scene.finished();
     std::map<std::tuple<int, int, std::array<double, 16>>, std::int32_t> numbers;
     ItemCounts before;  // only by uv
     for (const Primitive& primitive : scene.primitives) {
@@ -138,7 +138,7 @@ void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement
             if (nests) add_colors(material.rgb, kernel, scene.settings.assumed_gamma, matrices.material, placement);
             if (compared) compare(*material.rgb.pattern, ways[own_way].material, placement, true, kernel);
             kernel.ambient = Vec3<T>(cast<M>(scene.settings.ambient_light) * M(material.ambient));
-            if (scene.finished()) add_finish(material, scene, matrices.material, placement, kernel.places);
+            if (finished) add_finish(material, scene, matrices.material, placement, kernel.places);
             list.push_back(kernel);
             if (any_bent) bends.push_back(bend_of(material, matrices.material, placement, kernel.places));
             if (proves && any_bent) compare(material, ways[own_way].material, placement, true, bends.back());

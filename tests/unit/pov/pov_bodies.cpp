@@ -35,7 +35,7 @@ TEST_CASE("POV-Ray: matrices become rotations and scalings") {
         for (const std::string words : {"rotate <20, 30, 40> scale <1, 2, 3> rotate <50, 60, 70> translate <1, 2, 3>",
                                         "scale <-1, 2, 2> rotate <5, 90, 3>", "scale 2 rotate <10, 20, 30>"}) {
             pov::Steps steps{pov::MatrixStep{glm::dmat4(.5, 2, .25, 0, -1, .5, 3, 0, .125, 1, 1, 0, 4, 5, 6, 1)}};
-            if (words.size() < 40) steps = {Rotate{{20, 30, 40}}, Scale{{1, -2, 3}}, pov::MatrixStep{}};
+            if (words.size() < 40) steps = {Rotate{{20, 30, 40}}, Scale{{1, -2, 3}}, pov::MatrixStep(glm::dmat4(1))};
             glm::dmat4 wanted = pov::matrix_of(steps);
             const glm::dmat4 made = matrix(pov::transformations_of(steps, mirrored));
             for (int i = 0; i < 4; ++i)
@@ -59,6 +59,7 @@ TEST_CASE("POV-Ray: unions keep the surfaces inside them, merges do not") {
     CHECK(shape<Union>(one).parts->size() == 2);
     // A body may stand alone by its name, right after it was declared.
     CHECK(whole("#declare B = sphere { 0, 1 } B").primitives.size() == 1);
+    CHECK(whole("#declare A = array[2]; #declare A[1] = sphere { 0, 1 } A[1]").primitives.size() == 1);
     CHECK(whole("sphere_sweep { linear_spline, 2, 0, 1, x, 1 }").primitives.size() == 3);
 }
 

@@ -47,6 +47,8 @@ TEST_CASE("messages say where, why, and by which macros") {
     check_fails("#declare a = atan2(0,0);", "atan2(0, 0) has no value");
     check_fails("#declare A = array[2]; #declare b = A[2];", "it must be 0 to 1");
     check_fails("#declare A = array[2]; #declare b = A[1];", "this element of the array has no value yet");
+    check_fails("#declare A = array[2]; #declare A[0] = 1; #declare b = A[0] + A[1];", "has no value yet");
+    check_fails("#declare A = array[2]; #declare A[0] = A[0];", "has no value yet");
     check_fails("#macro M(a, b) #end M(1)", "the macro 'M' needs 2 arguments");
     check_fails("#declare a = substr(\"abc\", 2, 3);", "the string has 3 characters");
     check_fails("#declare a = \"abc", "this string is not closed");
