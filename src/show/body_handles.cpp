@@ -15,11 +15,11 @@ constexpr std::array<DVec3, 3> world_axes{DVec3(1, 0, 0), DVec3(0, 1, 0), DVec3(
 }  // namespace
 
 const char* BodyHandles::change_mode() {
-    const bool spot = spot_chosen();
-    if (bodies.light() && !spot) return "handles of this light only move it";
-    if (spot && mode == HandleMode::scale) mode = HandleMode::move;  // as they are shown
-    mode = mode == (spot ? HandleMode::turn : HandleMode::scale) ? HandleMode::move
-                                                                 : static_cast<HandleMode>(static_cast<int>(mode) + 1);
+    const Light* const light = light_chosen();
+    if (light && !light->spot)
+        return light->direction ? "handles of parallel light turn it" : "handles of this light only move it";
+    mode = mode == HandleMode::scale ? HandleMode::move : static_cast<HandleMode>(static_cast<int>(mode) + 1);
+    if (light && mode == HandleMode::scale) return "circles open and close the cone of light";
     return mode == HandleMode::move   ? "handles move; with Ctrl by round distances"
            : mode == HandleMode::turn ? "handles turn; with Ctrl by 15 degrees"
                                       : "handles scale; with Ctrl by tenths";
@@ -28,21 +28,27 @@ const char* BodyHandles::change_mode() {
 void BodyHandles::place(const Scene& seen, const View& view, double scale) {
     DVec3 centre;
     std::array<DVec3, 3> axes = world_axes;
-    if (bodies.light()) {
-        centre = position_of(seen, *bodies.light());
+    const Light* const light = light_chosen();
+    if (light) {
+        centre = light->direction ? view.camera.look_at : position_of(seen, *bodies.light());
     } else {
         const Box box = world_bounds(seen.primitives[std::size_t(bodies.number())]);
         centre = box.finite() ? box.centre() : bodies.choice()->point;
         if (mode == HandleMode::scale) axes = own_axes();
     }
-    const bool moves = bodies.light() && (!spot_chosen() || mode == HandleMode::scale);
-    handles.emplace(moves ? HandleMode::move : mode, centre, axes, handle_pixels * scale, view);
+    if (light && light->spot && mode == HandleMode::scale) {
+        const Light& now = seen.lights[std::size_t(bodies.number())];
+        handles.emplace(now.position, *now.spot, view);
+    } else {
+        const HandleMode shown = !light || light->spot ? mode : light->direction ? HandleMode::turn : HandleMode::move;
+        handles.emplace(shown, centre, axes, handle_pixels * scale, view);
+    }
     find_pointed();
 }
 
-/// Is a spotlight chosen, or its target?
-bool BodyHandles::spot_chosen() const {
-    return bodies.light() && session.scene->lights[std::size_t(bodies.light()->light)].spot;
+/// Returns the light chosen, or null.
+const Light* BodyHandles::light_chosen() const {
+    return bodies.light() ? &session.scene->lights[std::size_t(bodies.light()->light)] : nullptr;
 }
 
 /// Returns the axes of the body chosen, along which it is scaled.

@@ -46,7 +46,7 @@ class BodyHandles {
     void draw(Overlay::Tools& tools) const;
 
   private:
-    bool spot_chosen() const;
+    const Light* light_chosen() const;
     const std::array<DVec3, 3>& own_axes();
     void find_pointed();
 

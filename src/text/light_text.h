@@ -9,6 +9,8 @@ namespace strahl {
 
 /// The name of the value that is the point at which a spotlight is aimed.
 inline constexpr const char* spot_target = "look_at of spot";
+/// The names of the angles of a spotlight's cone.
+inline constexpr const char *spot_radius = "radius of spot", *spot_falloff = "falloff of spot";
 
 /// Returns what a text without errors says of a light; `scene` is that of the text. If the text is empty, as for scenes
 /// that come from elsewhere, values cannot be changed.

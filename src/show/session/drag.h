@@ -29,7 +29,8 @@ class Drag {
   private:
     struct LightNumbers {
         std::string text;
-        BodyValue value;
+        BodyValue value{};
+        double least = 0, most = 90;  // degrees of a spotlight
     };
     using Dragged = std::variant<PlacedBody, LightNumbers>;
     Drag(const Handles& handles, Handle handle, const glm::dvec2& from, Dragged what)

@@ -57,6 +57,19 @@ std::optional<glm::dvec2> place_in(const View& view, const DVec3& point) {
                       (dot_product(way, frame.down) / (depth * frame.tan_y) + 1) * view.height / 2);
 }
 
+std::vector<DVec3> cone_circle(const DVec3& light, const Spot& spot, double angle) {
+    const DVec3 axis = normalize(spot.look_at - light);
+    const DVec3 aside = std::abs(axis.z) < .9 ? DVec3(0, 0, 1) : DVec3(1, 0, 0);
+    const DVec3 u = normalize(cross_product(axis, aside)), v = cross_product(axis, u);
+    const double radius = length(spot.look_at - light) * std::tan(std::min(angle, 80.) * std::numbers::pi / 180);
+    std::vector<DVec3> points;
+    for (int i = 0; i <= 32; ++i) {
+        const double along = 2 * std::numbers::pi * i / 32;
+        points.push_back(spot.look_at + radius * (std::cos(along) * u + std::sin(along) * v));
+    }
+    return points;
+}
+
 Handles::Handles(HandleMode mode, const DVec3& centre, const std::array<DVec3, 3>& axes, double pixels,
                  const View& view)
     : mode(mode), centre(centre), axes(axes), view(view) {
@@ -103,6 +116,12 @@ Handles::Handles(HandleMode mode, const DVec3& centre, const std::array<DVec3, 3
         circle(Handle::all, right, down, 1.15 * reach, false);
     else
         add_square(Handle::all, centre, .1 * reach);
+}
+
+Handles::Handles(const DVec3& light, const Spot& spot, const View& view)
+    : mode(HandleMode::scale), cone(true), centre(spot.look_at), view(view) {
+    add_line(Handle::y, cone_circle(light, spot, spot.radius));
+    add_line(Handle::all, cone_circle(light, spot, spot.falloff));
 }
 
 void Handles::add_line(Handle handle, const std::vector<DVec3>& points, bool filled) {
@@ -178,6 +197,11 @@ Placing Handles::drag(Handle handle, const glm::dvec2& from, const glm::dvec2& t
         const double degrees = turn_degrees(handle, from, to);
         return TurnBy{handle == Handle::all ? DVec3(0) - forward : axis(handle),
                       steps ? in_steps(degrees, 15) : degrees, centre};
+    }
+    if (cone) {
+        const glm::dvec2 middle = place_in(view, centre).value_or(from), a = from - middle, b = to - middle;
+        const double factor = std::hypot(b.x, b.y) / std::max(std::hypot(a.x, a.y), 1.);
+        return ScaleBy{DVec3(std::max(steps ? in_steps(factor, .1) : factor, least_factor)), centre};
     }
     const double step = round_length(20 * pixel);
     if (mode == HandleMode::move && handle == Handle::all) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "num/vec.h"
+#include "scene/scene.h"
 #include "text/place_body.h"
 #include "trace/world/view.h"
 
@@ -15,6 +16,9 @@ namespace strahl {
 /// Returns where a point is seen in a view's picture, in pixels from its top left corner; nothing if it is not in front
 /// of the camera.
 std::optional<glm::dvec2> place_in(const View& view, const DVec3& point);
+
+/// Returns the circle around a spotlight's target that its light reaches up to this angle, in degrees, 80 at most.
+std::vector<DVec3> cone_circle(const DVec3& light, const Spot& spot, double angle);
 
 /// Returns the largest of 1, 2 and 5 times a power of ten that is not above a length.
 double round_length(double length);
@@ -33,6 +37,10 @@ class Handles {
     /// view.
     Handles(HandleMode mode, const DVec3& centre, const std::array<DVec3, 3>& axes, double pixels, const View& view);
 
+    /// Places two circles around a spotlight's target, which open and close its cone: `all` where its light ends, `y`
+    /// where it begins to fade.
+    Handles(const DVec3& light, const Spot& spot, const View& view);
+
     struct HandleLine {
         Handle handle;
         std::vector<glm::dvec2> points;  // in pixels of the view's picture
@@ -44,7 +52,7 @@ class Handles {
     std::optional<Handle> at(const glm::dvec2& point, double reach) const;
 
     /// Returns what a drag of a handle from one point to another does. With `steps` it moves by round distances, turns
-    /// by 15 degrees, and scales by tenths.
+    /// by 15 degrees, and scales by tenths. Circles of a cone scale evenly.
     Placing drag(Handle handle, const glm::dvec2& from, const glm::dvec2& to, bool steps) const;
     HandleMode handle_mode() const { return mode; }
     /// Returns how many decimals of coordinates can be seen here.
@@ -60,8 +68,9 @@ class Handles {
     void add_square(Handle handle, const DVec3& at, double side);
 
     HandleMode mode;
+    bool cone = false;  // circles, which scale in all directions
     DVec3 centre;
-    std::array<DVec3, 3> axes;
+    std::array<DVec3, 3> axes{};
     View view;
     DVec3 right{0}, down{0}, forward{0};
     double pixel = 0, reach = 0;  // their sizes at the centre, in units of the world

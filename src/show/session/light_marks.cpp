@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "num/vec_math.h"
 #include "show/session/handles.h"
@@ -11,21 +10,6 @@ namespace strahl {
 namespace {
 
 constexpr std::size_t most_marks = 500;
-
-/// Returns the circle around a target in which a spot's cone ends.
-std::vector<DVec3> cone_circle(const DVec3& from, const Spot& spot) {
-    const DVec3 axis = normalize(spot.look_at - from);
-    const DVec3 aside = std::abs(axis.z) < .9 ? DVec3(0, 0, 1) : DVec3(1, 0, 0);
-    const DVec3 u = normalize(cross_product(axis, aside)), v = cross_product(axis, u);
-    const double degree = std::numbers::pi / 180;
-    const double radius = length(spot.look_at - from) * std::tan(std::min(spot.falloff, 80.) * degree);
-    std::vector<DVec3> points;
-    for (int i = 0; i <= 32; ++i) {
-        const double angle = 2 * std::numbers::pi * i / 32;
-        points.push_back(spot.look_at + radius * (std::cos(angle) * u + std::sin(angle) * v));
-    }
-    return points;
-}
 
 }  // namespace
 
@@ -54,7 +38,8 @@ LightMarks light_marks(const Scene& scene, const View& view) {
                 if (const auto place = place_in(view, point)) places.push_back(*place);
             if (places.size() == points.size()) all.lines.push_back(std::move(places));
         };
-        line({light.position, light.spot->look_at}), line(cone_circle(light.position, *light.spot));
+        line({light.position, light.spot->look_at}),
+            line(cone_circle(light.position, *light.spot, light.spot->falloff));
     }
     return all;
 }
