@@ -1,5 +1,6 @@
 #include "show/side_by_side.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace strahl {
@@ -14,50 +15,87 @@ std::string in_short(const std::string& fault) {
 
 }  // namespace
 
-void SideBySide::toggle(Action action) {
-    if (action == Action::second)
+void SideBySide::toggle(Command command) {
+    const auto [action, number] = command;
+    if (action == Action::second && number > 0)
+        line.second = line.second == SecondKind(number) ? SecondKind::none : SecondKind(number);
+    else if (action == Action::second)
         line.next();
     else
         line.difference = !line.difference;
+    if (action == Action::second) of_flight.reset(), first.reset();
     pace.redraw();
     const std::string name = second_name(line.second);
     if (!line.shown())
         notes.note(action == Action::second ? "one picture" : "G chooses what the picture is compared with");
     else
-        notes.note(line.difference ? "at the right: 16 times the difference from " + name
-                                   : "at the right: " + name + "; the line can be dragged");
+        notes.note(line.difference && !line.other_view() ? "at the right: 16 times the difference from " + name
+                                                         : "at the right: " + name + "; the line can be dragged");
+}
+
+void SideBySide::log_second(const SecondPicture& picture) {
+    const std::string differing = ", " + std::to_string(picture.differing) + " pixels differ by more than 1/255";
+    notes.log("second picture: " + second_name(line.second) + (line.other_view() ? "" : differing) +
+              (picture.finished ? "" : "; smooth edges follow"));
+}
+
+void SideBySide::keep(const Fresh& fresh) {
+    if (line.second != SecondKind::in_motion) return first.reset();
+    const auto& [image, picture, row, rows] = fresh;
+    if (picture.number != std::exchange(first_number, picture.number)) {
+        first = std::make_shared<SecondPicture>(), first->image = image, first_level = picture.level;
+    } else if (first && picture.finished()) {
+        first = std::make_shared<SecondPicture>(*first);
+        compare(image, *first), first->finished = true;
+        log_second(*first);
+    }
 }
 
 void SideBySide::follow(const Session& session, const View& view, bool finished) {
-    if (!line.shown() || !finished) return pictures.drop();
-    SecondOrder order{line.second, session.scene, view, path, mirrored, session.exposure};
+    const bool flight = line.other_view(), brief = flight && !finished;
+    if (!line.shown() || line.second == SecondKind::in_motion || (!finished && !flight)) return pictures.drop();
+    SecondOrder order{line.second, session.scene, view, path, mirrored, session.exposure, brief};
     order.view.error = 0;
+    if (flight) {
+        const ScreenArea seen = line.second_area({0, 0, view.width, view.height});
+        order.view.camera = session.flight_camera();
+        order.view.width = std::max(seen.width / (brief ? 2 : 1), 1);
+        order.view.height = std::max(seen.height / (brief ? 2 : 1), 1);
+    }
     const bool before = pictures.under_way();
-    pictures.want(std::move(order));
+    if (!brief || !before) pictures.want(std::move(order));
     if (!before && pictures.under_way()) began = pace.now(), pace.redraw();
     if (!pictures.take()) return;
     pace.redraw();
+    if (flight) of_flight = pictures.picture();
+    if (brief) return;
     if (!pictures.fault().empty()) {
         log_line(pictures.fault());
         notes.fail(in_short(pictures.fault()));
     } else {
-        notes.log("second picture: " + second_name(line.second) + ", " +
-                  std::to_string(pictures.picture()->differing) + " pixels differ by more than 1/255" +
-                  (pictures.picture()->finished ? "" : "; smooth edges follow"));
+        log_second(*pictures.picture());
     }
 }
 
 std::shared_ptr<const ScreenImage> SideBySide::image() const {
-    const auto& picture = pictures.picture();
+    const bool flight = line.other_view();
+    const std::shared_ptr<const SecondPicture> picture = flight                                 ? of_flight
+                                                         : line.second != SecondKind::in_motion ? pictures.picture()
+                                                         : first && first->finished             ? first
+                                                                                                : nullptr;
     if (!picture) return nullptr;
-    return {picture, line.difference ? &picture->difference : &picture->image};
+    return {picture, line.difference && !flight ? &picture->difference : &picture->image};
 }
 
 Overlay::Sides SideBySide::sides(const ScreenArea& area) const {
-    const auto& picture = pictures.picture();
     std::string right = second_name(line.second);
-    if (picture && line.difference)
-        right += ", 16 times the difference: " + std::to_string(picture->differing) + " pixels beyond 1/255";
+    if (line.other_view()) return {line.column(area), "", right, line.second_area(area)};
+    const bool in_motion = line.second == SecondKind::in_motion;
+    const std::shared_ptr<const SecondPicture> picture = in_motion ? first : pictures.picture();
+    if (in_motion && !line.difference) right += picture ? ", " + resolution_text(first_level) : ": move the camera";
+    if (picture && (in_motion ? picture->finished : line.difference))
+        right += (line.difference ? ", 16 times the difference: " : ": ") + std::to_string(picture->differing) +
+                 " pixels beyond 1/255";
     if (!pictures.fault().empty()) right += ": no picture";
     if (pictures.under_way() && !(picture && line.difference))
         right += (picture ? "; smooth edges follow, " : " is tracing, ") +

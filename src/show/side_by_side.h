@@ -1,5 +1,6 @@
 // Two pictures beside each other: connects the divider, the second picture, and what the window says about them.
 #pragma once
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -12,6 +13,7 @@
 #include "show/work/notes.h"
 #include "show/work/pace.h"
 #include "show/work/reload.h"
+#include "show/work/trace_thread.h"
 
 namespace strahl {
 
@@ -23,9 +25,13 @@ class SideBySide {
 
     /// To be called when the session has taken over a scene that was read from the file.
     void loaded(const Loaded& scene) { path = scene.path, mirrored = scene.mirrored; }
-    /// Chooses the next second picture, or whether its difference is seen.
-    void toggle(Action action);
-    /// Asks for the second picture of a view, if its first picture is finished; else there is none.
+    /// Chooses the next second picture, or with a number this kind, or none if it is there; or whether its difference
+    /// is seen.
+    void toggle(Command command);
+    /// To be called with all that is new of the first picture.
+    void keep(const Fresh& fresh);
+    /// Asks for the second picture of a view, if its first picture is finished; else there is none. What the camera of
+    /// the flight sees is also there in motion, with half of the rows and columns.
     void follow(const Session& session, const View& view, bool finished);
     void pull(const ScreenArea& picture, double x) { line.pull(picture, x), pace.redraw(1); }
 
@@ -38,6 +44,8 @@ class SideBySide {
     bool under_way() const { return pictures.under_way(); }
 
   private:
+    void log_second(const SecondPicture& picture);
+
     Notes& notes;
     Pace& pace;
     SecondPictures pictures;
@@ -45,6 +53,10 @@ class SideBySide {
     std::string path;
     bool mirrored = false;
     double began = 0;  // when the picture under way was asked for
+    std::shared_ptr<const SecondPicture> of_flight;  // the last one
+    std::shared_ptr<SecondPicture> first;            // the first picture as it was shown first
+    std::uint64_t first_number = 0;                  // of its order
+    int first_level = 0;
 };
 
 }  // namespace strahl

@@ -147,7 +147,10 @@ void Viewer::perform(Command command) {
             return;
         case Action::second:
         case Action::difference:
-            return side.toggle(command.action);
+            side.toggle(command);
+            if (side.divider().other_view() && session.bound())
+                notes.tell(session.perform({Action::outside}, pace.now()));
+            return;
         case Action::stability:
             return picture.toggle_marks();
         case Action::full_screen:
@@ -210,14 +213,20 @@ void Viewer::apply(const OutlinerInput& done) {
 void Viewer::click(double x, double y) {
     const ScreenArea area = screen.area();
     const bool on_picture = x >= area.x && y >= area.y && x < area.x + area.width && y < area.y + area.height;
-    if (file.waiting() || screen.width() == 0 || !on_picture) return;
+    if (file.waiting() || screen.width() == 0 || !on_picture || in_other_view(x)) return;
     bodies.click(session.view(screen.width(), screen.height()), in_picture(x, y), 2 * screen.pixels_to_reach());
+}
+
+/// Is another view than that of the picture seen in this column of the window?
+bool Viewer::in_other_view(double x) const {
+    return side.divider().other_view() && x >= side.divider().column(screen.area());
 }
 
 /// Returns what the pointer can take hold of at a point of the window.
 Hold Viewer::points_at(double x, double y) {
     if (side.divider().reached(screen.area(), x, y, screen.pixels_to_reach())) return Hold::divider;
-    const bool handle = !panels.quiet && bodies.points_at(in_picture(x, y), screen.pixels_to_reach());
+    const bool handle =
+        !panels.quiet && !in_other_view(x) && bodies.points_at(in_picture(x, y), screen.pixels_to_reach());
     return handle ? Hold::handle : Hold::nothing;
 }
 
@@ -258,9 +267,10 @@ void Viewer::draw() {
     const std::uint64_t before = picture.state().number;
     const bool update = picture.take([this](const Fresh& fresh) {
         screen.upload(fresh);
+        side.keep(fresh);
         if (options.benchmark) recordings.keep_flown(fresh, session);
     });
-    screen.show_second(side.image(), side.divider().column(screen.area()));
+    screen.show_second(side.image(), side.divider().second_area(screen.area()), side.divider().other_view());
     const Overlay over = overlay();
     TimelineInput done;
     BodyInput on_body;

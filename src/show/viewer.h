@@ -49,6 +49,7 @@ class Viewer {
     void apply(const OutlinerInput& input);
     void click(double x, double y);
     Hold points_at(double x, double y);
+    bool in_other_view(double x) const;
     glm::dvec2 in_picture(double x, double y) const;
 
     // The loop

@@ -74,6 +74,18 @@ xdotool key g
 await 'second picture: one ray'
 xdotool key g
 await 'second picture: long double'
+echo "-- what was shown in motion, and what the camera of the flight sees"
+xdotool key shift+g g
+await 'at the right: in motion'
+xdotool keydown w
+sleep 0.3
+xdotool keyup w
+await 'second picture: in motion, '
+[[ ${line#*motion, } == [1-9]*' pixels'* ]] || fault "it is the picture at rest: $line"
+xdotool key g
+await 'second picture: the camera of the flight'
+xdotool key r
+await 'finished'
 xdotool key g
 await 'one picture'
 shows first.png

@@ -59,7 +59,7 @@ enum class Push { forward, back, left, right, down, up };
 struct Command {
     Action action = Action::quit;
     /// Says which Push; which camera, 1 to 9; how many 1/25 s or keys to step, backwards if negative; 1 if a still is a
-    /// .png; or by how many half stops to expose more, 0 for no exposure.
+    /// .png; by how many half stops to expose more, 0 for no exposure; or which SecondKind, 0 for the next one.
     int number = 0;
     bool operator==(const Command&) const = default;
 };

@@ -87,8 +87,25 @@ std::vector<double> own_values(const SecondOrder& order, Precision precision, co
 
 bool SecondOrder::operator==(const SecondOrder& other) const {
     return kind == other.kind && path == other.path && mirrored == other.mirrored && exposure == other.exposure &&
-           same_picture(view, other.view) &&
+           brief == other.brief && same_picture(view, other.view) &&
            (scene == other.scene || (scene && other.scene && *scene == *other.scene));
+}
+
+void compare(const ScreenImage& other, SecondPicture& result) {
+    result.difference.resize(other.width, other.height);
+    result.differing = 0;
+    for (std::size_t i = 0; i < other.pixels.size(); ++i) {
+        std::uint32_t pixel = 0xff000000u;
+        bool differs = false;
+        for (unsigned shift = 0; shift < 24; shift += 8) {
+            const auto channel = [&](const ScreenImage& image) { return int(image.pixels[i] >> shift & 255); };
+            const int off = std::abs(channel(other) - channel(result.image));
+            differs |= off > 1;
+            pixel |= static_cast<std::uint32_t>(std::min(255, amplified * off)) << shift;
+        }
+        result.difference.pixels[i] = pixel;
+        result.differing += differs;
+    }
 }
 
 void make_second(const SecondOrder& order, ThreadPool& pool, const std::atomic<bool>& stop,
@@ -97,6 +114,12 @@ void make_second(const SecondOrder& order, ThreadPool& pool, const std::atomic<b
     const Sampling one_ray{.grid = 1};
     const bool povray = order.kind == SecondKind::povray;
     SecondPicture result;
+    if (order.kind == SecondKind::flight) {
+        const Sampling sampling = order.brief ? one_ray : Sampling{};
+        result.image = encoded(own_values(order, Precision::float32, sampling, pool, stop), order.view, table);
+        result.finished = true;
+        return publish(std::move(result));
+    }
     const std::vector<double> second =
         povray ? povray_values(order, 0, pool.size(), stop)
         : order.kind == SecondKind::one_ray ? own_values(order, Precision::float32, one_ray, pool, stop)

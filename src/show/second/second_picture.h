@@ -21,6 +21,7 @@ struct SecondOrder {
     std::string path{};     // of the scene's file
     bool mirrored = false;  // see OpenedScene
     Exposure exposure{};    // of `image`; POV-Ray's has no light above white that it could show
+    bool brief = false;     // one ray in each pixel is all; another order follows soon
 
     /// Are both for the same picture?
     bool operator==(const SecondOrder& other) const;
@@ -30,10 +31,13 @@ struct SecondPicture {
     ScreenImage image;
     /// 16 times its difference from a picture of Strahl's that is sampled alike, whether `image` is or not: one ray in
     /// double for POV-Ray's of one ray, else averages in float.
-    ScreenImage difference;
+    ScreenImage difference;     // empty for the camera of the flight
     std::size_t differing = 0;  // pixels with a channel that differs by more than 1/255
     bool finished = false;      // else a better one follows
 };
+
+/// Fills in how this image differs from another one as it is on the screen.
+void compare(const ScreenImage& other, SecondPicture& result);
 
 /// Makes it, and calls `publish` with each stage. POV-Ray first traces one ray in each pixel, as strahl crosscheck has
 /// it, then 10. Throws Stopped when `stop` became true, else std::exception with the reason if it fails.

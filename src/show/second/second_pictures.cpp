@@ -52,7 +52,7 @@ bool SecondPictures::take() {
     if (!taken || taken->number != number) return false;
     why_none = taken->fault;
     if (taken->picture) current = taken->picture;
-    if (!current || !current->finished) return true;
+    if (!current || !current->finished || wanted.brief) return true;
     kept.emplace_front(wanted, current);
     std::size_t pixels = 0, some = 0;
     for (; some < kept.size() && (some == 0 || pixels < most_kept); ++some)

@@ -6,8 +6,9 @@
 
 namespace strahl {
 
-/// The second picture, to the right of the divider.
-enum class SecondKind { none, povray, one_ray, extended };
+/// The second picture, to the right of the divider: by POV-Ray, or as Strahl shows the same view otherwise; or what the
+/// camera of the flight sees, while the first picture is from outside.
+enum class SecondKind { none, povray, one_ray, extended, in_motion, flight };
 
 struct Divider {
     SecondKind second = SecondKind::none;
@@ -16,6 +17,11 @@ struct Divider {
 
     /// Goes on to the next kind of second picture; after the last one, and before the first, there is none.
     void next();
+    /// Is the second picture of another view?
+    bool other_view() const { return second == SecondKind::flight; }
+    /// Returns the part of the window where the second picture is seen: all to the right of the divider, or the whole
+    /// other view in the middle of that.
+    ScreenArea second_area(const ScreenArea& picture) const;
     bool shown() const { return second != SecondKind::none; }
     /// Is this point of the window so near to it that the pointer takes hold of it there? All in pixels.
     bool reached(const ScreenArea& picture, double x, double y, double reach) const;

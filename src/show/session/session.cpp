@@ -366,13 +366,16 @@ Answer Session::change_speed(double factor, double now) {
     return {text, ""};
 }
 
+Camera Session::flight_camera() const {
+    const Camera own = own_camera_at(*scene, time, tracks.get());
+    const Flythrough& path = flight.flying() ? *flight.path() : editor.path();
+    return path.keys.empty() ? own : camera_at(path, own, time);
+}
+
 std::optional<Answer> Session::follow(double now) {
     if (!flight.flying()) return std::nullopt;
-    const double seconds = time = flight.time(now);
-    if (bound()) {
-        camera = own_camera_at(*scene, seconds, tracks.get());
-        if (const Flythrough& path = *flight.path(); !path.keys.empty()) camera = camera_at(path, camera, seconds);
-    }
+    time = flight.time(now);
+    if (bound()) camera = flight_camera();
     if (!flight.over(now)) return std::nullopt;
     flight.stop(now);
     return Answer{"end of the flight", ""};

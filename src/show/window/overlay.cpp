@@ -231,11 +231,23 @@ void draw_divider(const Overlay::Sides& sides, const ScreenArea& area, float low
 }  // namespace
 
 void draw_overlay(const Overlay& overlay) {
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const auto other_view = overlay.sides ? overlay.sides->other_view : std::nullopt;
+    if (other_view) {  // marks are on the picture at the left only
+        const auto bar = [&](int top, int bottom) {
+            list.AddRectFilled({float(other_view->x), float(top)},
+                               {float(other_view->x + other_view->width), float(bottom)}, IM_COL32(20, 20, 20, 255));
+        };
+        bar(overlay.area.y, other_view->y);
+        bar(other_view->y + other_view->height, overlay.area.y + overlay.area.height);
+        list.PushClipRect({0, 0}, {float(overlay.sides->column), ImGui::GetIO().DisplaySize.y});
+    }
     draw_marks(overlay);
     draw_silhouette(overlay);
     draw_path(overlay);
     draw_lights(overlay);
     draw_handles(overlay);
+    if (other_view) list.PopClipRect();
     const ImVec2 all = ImGui::GetIO().DisplaySize;
     FreeArea free{gap() + overlay.reserved_left, gap(), all.x - overlay.reserved_right - gap(),
                   all.y - overlay.reserved - gap()};

@@ -31,6 +31,7 @@ struct Overlay {
     struct Sides {
         int column = 0;           // of the window, where the divider is
         std::string left, right;  // what is seen there; may be empty
+        std::optional<ScreenArea> other_view{};  // where another view is seen; around it the right is dark
     };
     std::optional<Sides> sides;
     std::vector<SilhouetteLine> silhouette;  // of the body that is chosen, in those pixels

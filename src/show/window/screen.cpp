@@ -142,8 +142,8 @@ struct Screen::Surface {
         gl.BindFramebuffer(GL_READ_FRAMEBUFFER, 0);
     }
 
-    /// Copies the picture from one of its columns on to an area of a window with so many rows. Scales it only where the
-    /// window has just got another size.
+    /// Copies the picture from one of its columns on to an area of a window with so many rows. Scales it where the
+    /// window has just got another size, and what the camera of the flight sees in motion.
     void copy(int first_column, const ScreenArea& to, int window_rows) const {
         const bool same = width - first_column == to.width && height == to.height;
         gl.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
@@ -228,8 +228,8 @@ int Screen::height() const {
 
 void Screen::upload(const Fresh& fresh) { picture->upload(fresh.image, fresh.first_row, fresh.rows); }
 
-void Screen::show_second(std::shared_ptr<const ScreenImage> image, int from) {
-    second_from = from;
+void Screen::show_second(std::shared_ptr<const ScreenImage> image, const ScreenArea& part, bool whole) {
+    second_part = part, second_whole = whole;
     if (image == second) return;
     second = std::move(image);
     if (!second) return;
@@ -252,9 +252,8 @@ void Screen::copy_pictures() const {
     const ScreenArea all = area();
     picture->copy(0, all, height());
     if (!second) return;
-    ScreenArea part = all;
-    part.x = std::clamp(second_from, all.x, all.x + all.width), part.width -= part.x - all.x;
-    second_picture->copy(second->width * (part.x - all.x) / all.width, part, height());
+    const int hidden = second_whole ? 0 : second->width * (second_part.x - all.x) / all.width;
+    second_picture->copy(hidden, second_part, height());
 }
 
 void Screen::draw(const std::function<void()>& overlay) {

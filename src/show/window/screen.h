@@ -39,9 +39,9 @@ class Screen {
 
     /// Takes new rows of the picture.
     void upload(const Fresh& fresh);
-    /// From now on shows this picture of the same size over the first one, from this column of the window on; null for
-    /// none.
-    void show_second(std::shared_ptr<const ScreenImage> image, int from);
+    /// From now on shows this picture over that part of the first one, as much of it as is there or, if `whole`, all of
+    /// it; null for none.
+    void show_second(std::shared_ptr<const ScreenImage> image, const ScreenArea& part, bool whole);
     /// Makes a texture for ImGui of a picture. It stays until the end.
     unsigned make_texture(const ScreenImage& image) const;
     /// Draws the window: the uploaded picture, and on it what `overlay` draws with ImGui.
@@ -72,7 +72,8 @@ class Screen {
     std::unique_ptr<Functions> gl;
     std::unique_ptr<Surface> picture, second_picture;  // the second one only where it has been needed
     std::shared_ptr<const ScreenImage> second;
-    int second_from = 0;
+    ScreenArea second_part;
+    bool second_whole = false;
     float scale = 0;     // of the overlay: 1 at a usual pixel density
     WindowState before;  // size and place before full screen
     WindowState opened;  // size and place at the start

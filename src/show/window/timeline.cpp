@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "scene/moving_scene.h"
+#include "show/session/divider.h"
 #include "show/session/track_keys.h"
 #include "show/window/body_panel.h"
 #include "text/blocks/blocks.h"
@@ -78,6 +79,7 @@ void Timeline::buttons(const TimelineView& view, TimelineInput& input) {
     button("new", {Action::clear_path});
     button("write", {Action::write_path});
     button(view.outside ? "inside" : "outside", {Action::outside});
+    button("both", {Action::second, int(SecondKind::flight)});
     if (const Flythrough& path = view.editor.path(); path.keys.size() >= 2) {
         if (ImGui::SmallButton(path.loop ? "no loop" : "loop")) input.path = {looped(path, 3), false};
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("closes the path, or ends it with its last key");

@@ -270,6 +270,7 @@ TEST_CASE("a flight is seen from outside: the camera stays, and moves without en
     session.steer({.push = {0, 0, -1}}, 0);
     CHECK(session.camera != before);
     CHECK(session.flight.flying());
+    CHECK(session.flight_camera().position == DVec3(-3, 0, 0));
     const PathMarks marks =
         path_marks(session.editor.path(), session.scene->camera, 4, {.camera = before, .width = 160, .height = 120});
     CHECK(marks.keys.size() <= 3);

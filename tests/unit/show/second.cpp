@@ -64,6 +64,15 @@ TEST_CASE("the divider is taken hold of where it is, and stays in the picture") 
     CHECK(line.at == .25);
     line.pull(area, 9999), CHECK(line.column(area) == 500);
     line.pull(area, -9999), CHECK(line.column(area) == 100);
+    line.at = .25;
+    CHECK(!line.other_view());
+    CHECK(line.second_area(area) == ScreenArea{200, 50, 300, 300});
+    line.second = SecondKind::flight;
+    CHECK(line.other_view());
+    CHECK(line.second_area(area) == ScreenArea{200, 87, 300, 225});  // with the proportions of the picture
+    line.at = 1;
+    CHECK(line.second_area(area).height == 0);
+    line.second = SecondKind::povray;
     while (line.shown()) CHECK(second_name(line.second) != ""), line.next();
     CHECK(second_name(line.second) == "");
 }
@@ -91,6 +100,36 @@ TEST_CASE("a picture of one ray, and one in long double, are what the tracer mak
         for (const std::uint32_t pixel : made.difference.pixels) CHECK((pixel & 0xff) <= 16);
     });
     CHECK(stages == 2);
+    // What the camera of the flight sees is compared with nothing, and in motion it is traced with one ray.
+    SecondOrder of_flight = order_of(scene, SecondKind::flight);
+    for (const bool brief : {true, false}) {
+        of_flight.brief = brief;
+        make_second(of_flight, pool, stop, [&](const SecondPicture& made) {
+            ++stages;
+            CHECK(made.finished);
+            CHECK(made.difference.pixels.empty());
+            View view = of_flight.view;
+            const Lattice whole{.columns = view.width, .rows = view.height};
+            Tracer tracer(*scene, Precision::float32);
+            const Sampling sampling = brief ? Sampling{.grid = 1} : Sampling{};
+            const auto values = values_of(tracer, view, whole, pool, sampling, &stop);
+            for (std::size_t i = 0; i < made.image.pixels.size(); ++i)
+                CHECK(made.image.pixels[i] == TransferTable(false).pixel(&values[3 * i]));
+        });
+    }
+    CHECK(stages == 4);
+}
+
+TEST_CASE("pictures on the screen are compared by steps of 8 bits") {
+    SecondPicture result;
+    result.image.resize(2, 1), result.image.pixels = {0xff102030u, 0xff102030u};
+    ScreenImage other;
+    other.resize(2, 1), other.pixels = {0xff112030u, 0xff10221fu};
+    compare(other, result);
+    CHECK(result.difference.pixels == std::vector<std::uint32_t>{0xff100000u, 0xff0020ffu});
+    CHECK(result.differing == 1);
+    compare(result.image, result);
+    CHECK(result.differing == 0);
 }
 
 TEST_CASE("POV-Ray's picture comes in two stages, is kept, and ends when another one is wanted") {
