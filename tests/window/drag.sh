@@ -104,6 +104,21 @@ xdotool mousemove --window "$id" 25 92 sleep 0.2 click 1 sleep 0.3 key o \
 await 'chosen: body 3, plane, line 7'
 quit
 
+echo "-- the cone of a spotlight is opened by its circle"
+put "$camera" 'light { position <0, 0, 9>  color <.9, .9, .9>  spot { look_at <0, 0, 0>  radius 5  falloff 9 } }' \
+    'plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0> }'
+start scene.rt --size 640x400 --depth 2
+xdotool key l
+await 'lights are shown'
+xdotool mousemove --window "$id" 320 200 click 1
+await 'chosen: light 1, spotlight, line 2'
+xdotool key m m
+await 'circles open and close the cone of light'
+find_color 6EDC50 # the inner circle, which stays within the outer one
+drag "$x" "$y" 0 -60
+writes '^light .* spot { look_at <0, 0, 0>  radius 9  falloff 9 } }$'
+quit
+
 echo "-- a number that stands in a .pov scene is typed, and written in place"
 printf '%s\n' '#declare R = 1;' 'camera { location <0, 0, -6> look_at 0 } light_source { -9, 1 }' \
     'sphere { 0, R*2 pigment { rgb <1, 0, 0> } finish { phong .5 } } // mine' >ball.pov
