@@ -44,6 +44,7 @@ OpenedPov open_pov(std::string text, const InterpreterOptions& options, const Re
     SceneMaker maker(in, read_pixels, layer.contents);
     OpenedPov opened{
         .scene = maker.make(), .mirrored = maker.mirrors(), .notes = {}, .warnings = {}, .files = in.files()};
+    layer.tell_constants(in);
     opened.clock_used = in.clock_used();
     opened.lines = lines_of(maker.places(), in);
     std::vector<Remark> remarks = in.remarks();

@@ -213,6 +213,7 @@ std::optional<SolidPattern> PigmentMaker::solid_of(const Blend& blend, bool bend
         solid = of_function(moved_values(std::move(moves), *solid));
     }
     if (solid->function && notes.in.options().as_text) return std::nullopt;
+    if (solid->function) value_at(*solid, DVec3(0));  // calls functions in it that may be constants to be told of
     return solid;
 }
 

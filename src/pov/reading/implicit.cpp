@@ -1,4 +1,5 @@
-// Reads bodies that are defined by functions, and makes them meshes: blobs, polynomials and isosurfaces.
+// Reads bodies that are defined by functions, and makes them meshes: blobs, polynomials, isosurfaces and parametric
+// surfaces.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +11,7 @@
 #include "pov/reading/next_value.h"
 #include "pov/reading/reader.h"
 #include "pov/things/implicit.h"
+#include "pov/things/surfaces.h"
 
 namespace strahl::pov {
 namespace {
@@ -79,6 +81,38 @@ class BlobField {
     Box box;
     std::vector<std::vector<const BlobPart*>> near;
 };
+
+/// The body within which a surface is shown: a box, or a ball.
+struct Container {
+    bool ball = false;
+    Box box{DVec3(-1), DVec3(1)};
+
+    /// Returns how far a point is outside of it.
+    double beyond(const DVec3& p) const {
+        const DVec3 half = box.size() / 2., off = p - box.centre(), far = abs(off) - half;
+        return ball ? length(off) - half.x : std::max({far.x, far.y, far.z});
+    }
+};
+
+/// Reads what follows the word `contained_by`.
+Container read_container(Interpreter& in) {
+    Container own;
+    in.begin_block();
+    own.ball = in.at("sphere");
+    in.skip();
+    in.begin_block();
+    const DVec3 first = in.read_vector();
+    if (own.ball) {
+        const DVec3 radius(std::fabs(next_number(in)));
+        own.box = {first - radius, first + radius};
+    } else {
+        const DVec3 second = next_vector(in);
+        own.box = {min(first, second), max(first, second)};
+    }
+    in.end_block();
+    in.end_block();
+    return own;
+}
 
 std::vector<double> read_coefficients(Interpreter& in, int order) {
     std::vector<double> all;
@@ -152,26 +186,13 @@ void PovReader::read_blob(Interpreter& in, ObjectThing& object) {
 void PovReader::read_isosurface(Interpreter& in, ObjectThing& object) {
     std::shared_ptr<const FunctionThing> function;
     double threshold = 0;
-    bool open = false, ball = false;
-    Box box{DVec3(-1), DVec3(1)};
+    bool open = false;
+    Container within;
     for (;;) {
         if (in.at("function")) {
             function = in.read_function();
         } else if (in.accept("contained_by")) {
-            in.begin_block();
-            ball = in.at("sphere");
-            in.skip();
-            in.begin_block();
-            const DVec3 first = in.read_vector();
-            if (ball) {
-                const DVec3 radius(std::fabs(next_number(in)));
-                box = {first - radius, first + radius};
-            } else {
-                const DVec3 second = next_vector(in);
-                box = {min(first, second), max(first, second)};
-            }
-            in.end_block();
-            in.end_block();
+            within = read_container(in);
         } else if (in.accept("threshold")) {
             threshold = in.read_number();
         } else if (in.accept("accuracy") || in.accept("max_gradient") || in.accept("max_trace")) {
@@ -186,22 +207,62 @@ void PovReader::read_isosurface(Interpreter& in, ObjectThing& object) {
         in.skip_comma();
     }
     if (!function) return object.left_out("an isosurface without a function");
-    set_surface(object, "isosurface", [function, threshold, open, ball, box](int cells) {
-        const DVec3 middle = box.centre(), half = box.size() / 2.;
-        const auto beyond = [&](const DVec3& p) {  // of the container
-            const DVec3 off = abs(p - middle);
-            return ball ? length(p - middle) - half.x
-                        : std::max({off.x - half.x, off.y - half.y, off.z - half.z});
-        };
+    set_surface(object, "isosurface", [function, threshold, open, within](int cells) {
         const Inside inside = [&](std::span<const DVec3> points, double* values) {
             function->evaluate_all(points, values);
             for (const DVec3& p : points) {
                 const double own = *values - threshold;
-                *values++ = open ? own : std::max(own, beyond(p));
+                *values++ = open ? own : std::max(own, within.beyond(p));
             }
         };
-        const DVec3 margin = (open ? 0. : .02) * box.size();
-        return level_surface(inside, {box.low - margin, box.high + margin}, cells);
+        const DVec3 margin = (open ? 0. : .02) * within.box.size();
+        return level_surface(inside, {within.box.low - margin, within.box.high + margin}, cells);
+    });
+}
+
+void PovReader::read_parametric(Interpreter& in, ObjectThing& object) {
+    std::array<std::shared_ptr<const FunctionThing>, 3> functions;
+    for (auto& own : functions) {
+        if (!in.at("function")) in.expected("'function'");
+        own = in.read_function();
+        if (own->arguments > 3 || own->results != 1) in.fail("a function of u and v expected, with one result");
+        in.skip_comma();
+    }
+    const auto first = in.read_uv();
+    in.skip_comma();
+    const auto last = in.read_uv();
+    Container within;
+    for (;;) {
+        in.skip_comma();
+        if (in.accept("contained_by")) {
+            within = read_container(in);
+        } else if (in.accept("accuracy") || in.accept("max_gradient")) {
+            in.read_number();
+        } else if (in.accept("precompute")) {
+            in.read_number();
+            while (in.accept(',') || in.accept("x") || in.accept("y") || in.accept("z")) {
+            }
+        } else {
+            break;
+        }
+    }
+    set_surface(object, "parametric", [=](int cells) {
+        const auto point = [&](double u, double v) {
+            const double given[3]{u, v, 0};
+            DVec3 p;
+            for (int i = 0; i < 3; ++i) functions[std::size_t(i)]->evaluate(given, &p[i]);
+            return p;
+        };
+        const double du = last[0] - first[0], dv = last[1] - first[1];
+        constexpr double step = 1e-5;
+        return patch(2 * cells, [&](double a, double b) {
+            const double u = first[0] + a * du, v = first[1] + b * dv;
+            DVec3 p = point(u, v);
+            if (within.beyond(p) > 1e-6 * length(within.box.size())) p = DVec3(NAN);
+            const DVec3 normal = cross_product(point(u + step * du, v) - point(u - step * du, v),
+                                               point(u, v + step * dv) - point(u, v - step * dv));
+            return std::pair(p, std::isfinite(dot_product(normal, normal)) ? normal : DVec3(0));
+        });
     });
 }
 
@@ -212,6 +273,8 @@ bool PovReader::read_implicit(Interpreter& in, std::uint16_t code, ObjectThing& 
             return read_blob(in, object), true;
         case word("isosurface"):
             return read_isosurface(in, object), true;
+        case word("parametric"):
+            return read_parametric(in, object), true;
         case word("cubic"):
         case word("quartic"):
         case word("poly"): {

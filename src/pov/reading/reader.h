@@ -18,6 +18,8 @@ class PovReader : public SceneLayer {
   public:
     /// Reads everything up to the end.
     void read_all(Interpreter& interpreter);
+    /// Tells of the functions that are .5 everywhere, and have been called since.
+    void tell_constants(Interpreter& interpreter) const;
 
     NamedValue read_thing(Interpreter& in) override;
     void read_default(Interpreter& in) override;
@@ -82,6 +84,7 @@ class PovReader : public SceneLayer {
     bool read_implicit(Interpreter& in, std::uint16_t code, ObjectThing& object);
     void read_blob(Interpreter& in, ObjectThing& object);
     void read_isosurface(Interpreter& in, ObjectThing& object);
+    void read_parametric(Interpreter& in, ObjectThing& object);
     static void set_polynomial(ObjectThing& object, int order, const std::vector<double>& coefficients);
     static void set_surface(ObjectThing& object, const char* name, std::function<MeshData(int cells)> make);
     // lights.cpp

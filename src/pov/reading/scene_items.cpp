@@ -121,6 +121,9 @@ bool PovReader::read_item(Interpreter& in) {
 void PovReader::read_all(Interpreter& in) {
     while (!in.at_end())
         if (!read_item(in)) in.expected("a body, a light or a declaration");
+}
+
+void PovReader::tell_constants(Interpreter& in) const {
     for (const auto& [place, used] : pattern_functions)
         if (*used) in.remark(Remark::Kind::approximated, place, "a function of a pattern is .5 everywhere");
 }

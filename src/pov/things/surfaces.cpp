@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <tuple>
 #include <utility>
 
 #include "mesh/split.h"
@@ -185,6 +186,26 @@ MeshData superellipsoid(double e, double n, int cells) {
     return mesh.finish();
 }
 
+MeshData patch(int pieces, const std::function<std::pair<DVec3, DVec3>(double u, double v)>& at) {
+    const auto side = std::size_t(pieces) + 1;
+    std::vector<std::pair<DVec3, DVec3>> corners;
+    for (std::size_t i = 0; i < side; ++i)
+        for (std::size_t j = 0; j < side; ++j) corners.push_back(at(double(i) / pieces, double(j) / pieces));
+    MeshBuilder mesh;
+    for (std::size_t i = 0; i + 1 < side; ++i)
+        for (std::size_t j = 0; j + 1 < side; ++j) {
+            std::array<DVec3, 4> p, n;
+            double sum = 0;
+            const std::size_t first = i * side + j, square[4]{first, first + side, first + side + 1, first + 1};
+            for (std::size_t k = 0; k < 4; ++k) {
+                std::tie(p[k], n[k]) = corners[square[k]];
+                sum += p[k].x + p[k].y + p[k].z;
+            }
+            if (std::isfinite(sum)) mesh.add_square(p, n);
+        }
+    return mesh.finish();
+}
+
 MeshData bicubic(const std::array<DVec3, 16>& points, int pieces) {
     const auto weights = [](double t) {
         const double s = 1 - t;
@@ -200,19 +221,10 @@ MeshData bicubic(const std::array<DVec3, 16>& points, int pieces) {
             for (std::size_t j = 0; j < 4; ++j) p += v[i] * u[j] * points[4 * i + j];
         return p;
     };
-    MeshBuilder mesh;
-    for (int i = 0; i < pieces; ++i)
-        for (int j = 0; j < pieces; ++j) {
-            std::array<DVec3, 4> p, n;
-            const int corners[4][2]{{i, j}, {i + 1, j}, {i + 1, j + 1}, {i, j + 1}};
-            for (std::size_t k = 0; k < 4; ++k) {
-                const double v = double(corners[k][0]) / pieces, u = double(corners[k][1]) / pieces;
-                p[k] = sum(weights(v), weights(u));
-                n[k] = cross_product(sum(slopes(v), weights(u)), sum(weights(v), slopes(u)));
-            }
-            mesh.add_square(p, n);
-        }
-    return mesh.finish();
+    return patch(pieces, [&](double v, double u) {
+        return std::pair(sum(weights(v), weights(u)),
+                         cross_product(sum(slopes(v), weights(u)), sum(weights(v), slopes(u))));
+    });
 }
 
 MeshData height_field(int width, int height, std::span<const double> heights, double water, bool smooth) {

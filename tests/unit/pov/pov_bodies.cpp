@@ -445,6 +445,13 @@ TEST_CASE("POV-Ray: blobs, polynomials and isosurfaces become meshes near their 
        1);
     is(distances("isosurface { function { x*x + y*y + z*z } threshold 4 contained_by { box { -3, 3 } } }"), 2);
     CHECK(opened("isosurface { function { 1 } }").scene.primitives.empty());
+    is(distances("parametric { function { 2*sin(u)*cos(v) } function { 2*cos(u) }, function(a, b) { 2*sin(a)*sin(b) }"
+                 "<0, 0>, <pi, 2*pi> contained_by { sphere { 0, 2 } } precompute 4 x, y, z accuracy .1 }"),
+       2);
+    const Scene strip =
+        opened("parametric { function { u } function { .01/v } function { 0 } <-3, -1>, <3, 1> }").scene;
+    CHECK(shape<Mesh>(strip).bounds().high.x < 1.0001);  // its container is the usual box, and 1/0 is left out
+    CHECK(opened("parametric { function { u } function { v } function { 5 } <0, 0>, <1, 1> }").notes.size() == 2);
     // Noise as fine as the grid cuts its cells in all ways; the surface is closed, and keeps to its container.
     const Scene noise = opened(
                             "#declare N = function { internal(76) }"
