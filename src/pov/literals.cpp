@@ -20,9 +20,10 @@ namespace {
 constexpr int most_levels = 8;  // of declarations that name others
 constexpr std::size_t most_values = 200, most_names = 100;
 
-constexpr std::array body_codes{word("sphere"), word("box"),        word("cylinder"),    word("cone"),   word("torus"),
-                                word("plane"),  word("disc"),       word("triangle"),    word("object"), word("union"),
-                                word("merge"),  word("difference"), word("intersection")};
+constexpr std::array body_codes{word("sphere"),       word("box"),         word("cylinder"), word("cone"),
+                                word("torus"),        word("plane"),       word("disc"),     word("triangle"),
+                                word("object"),       word("union"),       word("merge"),    word("difference"),
+                                word("intersection"), word("light_source")};
 /// Words that are values.
 constexpr std::array value_codes{word("x"),   word("y"),    word("z"),     word("u"),  word("v"),
                                  word("t"),   word("pi"),   word("clock"), word("on"), word("off"),
@@ -38,17 +39,26 @@ bool ends_value(const RawToken& token) {
            token.code == ']' || is_one_of(token.code, value_codes);
 }
 
-/// Returns the names of a body's arguments; none if POV-Ray's are others.
-std::vector<std::string> argument_names(std::string_view body) {
-    std::vector<std::string> names;
+struct Argument {
+    std::string name;
+    NumberRange range = anything;
+};
+/// Returns the arguments of a body or a light; none if POV-Ray's are others.
+std::vector<Argument> arguments_of(std::string_view body) {
+    if (body == "light_source") return {{"location"}, {"color"}};
+    std::vector<Argument> arguments;
     const auto add = [&]<class Kind>(std::type_identity<Kind>) {
         if (Kind::name == body && body != Torus::name && body != Plane::name)
-            std::apply([&](const auto&... field) { (names.emplace_back(field.name), ...); }, Kind::fields);
+            std::apply(
+                [&](const auto&... field) {
+                    (arguments.push_back({std::string(field.name), argument_range(field.range)}), ...);
+                },
+                Kind::fields);
     };
     [&]<class... Kinds>(std::type_identity<std::variant<Kinds...>>) {
         (add(std::type_identity<Kinds>()), ...);
     }(std::type_identity<Shape>());
-    return names;
+    return arguments;
 }
 
 class BlockNumbers {
@@ -58,7 +68,7 @@ class BlockNumbers {
     std::vector<BodyValue> find(std::size_t at) {
         const auto first = std::ranges::lower_bound(tokens, at, {}, &RawToken::at);
         if (first == tokens.end() || first->at != at || !is_one_of(first->code, body_codes)) return {};
-        read_block(static_cast<std::size_t>(first - tokens.begin()), "", 0);
+        read_block(static_cast<std::size_t>(first - tokens.begin()), "", 0, "");
         return std::move(values);
     }
 
@@ -75,7 +85,7 @@ class BlockNumbers {
     std::optional<std::size_t> read_number(std::size_t i, BodyValue& value) const;
     /// Reads a number or a vector of them at `i`, likewise.
     std::optional<std::size_t> read_value(std::size_t i, BodyValue& value) const;
-    void read_block(std::size_t begin, const std::string& source, int level);
+    void read_block(std::size_t begin, const std::string& source, int level, const std::string& part);
     void read_name(std::size_t i, const std::string& name, int level);
     /// Returns the number of the token after '=' of the only declaration of a name; 0 if there is none.
     std::size_t declaration(std::uint32_t name) const;
@@ -158,27 +168,28 @@ void BlockNumbers::read_name(std::size_t i, const std::string& name, int level) 
         "declare " + word_at(i) + ", line " + std::to_string(line_number(file.text, tokens[at].at));
     BodyValue value;
     if (tokens[at].code >= first_word_code && tokens[at + 1].code == '{')
-        read_block(at, source, level + 1);
+        read_block(at, source, level + 1, "");
     else if (const auto end = read_value(at, value); end && (tokens[*end].code == ';' || tokens[*end].code == '#'))
         add(std::move(value), name, source);
 }
 
-/// Reads the block of the word at `begin`.
-void BlockNumbers::read_block(std::size_t begin, const std::string& source, int level) {
+/// Reads the block of the word at `begin`, and those of its parts. `part` comes before the names of its numbers.
+void BlockNumbers::read_block(std::size_t begin, const std::string& source, int level, const std::string& part) {
     if (tokens[begin + 1].code != '{') return;
     const std::size_t end = closing(begin + 1), known = values.size();
-    const std::vector<std::string> arguments = argument_names(word_at(begin));
+    const std::vector<Argument> arguments = arguments_of(word_at(begin));
     const bool body = is_one_of(tokens[begin].code, body_codes);
     std::vector<std::string> blocks;  // from the outermost, without the body's
     if (!body) blocks.push_back(word_at(begin));
     std::string last;
     bool argument = body;   // no word has come yet
     std::size_t count = 0;  // of the body's arguments
+    int parts = 0;
     const auto name = [&] {
         if (argument)
-            return count <= arguments.size() && count > 0 ? arguments[count - 1]
-                                                          : word_at(begin) + " " + std::to_string(count);
-        return blocks.empty() ? last : blocks.back() + (last.empty() ? "" : " " + last);
+            return part + (count <= arguments.size() && count > 0 ? arguments[count - 1].name
+                                                                  : word_at(begin) + " " + std::to_string(count));
+        return part + (blocks.empty() ? last : blocks.back() + (last.empty() ? "" : " " + last));
     };
     for (std::size_t i = begin + 2; i < end; ++i) {
         const RawToken& token = tokens[i];
@@ -191,17 +202,23 @@ void BlockNumbers::read_block(std::size_t begin, const std::string& source, int 
         } else if (token.code >= first_word_code && !is_one_of(token.code, value_codes)) {
             const bool opens = tokens[i + 1].code == '{';
             argument = false;
-            if (opens && is_one_of(token.code, body_codes))
+            if (opens && is_one_of(token.code, body_codes)) {
+                // Names are short: of parts of parts they begin with the innermost one.
+                if (level < most_levels)
+                    read_block(i, source, level + 1, word_at(i) + " " + std::to_string(++parts) + ": ");
                 i = closing(i + 1), last.clear();
-            else if (opens)
+            } else if (opens) {
                 blocks.push_back(word_at(i)), last.clear(), ++i;
-            else
+            } else {
                 last = word_at(i);
+            }
         } else if (token.code == number_code || token.code == '-' || token.code == '<') {
             // An expression counts as an argument at its end.
             BodyValue value;
             if (const auto behind = read_value(i, value)) {
-                count += argument, add(std::move(value), name(), source), i = *behind - 1;
+                count += argument;
+                if (argument && count <= arguments.size()) value.range = arguments[count - 1].range;
+                add(std::move(value), name(), source), i = *behind - 1;
             } else if (token.code == '<') {
                 i = closing(i);
                 if (i < end) count += argument && !is_operator(tokens[i + 1].code);

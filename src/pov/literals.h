@@ -8,9 +8,10 @@
 
 namespace strahl::pov {
 
-/// Returns the numbers and vectors in the block of a body whose word stands at a place, and in what it names that is
-/// declared once, with the words before them. Those of a declaration have that as their source. Numbers that are
-/// computed are not among them: operands, arguments of functions and maps, and all of a block with directives.
+/// Returns the numbers and vectors in the block of a body or a light whose word stands at a place, in its parts, and in
+/// what it names that is declared once, with the words before them. Those of a declaration have that as their source.
+/// Numbers that are computed are not among them: operands, arguments of functions and maps, and all of a block with
+/// directives.
 std::vector<BodyValue> literals_of(const std::string& text, std::size_t at);
 
 }  // namespace strahl::pov

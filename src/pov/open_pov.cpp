@@ -10,14 +10,14 @@
 namespace strahl::pov {
 namespace {
 
-SourceLines lines_of(const std::vector<TextPlace>& places, const Interpreter& in) {
+SourceLines lines_of(const SceneMaker& maker, const Interpreter& in) {
     struct KnownText {
         std::uint32_t number;
         std::vector<std::uint32_t> ends;  // of its lines
     };
     std::map<std::uint32_t, KnownText> texts;
     SourceLines lines;
-    for (const TextPlace& place : places) {
+    const auto line_of = [&](const TextPlace& place) {
         const auto number = static_cast<std::uint32_t>(texts.size());
         const auto [known, fresh] = texts.try_emplace(place.file, KnownText{number, {}});
         auto& ends = known->second.ends;
@@ -29,9 +29,12 @@ SourceLines lines_of(const std::vector<TextPlace>& places, const Interpreter& in
             lines.files.push_back(in.path_of(place));
         }
         const auto before = std::ranges::lower_bound(ends, place.at) - ends.begin();
-        lines.bodies.push_back({known->second.number, static_cast<int>(before) + 1});
-        if (place.file == 0) lines.bodies.back().at = place.at;
-    }
+        SourceLines::BlockLine line{known->second.number, static_cast<int>(before) + 1};
+        if (place.file == 0) line.at = place.at;
+        return line;
+    };
+    for (const TextPlace& place : maker.places()) lines.bodies.push_back(line_of(place));
+    for (const TextPlace& place : maker.places_of_lights()) lines.lights.push_back(line_of(place));
     return lines;
 }
 
@@ -46,7 +49,7 @@ OpenedPov open_pov(std::string text, const InterpreterOptions& options, const Re
         .scene = maker.make(), .mirrored = maker.mirrors(), .notes = {}, .warnings = {}, .files = in.files()};
     layer.tell_constants(in);
     opened.clock_used = in.clock_used();
-    opened.lines = lines_of(maker.places(), in);
+    opened.lines = lines_of(maker, in);
     std::vector<Remark> remarks = in.remarks();
     std::ranges::stable_sort(remarks, {}, [](const Remark& own) { return std::pair(own.place.file, own.place.at); });
     for (const Remark& own : remarks) {

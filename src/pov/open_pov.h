@@ -17,15 +17,15 @@ struct PovNote {
     std::string text;  // "scene.pov:12: left out: media"
 };
 
-/// The places of the bodies of a scene in the texts that it was made of.
+/// The places of the bodies and lights of a scene in the texts that it was made of.
 struct SourceLines {
-    struct BodyLine {
-        std::uint32_t file = 0;  // its number in `files`
-        int number = 0;          // counted from 1
-        std::optional<std::size_t> at{};  // where the body's word stands in the scene's own text, if it does
+    struct BlockLine {
+        std::uint32_t file = 0;           // its number in `files`
+        int number = 0;                   // counted from 1
+        std::optional<std::size_t> at{};  // where the word of the block stands in the scene's own text, if it does
     };
-    std::vector<std::string> files{};  // their paths
-    std::vector<BodyLine> bodies{};        // by the number of the body
+    std::vector<std::string> files{};           // their paths
+    std::vector<BlockLine> bodies{}, lights{};  // by the number of the body or the light
 };
 
 struct OpenedPov {

@@ -31,7 +31,7 @@ struct OpenedScene {
     // about the meshes and pictures of scene text.
     std::vector<std::string> notes{};
     std::string summary{};             // of the notes; empty for scene text
-    pov::SourceLines lines{};          // of the bodies of a .pov
+    pov::SourceLines lines{};          // of the bodies and lights of a .pov
     bool mirrored = false;             // the scene is the mirror image in z of that of a .pov
     std::vector<std::string> files{};  // of a .pov, or of a text with directives: all that were read, the scene's first
     bool changes = false;              // a .pov that uses its clock: it has to be read again for each moment

@@ -14,6 +14,11 @@
 namespace strahl {
 
 void BodyTools::loaded(const Loaded& scene) {
+    if (scene.moved) {
+        good = scene.text;
+        bodies.take_lines(scene.lines, scene.text);
+        return bodies.look(*session.scene);
+    }
     if (scene.opened) not_shown.show_all();
     if (scene.opened)
         bodies.open(scene.text, is_pov(scene.path));

@@ -105,6 +105,7 @@ void SceneMaker::add_light(const ObjectThing& object, const Around& around) {
     }
     light.color = {std::min(light.color.x, 1e9), std::min(light.color.y, 1e9), std::min(light.color.z, 1e9)};
     scene.lights.push_back(light);
+    light_places.push_back(object.place);
 }
 
 }  // namespace strahl::pov

@@ -30,6 +30,8 @@ class SceneMaker {
     bool mirrors() const { return mirrored; }
     /// The places of the scene's bodies in the texts.
     const std::vector<TextPlace>& places() const { return kept_places; }
+    /// Those of its lights.
+    const std::vector<TextPlace>& places_of_lights() const { return light_places; }
     /// Returns the bodies of one object.
     std::vector<Primitive> bodies_of(const ObjectThing& object);
 
@@ -98,7 +100,7 @@ class SceneMaker {
         TextPlace place;
     };
     std::vector<Seen> shown;  // of each primitive
-    std::vector<TextPlace> kept_places;
+    std::vector<TextPlace> kept_places, light_places;
     int surfaces_made = 0;  // meshes of bodies that functions define
     struct SurfaceUse {
         int count = 0;  // of bodies that are this surface

@@ -111,19 +111,21 @@ void BodyEditor::look(const Scene& scene) {
         if (chosen_light->light >= std::ssize(scene.lights)) return close();
         chosen_light->target &= scene.lights[std::size_t(chosen_light->light)].spot.has_value();
         description = light_text(text, scene, chosen_light->light);
+        look_at_literals(lines.lights, chosen_light->light);
     }
     if (!chosen) return;
     if (chosen->at.body >= std::ssize(scene.primitives)) return close();
     const std::string before = description.kind;
     description = body_text(text, scene, chosen->at.body, chosen->at.hit.leaf);
-    if (read_only() && std::size_t(chosen->at.body) < lines.bodies.size()) look_at_literals();
+    look_at_literals(lines.bodies, chosen->at.body);
     if (description.kind.empty() || (!before.empty() && description.kind != before)) close();
 }
 
-/// Finds the line of the body chosen in a text for POV-Ray, and its numbers in it, which come before those of the
-/// scene.
-void BodyEditor::look_at_literals() {
-    const pov::SourceLines::BodyLine& place = lines.bodies[std::size_t(chosen->at.body)];
+/// Finds the line of the body or the light chosen in a text for POV-Ray, and its numbers in it, which come before those
+/// of the scene. `places` are those of all bodies, or of all lights.
+void BodyEditor::look_at_literals(const std::vector<pov::SourceLines::BlockLine>& places, int number) {
+    if (!povray || std::size_t(number) >= places.size()) return;
+    const pov::SourceLines::BlockLine& place = places[std::size_t(number)];
     description.line = place.number, other_file = lines.files[place.file];
     if (!place.at) return;
     // Until a changed text was read, what is behind its first change stands further along by what the text has grown.
@@ -131,11 +133,11 @@ void BodyEditor::look_at_literals() {
     const auto same = std::ranges::mismatch(text, lines_text).in1 - text.begin();
     const std::size_t at = *place.at < std::size_t(same) ? *place.at : *place.at + text.size() - lines_text.size();
     std::vector<BodyValue> values = pov::literals_of(text, at);
-    const auto makes = std::ranges::count(lines.bodies, place.at, &pov::SourceLines::BodyLine::at);
+    const auto makes = std::ranges::count(places, place.at, &pov::SourceLines::BlockLine::at);
     for (BodyValue& value : values)
         if (makes > 1 && value.source.empty())
-            value.source =
-                "line " + std::to_string(place.number) + ", which makes " + std::to_string(makes) + " bodies";
+            value.source = "line " + std::to_string(place.number) + ", which makes " + std::to_string(makes) +
+                           (chosen ? " bodies" : " lights");
     description.values.insert(description.values.begin(), values.begin(), values.end());
 }
 

@@ -49,7 +49,7 @@ class BodyEditor {
     /// Takes the text of a scene that was just opened; it is empty if its numbers cannot be changed. Of one for POV-Ray
     /// nothing else can.
     void open(const std::string& text, bool for_povray = false) { *this = {}, edited.open(text), povray = for_povray; }
-    /// Takes the places of the bodies of a scene for POV-Ray in a text.
+    /// Takes the places of the bodies and lights of a scene for POV-Ray in a text.
     void take_lines(pov::SourceLines newer, const std::string& of) { lines = std::move(newer), lines_text = of; }
 
     /// Chooses the body that is seen at a point of the view's picture, in pixels, or none. The same point clicked again
@@ -102,7 +102,7 @@ class BodyEditor {
     std::optional<Ray<double>> clicked;
     BodyText description;
     std::string other_file;
-    void look_at_literals();
+    void look_at_literals(const std::vector<pov::SourceLines::BlockLine>& places, int number);
 
     bool povray = false;
     pov::SourceLines lines;

@@ -54,7 +54,7 @@ Loaded loaded_scene(const std::string& path, const std::string& text, bool opene
             .mirrored = read.mirrored,
             .changes = read.changes,
             .lines = std::move(read.lines),
-            .text = read.changes || text.size() > most_text ? std::string() : text};
+            .text = text.size() > most_text ? std::string() : text};
 } catch (const FileError& error) {
     return {.path = path, .fault = error.what(), .opened = opened};
 }
@@ -161,6 +161,7 @@ class Reload::FileThread {
 
     const std::shared_ptr<Desk> desk;
     std::string path, text, own_text, own_tracks, own_flight;  // own_: what Strahl wrote last
+    std::optional<std::string> shown_text;                     // what was shown since the file was read or written
     OpeningOptions options;
     bool any_scene = false;  // has been read
     FileStamp known, before;
@@ -298,7 +299,7 @@ void Reload::FileThread::show_text(const TextToShow& changed) {
         if (scene) loaded.scene = std::make_shared<const Scene>(*std::move(scene));
     }
     if (!loaded.scene) loaded = load(path, changed.text, false);
-    loaded.text = changed.text;  // also of one with an error
+    shown_text = loaded.text = changed.text;  // also of one with an error
     {
         std::lock_guard lock(desk->mutex);
         desk->shown = std::move(loaded);
@@ -308,7 +309,7 @@ void Reload::FileThread::show_text(const TextToShow& changed) {
 
 void Reload::FileThread::read_moment(double seconds) {
     options.time = seconds;
-    Loaded loaded = load(path, text, false);
+    Loaded loaded = load(path, shown_text.value_or(text), false);
     loaded.moved = true;
     std::unique_lock lock(desk->mutex);
     if (!loaded.scene || desk->result) return;  // the error is told when the file changes
@@ -339,7 +340,7 @@ void Reload::FileThread::open_file(const std::string& file, bool first) {
         loaded.fault = error.what();
     }
     any_scene |= loaded.scene != nullptr;
-    if (loaded.scene || !any_scene) path = file, text = std::move(content), known = before = {};
+    if (loaded.scene || !any_scene) path = file, text = std::move(content), known = before = {}, shown_text.reset();
     tell(std::move(loaded));
 }
 
@@ -352,7 +353,7 @@ void Reload::FileThread::check_file() {
     known = now;
     std::optional<std::string> content = answer([this] { return text_of(path); });
     if (!content || (*content == text && !included)) return;
-    text = std::move(*content);
+    text = std::move(*content), shown_text.reset();
     tell(load(path, text, false));
 }
 
@@ -364,7 +365,10 @@ Written Reload::FileThread::write_path(const Request& request) try {
     if (content != text && !request.anyway) return {.file = path, .asks = true};
     // Throws: in texts with errors no block can be found.
     const OpenedScene before = scene_for_window(content, path, options);
-    const bool same_path = before.scene.flythrough == request.flythrough;
+    const auto& path_before = before.scene.flythrough;
+    // The flight of a clock has no keys.
+    const bool same_path =
+        path_before == request.flythrough || (path_before && path_before->keys.empty() && !request.flythrough);
     const RebasedText merged = bodies ? rebased(request.changes, content) : RebasedText{};
     if (merged.lost)
         return {.fault = path + " has changed in lines that were changed here; undo, or copy it and reload"};
@@ -377,7 +381,7 @@ Written Reload::FileThread::write_path(const Request& request) try {
     Written done{.file = path, .what = !bodies ? "path" : same_path ? "changes" : "path and changes"};
     if (content != own_text) write(done.copy = path + "~", content);
     write(path, changed);
-    text = own_text = changed;
+    text = own_text = changed, shown_text.reset();
     if (beside && !same_path) return write_flight(request.flythrough);
     tell(std::move(loaded));
     return done;

@@ -37,8 +37,38 @@ TEST_CASE("numbers of a body are found by the words before them") {
           "base 0; base's radius 1; cap 0, 2, 0; cap's radius 0; pigment rgb .5; texture scale 2");
     CHECK(literals("torus { 2, .25 }", "torus") == "torus 1 2; torus 2 .25");
     CHECK(literals("difference { sphere { 0, 1 } box { -1, 1 } translate <1, 2, 3> }", "difference") ==
-          "translate 1, 2, 3");
+          "sphere 1: centre 0; sphere 1: radius 1; box 2: corner -1; box 2: opposite corner 1; translate 1, 2, 3");
+    CHECK(literals("union { difference { sphere { 0, 1 } torus { 2, 1 scale 3 } } }", "union") ==
+          "sphere 1: centre 0; sphere 1: radius 1; torus 2: torus 1 2; torus 2: torus 2 1; torus 2: scale 3");
+    std::string nested;
+    for (int i = 0; i < 100'000; ++i) nested += "union { sphere { 0, 1 } ";
+    CHECK(pov::literals_of(nested, 0).size() < 50);
     CHECK(literals("difference { sphere { 0, 1 } box { -1, 1 } }", "box") == "corner -1; opposite corner 1");
+}
+
+TEST_CASE("arguments of bodies have the ranges that they have in scene text") {
+    const auto values = pov::literals_of("cone { 0, 1, <0, 2, 0>, 0 scale 2 }", 0);
+    REQUIRE(values.size() == 5);
+    CHECK(values[1].range.low == 0);
+    CHECK(values[2].range.high == coordinates.high);
+    CHECK(values[4].range.high == anything.high);
+    CHECK(pov::literals_of("sphere { 0, 1 }", 0).at(1).range.low > 0);
+}
+
+TEST_CASE("numbers of a light are found likewise") {
+    CHECK(literals("light_source { <5, 8, -6>, .5 }", "light") == "location 5, 8, -6; color .5");
+    CHECK(literals("light_source { 0 color rgb <1, .9, .8> spotlight point_at <0, 1, 0> radius 20 falloff 30 "
+                   "looks_like { sphere { 0, .1 } } translate 3 }",
+                   "light") ==
+          "location 0; rgb 1, .9, .8; point_at 0, 1, 0; radius 20; falloff 30; sphere 1: centre 0; "
+          "sphere 1: radius .1; translate 3");
+    const pov::OpenedPov two = opened(
+        "camera { right -4/3*x }\n#declare L = light_source { 1, 1 }\nlight_source { L }\n"
+        "light_source { 2, 0 }\nlight_source { 3, 1 }",
+        false);
+    REQUIRE(two.lines.lights.size() == 2);   // a black one is left out
+    CHECK(two.lines.lights[0].number == 2);  // where its numbers stand
+    CHECK(two.lines.lights[1].number == 5);
 }
 
 TEST_CASE("what is computed is left out, and does not count for another argument") {
@@ -61,7 +91,7 @@ TEST_CASE("what is computed is left out, and does not count for another argument
             const std::size_t at = text.erase(begin, count).find("sphere");
             if (at != text.npos) CHECK_NOTHROW(pov::literals_of(text, at));
         }
-    CHECK(literals("light_source { 0, 1 }", "light") == "");
+    CHECK(literals("camera { location 1 }", "camera") == "");
     CHECK(pov::literals_of("sphere { 0, 1 }", 3).empty());
     CHECK(pov::literals_of("", 0).empty());
 }

@@ -300,6 +300,29 @@ TEST_CASE("a scene of POV-Ray is read again when a file changes that it includes
     std::ofstream(folder / "scene.ini") << "Final_Frame=251 Final_Clock=1\nFinal_Clock=3\n";
     REQUIRE(next());
     CHECK(std::get<Sphere>(loaded->scene->primitives[0].shape).centre.x == doctest::Approx(15));
+
+    // A text that was changed is shown at the moment that is seen, and stays for other moments.
+    const std::string text = bytes_of(path), changed = text.substr(0, text.find("1 }")) + "2 }";
+    CHECK(loaded->text == text);
+    reload.show(changed);
+    REQUIRE(soon([&] { return (loaded = reload.take_shown()).has_value(); }));
+    const auto ball = [&] { return std::get<Sphere>(loaded->scene->primitives[0].shape); };
+    CHECK(ball().radius == 2);
+    CHECK(ball().centre.x == doctest::Approx(15));
+    reload.move_to(2.5);
+    REQUIRE(next());
+    CHECK(loaded->moved);
+    CHECK(loaded->text == changed);
+    CHECK(ball().radius == 2);
+    CHECK(ball().centre.x == doctest::Approx(7.5));
+    EditedText edited;
+    edited.open(text);
+    edited.change(changed, false, 0);
+    reload.write({}, edited.changes(), false);
+    std::optional<Written> written;
+    REQUIRE(soon([&] { return (written = reload.take_written()).has_value(); }));
+    CHECK(written->fault == "");
+    CHECK(bytes_of(path) == changed);
 }
 
 TEST_CASE("changed numbers are shown before they are written, and are written beside what others have changed") {
