@@ -39,14 +39,14 @@ bool ends_value(const RawToken& token) {
            token.code == ']' || is_one_of(token.code, value_codes);
 }
 
-struct Argument {
+struct NamedArgument {
     std::string name;
     NumberRange range = anything;
 };
 /// Returns the arguments of a body or a light; none if POV-Ray's are others.
-std::vector<Argument> arguments_of(std::string_view body) {
+std::vector<NamedArgument> arguments_of(std::string_view body) {
     if (body == "light_source") return {{"location"}, {"color"}};
-    std::vector<Argument> arguments;
+    std::vector<NamedArgument> arguments;
     const auto add = [&]<class Kind>(std::type_identity<Kind>) {
         if (Kind::name == body && body != Torus::name && body != Plane::name)
             std::apply(
@@ -177,7 +177,7 @@ void BlockNumbers::read_name(std::size_t i, const std::string& name, int level) 
 void BlockNumbers::read_block(std::size_t begin, const std::string& source, int level, const std::string& part) {
     if (tokens[begin + 1].code != '{') return;
     const std::size_t end = closing(begin + 1), known = values.size();
-    const std::vector<Argument> arguments = arguments_of(word_at(begin));
+    const std::vector<NamedArgument> arguments = arguments_of(word_at(begin));
     const bool body = is_one_of(tokens[begin].code, body_codes);
     std::vector<std::string> blocks;  // from the outermost, without the body's
     if (!body) blocks.push_back(word_at(begin));
