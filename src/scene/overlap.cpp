@@ -70,12 +70,10 @@ Box transformed_bounds(const Primitive& primitive, const glm::dmat4& to_world) {
 Box transformed_bounds(const Shape& any, const glm::dmat4& m) {
     return std::visit(
         [&](const auto& shape) {
+            if constexpr (requires { shape.bounds(m); })  // of a composite it may be infinite on some sides alone
+                if (m != glm::dmat4(1)) return shape.bounds(m);
             const Box own = shape.bounds();
-            if (m == glm::dmat4(1)) return own;
-            if constexpr (requires { shape.bounds(m); })
-                return shape.bounds(m);  // of a composite it may be infinite on some sides alone
-            else
-                return own.finite() ? transformed(own, m) : own;
+            return m != glm::dmat4(1) && own.finite() ? transformed(own, m) : own;
         },
         any);
 }

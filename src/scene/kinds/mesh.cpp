@@ -64,11 +64,14 @@ std::shared_ptr<const MeshData> Mesh::tetrahedron() {
 
 Box Mesh::bounds(const glm::dmat4& matrix) const {
     Box box;
-    std::vector<bool> used(data->points.size());
+    std::vector<char> used(data->points.size());  // single bits take longer
     for (const MeshData::Corners& triangle : data->triangles)
         for (const std::int32_t corner : triangle) used[corner] = true;
-    for (std::size_t i = 0; i < used.size(); ++i)
-        if (used[i]) box.add(transform_point(matrix, data->points[i]));
+    for (std::size_t i = 0; i < used.size(); ++i) {
+        if (!used[i]) continue;
+        const DVec3 p = transform_point(matrix, data->points[i]);
+        box = {min(box.low, p), max(box.high, p)};
+    }
     return box;
 }
 

@@ -46,16 +46,29 @@ struct Mesh {
     using Kernels = std::tuple<>;
     template <class T, class Emit>
     void emit(const WorldTransform& to_world, const Emit& emit) const {
-        const auto &points = data->points, &normals = data->normals;
+        const std::size_t triangles = data->triangles.size();
+        if constexpr (requires { emit.template count<TriangleKernel<T>>(triangles); })
+            data->corner_normals.empty() ? emit.template count<TriangleKernel<T>>(triangles)
+                                         : emit.template count<SmoothTriangleKernel<T>>(triangles);
+        else
+            emit_stretch(to_world, points_in<T>(to_world), 0, triangles, emit);
+    }
+    /// Returns the points in the world.
+    template <class T>
+    std::vector<Vec3<T>> points_in(const WorldTransform& to_world) const {
+        std::vector<Vec3<T>> points;
+        points.reserve(data->points.size());
+        for (const DVec3& point : data->points) points.push_back(cast<T>(to_world.point(point)));
+        return points;
+    }
+    /// Emits the triangles from `first` to before `last`.
+    template <class T, class Emit>
+    void emit_stretch(const WorldTransform& to_world, const std::vector<Vec3<T>>& corners, std::size_t first,
+                      std::size_t last, const Emit& emit) const {
+        const auto& normals = data->normals;
         const auto &triangles = data->triangles, &corner_normals = data->corner_normals;
-        if constexpr (requires { emit.template count<TriangleKernel<T>>(triangles.size()); })
-            return corner_normals.empty() ? emit.template count<TriangleKernel<T>>(triangles.size())
-                                          : emit.template count<SmoothTriangleKernel<T>>(triangles.size());
-        std::vector<Vec3<T>> corners;
-        corners.reserve(points.size());
-        for (const DVec3& point : points) corners.push_back(cast<T>(to_world.point(point)));
         const NormalTransform turn(to_world.matrix);
-        for (std::size_t i = 0; i < triangles.size(); ++i) {
+        for (std::size_t i = first; i < last; ++i) {
             const auto [a, b, c] = triangles[i];
             const TriangleKernel<T> flat{corners[a], corners[b], corners[c]};
             if (corner_normals.empty()) {

@@ -16,12 +16,16 @@ inline constexpr float infinity = std::numeric_limits<float>::infinity();
 using WholeQuad [[gnu::vector_size(16)]] = std::int32_t;
 
 struct QuadBox {
-    Quad low, high;  // coordinates x, y, z, and something that does not matter
+    // Coordinates x, y, z, and a number that does not matter. The whole number of an item box is a denormal float: sums
+    // of these take no longer, products many times as long.
+    Quad low, high;
 
     void add(const QuadBox& b) { low = minimum(low, b.low), high = maximum(high, b.high); }
     void add(Quad point) { low = minimum(low, point), high = maximum(high, point); }
     float half_area() const {
-        const Quad size = maximum(high - low, Quad{}), area = size * __builtin_shufflevector(size, size, 1, 2, 0, 3);
+        Quad size = maximum(high - low, Quad{});
+        size[3] = 0;
+        const Quad area = size * __builtin_shufflevector(size, size, 1, 2, 0, 3);
         return area[0] + area[1] + area[2];
     }
     Quad middle() const { return low + high; }  // twice the centre
@@ -54,7 +58,9 @@ inline int bins_for(std::int32_t count) { return count <= 16 ? 4 : count <= 64 ?
 struct BinScale {
     Quad from, per_bin, last;
     BinScale(const QuadBox& middles, Quad bins) : from(middles.low), per_bin(bins), last(bins - 1) {
-        per_bin /= middles.high - middles.low;
+        Quad size = middles.high - middles.low;
+        size[3] = from[3] = 1;
+        per_bin /= size;
         for (int i = 0; i < 3; ++i)
             if (!std::isfinite(per_bin[i])) per_bin[i] = 0;
     }

@@ -1,6 +1,7 @@
 // Makes items of primitives by all threads. Each item goes where it would be if they were made one after the other.
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <numeric>
 
 #include "scene/leaves.h"
@@ -76,6 +77,15 @@ void WorldArrays<T>::add_items(const Scene& scene, const Placement& placement, T
     surfaces = static_cast<int>(all.surfaces);
     add_contours(scene);
 
+    // Triangles of large meshes are made when all else is: by all threads, while a primitive is made by one.
+    struct LargeMesh {
+        const Mesh& mesh;
+        WorldTransform to_world;
+        ItemCounts before;
+        T material;
+    };
+    std::vector<LargeMesh> large;
+    std::mutex enlarging;
     std::vector<double> reaches(before.size());
     share_out(pool, size, share_items, [&](std::int32_t first, std::int32_t last) {
         ItemCounts own = before[first / share_items];
@@ -92,6 +102,13 @@ void WorldArrays<T>::add_items(const Scene& scene, const Placement& placement, T
                 for (int c = 0; c < 3; ++c) reach = std::max({reach, std::abs(box.low[c]), std::abs(box.high[c])});
             std::int32_t leaf = leaf_of(i);
             const T material = static_cast<T>(material_of(primitive, leaf));
+            const Mesh* const mesh = std::get_if<Mesh>(&primitive.shape);
+            if (mesh && mesh->data->triangles.size() > share_items && !proves) {
+                const std::lock_guard lock(enlarging);
+                large.push_back({*mesh, to_world, own, material});
+                count_items<T>(primitive, own);
+                continue;
+            }
             std::visit(
                 [&](const auto& shape) {
                     const int faces = faces_of(primitive.shape);
@@ -103,6 +120,17 @@ void WorldArrays<T>::add_items(const Scene& scene, const Placement& placement, T
         reaches[first / share_items] = reach;
     });
     reach = *std::max_element(reaches.begin(), reaches.end());
+    for (const LargeMesh& own : large) {
+        const std::vector<Vec3<T>> points = own.mesh.template points_in<T>(own.to_world);
+        share_out(pool, static_cast<std::int32_t>(own.mesh.data->triangles.size()), share_items,
+                  [&](std::int32_t first, std::int32_t last) {
+                      ItemCounts at = own.before;
+                      for (int& items : at.items) items += first;
+                      at.surfaces += first;
+                      own.mesh.emit_stretch(own.to_world, points, first, last,
+                                            PutItems<T>{*this, at, {}, own.material, Mesh::faces, 0});
+                  });
+    }
 }
 
 template void WorldArrays<float>::add_items(const Scene&, const Placement&, ThreadPool&, bool);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <random>
 #include <set>
 #include <tuple>
@@ -172,6 +173,42 @@ TEST_CASE("the hierarchy does not depend on the number of threads") {
                 apart += numbers(one.nodes[n]) != numbers(many.nodes[n]);
             }
         CHECK(apart == 0);
+    }
+}
+
+TEST_CASE("a large mesh, made by all threads, is the same as its halves") {
+    Scene scene = parse_scene(R"(
+        camera { position <0, -3, 2> look_at <0, 0, 0> up <0, 0, 1> fov 45 }
+        light { position <-4, -6, 8> color <1, 1, 1> }
+        defaultmaterial { rgb <1, .5, .2> diffuse .6 reflection .3 }
+        sphere { <0, 0, 1>, .3 } cylinder { <-1, 0, .5>, <1, 0, .5>, .1 })",
+                              "text");
+    const Primitive last = scene.primitives.back();
+    scene.primitives.pop_back();
+    constexpr int side = 60;
+    MeshData whole;
+    for (int i = 0; i < side * side; ++i)
+        whole.points.push_back({i % side * .034 - 1, i / side * .034 - 1, .1 * std::sin(i * .3)}),
+            whole.normals.push_back({std::cos(i), std::sin(i), 3});
+    for (int i = 0; i + side + 1 < side * side; ++i)
+        if (i % side + 1 < side)
+            whole.triangles.push_back({i, i + 1, i + side}), whole.triangles.push_back({i + 1, i + side + 1, i + side});
+    const auto middle = static_cast<std::ptrdiff_t>(whole.triangles.size() / 2);
+    for (const bool smooth : {false, true}) {
+        if (smooth) whole.corner_normals = whole.triangles;
+        MeshData halves[2]{whole, whole};
+        for (std::vector<MeshData::Corners> MeshData::*const list : {&MeshData::triangles, &MeshData::corner_normals})
+            if (auto& first = halves[0].*list, &second = halves[1].*list; !first.empty())
+                first.erase(first.begin() + middle, first.end()), second.erase(second.begin(), second.begin() + middle);
+        const auto picture = [&](const std::vector<MeshData>& meshes, Precision precision) {
+            Scene own = scene;
+            for (const MeshData& mesh : meshes)
+                own.primitives.push_back({Mesh{std::make_shared<const MeshData>(mesh), ""}, last.material, {}});
+            own.primitives.push_back(last);
+            return render(own, {.camera = own.camera, .width = 64, .height = 48, .depth = 3}, precision, 3);
+        };
+        for (const Precision precision : {Precision::float32, Precision::float64})
+            CHECK(picture({whole}, precision) == picture({halves[0], halves[1]}, precision));
     }
 }
 
