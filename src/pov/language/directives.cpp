@@ -74,10 +74,11 @@ void Interpreter::State::directive(const RawToken& raw) {
             if (controls.back().type != Control::ControlType::choice) {
                 leave(raw);
             } else if (raw.directive != word("else")) {  // cases fall through; their values are read over
-                expect('(');
-                number();
-                if (accept(',')) number();
-                expect(')');
+                double range[2];
+                if (raw.directive == word("range"))
+                    with_directives(false, [&] { arguments(range, 2); });
+                else
+                    parenthesised_number();
             }
             break;
         case word("end"):

@@ -655,7 +655,7 @@ std::shared_ptr<const FunctionThing> Interpreter::State::function(std::array<int
         (next.value->kind == ValueKind::function || next.value->kind == ValueKind::vector_function))
         return std::static_pointer_cast<const FunctionThing>(in.take_value().thing);
     expect(word("function"));
-    if (size && code() == number_code) {
+    if (size && at_value() && code() != '(') {
         for (int& each : *size) {
             each = in.read_integer();
             accept(',');

@@ -11,24 +11,46 @@
 namespace strahl::pov {
 namespace {
 
-const std::vector<std::pair<Primitive, Box>>& bodies_of(Interpreter& in, const Thing& thing) {
+using Bodies = std::vector<std::pair<Primitive, Box>>;
+
+const Bodies& bodies_of(Interpreter& in, const Thing& thing) {
     const auto& object = dynamic_cast<const ObjectThing&>(thing);
     if (!object.made.bodies) {
         const PovContents nothing;
-        std::vector<std::pair<Primitive, Box>> made;
+        Bodies made;
         for (Primitive& body : SceneMaker(in, {}, nothing, false).bodies_of(object)) {
             const Box box = world_bounds(body);
             made.emplace_back(std::move(body), box);
         }
-        object.made.bodies = std::make_shared<const std::vector<std::pair<Primitive, Box>>>(std::move(made));
+        object.made.bodies = std::make_shared<const Bodies>(std::move(made));
     }
     return *object.made.bodies;
 }
 
+bool any_contains(const Bodies& bodies, const DVec3& point) {
+    return std::ranges::any_of(bodies, [&](const auto& own) { return contains(own.first, point); });
+}
+
+struct InsideFunction : FunctionThing {
+    InsideFunction(std::shared_ptr<const Bodies> bodies, const glm::dmat4& inverse)
+        : bodies(std::move(bodies)), inverse(inverse) {}
+    void evaluate(const double* given, double* result) const override {
+        *result = any_contains(*bodies, transform_point(inverse, {given[0], given[1], given[2]}));
+    }
+    const std::shared_ptr<const Bodies> bodies;
+    const glm::dmat4 inverse;
+};
+
 }  // namespace
 
 bool PovLayer::inside(Interpreter& in, const Thing& object, const DVec3& point) {
-    return std::ranges::any_of(bodies_of(in, object), [&](const auto& own) { return contains(own.first, point); });
+    return any_contains(bodies_of(in, object), point);
+}
+
+std::shared_ptr<const FunctionThing> PovLayer::inside_of(Interpreter& in, const ObjectThing& object,
+                                                         const glm::dmat4& inverse) {
+    bodies_of(in, object);
+    return std::make_shared<InsideFunction>(object.made.bodies, inverse);
 }
 
 std::pair<DVec3, DVec3> PovLayer::extent(Interpreter& in, const Thing& object) {

@@ -17,6 +17,9 @@ class PovLayer final : public PovReader {
     std::pair<DVec3, DVec3> extent(Interpreter& in, const Thing& object) override;
 
   private:
+    std::shared_ptr<const FunctionThing> inside_of(Interpreter& in, const ObjectThing& object,
+                                                   const glm::dmat4& inverse) override;
+
     MeshTrees trees;
 };
 

@@ -45,6 +45,17 @@ struct PatternFunction : FunctionThing {
 
 }  // namespace
 
+/// Reads a body, and transformations: the function is 1 inside of it, and 0 outside.
+std::shared_ptr<const FunctionThing> PovReader::read_inside(Interpreter& in) {
+    auto object = in.accept_thing<ObjectThing>(ValueKind::object);
+    if (!object) object = read_object(in);
+    if (!object) in.expected("a body");
+    Steps steps;
+    while (read_step(in, steps)) {
+    }
+    return inside_of(in, *object, glm::inverse(matrix_of(steps)));
+}
+
 std::shared_ptr<const FunctionThing> PovReader::read_function(Interpreter& in) {
     if (in.at("transform")) {
         Steps steps;

@@ -151,13 +151,18 @@ std::shared_ptr<const MapThing> PovReader::read_map(Interpreter& in, ValueKind l
             entry.height = height, entry.slope = slope;
         } else if (level != ValueKind::none) {
             entry.thing = read_nested(in, level);
-        } else if (at_single(in)) {  // the old form: two values and two colours
-            const double second = static_cast<float>(in.read_number());
-            in.skip_comma();
-            entry.color = in.read_color();
-            in.skip_comma();
-            map->entries.push_back(entry);
-            entry.at = second, entry.color = in.read_color();
+        } else if (at_single(in)) {
+            const Components own = in.read_components();
+            if (own.count == 1) {  // the old form: two values and two colours
+                in.skip_comma();
+                entry.color = in.read_color();
+                in.skip_comma();
+                map->entries.push_back(entry);
+                entry.at = static_cast<float>(own.value[0]), entry.color = in.read_color();
+            } else {  // an expression that begins with a number, such as .5*Red
+                const auto part = [&](std::size_t i) { return static_cast<float>(own.value[i]); };
+                entry.color = {part(0), part(1), part(2), part(3), part(4)};
+            }
         } else {
             entry.color = in.read_color();
         }
@@ -226,7 +231,7 @@ void PovReader::read_list(Interpreter& in, Blend& blend, ValueKind level) {
             in.begin_block();
             entry.thing = read_nested(in, level);
             in.end_block();
-        } else if (level == ValueKind::pigment && (in.at_color() || in.at('<'))) {
+        } else if (level == ValueKind::pigment && (in.at_color() || in.at_expression())) {
             entry.color = in.read_color();
         } else {
             break;
@@ -359,10 +364,7 @@ bool PovReader::read_pattern_word(Interpreter& in, Blend& blend, ValueKind level
         case word("object"):
             take();
             in.begin_block();
-            if (in.kind() == ValueKind::object)
-                in.take_value();
-            else if (!read_object(in))
-                in.expected("a body");
+            blend.function = read_inside(in);
             in.skip_comma();
             read_list(in, blend, level);
             in.end_block();

@@ -30,6 +30,9 @@ class PovReader : public SceneLayer {
   protected:
     explicit PovReader(ReadPixels read_pixels) : read_pixels(std::move(read_pixels)) {}
     const ReadPixels read_pixels;
+    /// Returns the function that is 1 where a matrix moves points into the body, and 0 elsewhere.
+    virtual std::shared_ptr<const FunctionThing> inside_of(Interpreter& in, const ObjectThing& object,
+                                                           const glm::dmat4& inverse) = 0;
 
   private:
     // scene_items.cpp
@@ -62,6 +65,8 @@ class PovReader : public SceneLayer {
     void read_list(Interpreter& in, Blend& blend, ValueKind level);
     static Warp read_warp(Interpreter& in);
     std::shared_ptr<const ImageThing> read_image(Interpreter& in);
+    // functions.cpp
+    std::shared_ptr<const FunctionThing> read_inside(Interpreter& in);
     // objects.cpp
     std::shared_ptr<const ObjectThing> read_object(Interpreter& in);
     bool read_object_modifier(Interpreter& in, ObjectThing& object);

@@ -345,6 +345,7 @@ int listed_colors(std::uint16_t pattern) {
     switch (pattern) {
         case word("checker"):
         case word("brick"):
+        case word("object"):
             return 2;
         case word("hexagon"):
             return 3;

@@ -205,6 +205,7 @@ TEST_CASE("POV-Ray's control") {
 #macro Sw(w) #switch (w) #case (1) #debug "1" #case (2) #debug "2" #break #range (3,4) #debug "r" #else
        #debug "e" #end #debug " " #end
 Sw(1) Sw(2) Sw(2.00000000001) Sw(3.5) Sw(4) Sw(9) #debug "\n"
+#switch (0) #case (1 != 1) #debug "a" #case (2 != 1) #debug "b" #range (1+1, 2) #debug "c" #end #debug "\n"
 #if (0) #if (1) #debug "no" #else #debug "no" #end #elseif (1) #debug "yes" #elseif (1) #debug "no" #else
        #debug "no" #end #debug "\n"
 #if (0) #macro Q() #if (1) #end #end #else #debug "skipped\n" #end
@@ -218,6 +219,7 @@ Sw(1) Sw(2) Sw(2.00000000001) Sw(3.5) Sw(4) Sw(9) #debug "\n"
 3
 x2
 12 2 2 re re e
+abc
 yes
 skipped
 2

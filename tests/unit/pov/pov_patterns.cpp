@@ -41,6 +41,7 @@ constexpr Row rows[]{
     {"crackle form <-1,.5,.5> metric 1 scale .2", 0.583679141, 0.243668447},
     {"crackle form <1,-.2,0> metric 3 offset .2 scale .2", 0.442501113, 0.383652539},
     {"crackle solid scale .2", 0.553402459, 0.596703487},
+    {"object { sphere { 0, .3 } translate <.3, .4, 0> } scale 1.1", 1, 0},
     {"radial rotate 90*x translate .5", 0.563426817, 0.406416479},
 };
 
@@ -62,10 +63,18 @@ TEST_CASE("POV-Ray: values of warped patterns, fractals, functions and lists") {
     }
 }
 
+TEST_CASE("POV-Ray: entries of maps may be expressions that begin with a number") {
+    const std::string text =
+        "#declare C = rgb <1, .5, .2>; #declare P = function { pigment { gradient x color_map { [0 .5*C] [1 C*.2] } } "
+        "}";
+    CHECK(computed(text, "P(.25, 0, 0).red") == doctest::Approx(.425));
+    CHECK(computed(text, "P(.25, 0, 0).blue") == doctest::Approx(.085));
+}
+
 TEST_CASE("POV-Ray: pigments in pigments have the colours of the same pigments as functions") {
     for (const std::string& pigment : std::vector<std::string>{
-             "hexagon scale .2", "brick rgb x turbulence .3 scale .1", "cubic",
-             "square rgb x, rgb y scale .3 rotate 20*x",
+             "hexagon scale .2", "object { sphere { 0, 1 } rotate x rgb x, 0 } scale .5",
+             "brick rgb x turbulence .3 scale .1", "cubic", "square rgb x, rgb y scale .3 rotate 20*x",
              "average pigment_map { [1 granite] [2 bozo scale .1 rotate 30*z] [.5 rgb x] }",
              "average pigment_map { [2 rgb x] } translate y",
              "average pigment_map { [1 agate] [1 wood scale .3] [2 leopard] [1 rgb y] [3 gradient y] } scale .7",
