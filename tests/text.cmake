@@ -2,7 +2,7 @@
 strahl_tests(test_text unit/scene "" scene overlap solid)
 set_tests_properties(overlap PROPERTIES LABELS figures)
 strahl_tests(test_text unit/text "strahl_text;strahl_image" language language_errors language_values language_composites
-             language_patterns language_lights language_define hostile_text roundtrip edit_path body_text place_body new_block manual)
+             language_patterns language_lights language_define hostile_text roundtrip edit_path body_text motion_text place_body new_block manual)
 # With sanitizers the language's other tests and attack_parser read and write as much.
 set_tests_properties(roundtrip PROPERTIES LABELS figures)
 strahl_tests(test_import unit/import strahl_import import_nff import_tachyon)

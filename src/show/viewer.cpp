@@ -185,10 +185,24 @@ void Viewer::take_music(const Music& music, bool merged) {
 
 void Viewer::apply(const TimelineInput& done) {
     if (done.music) take_music(done.music->music, done.music->merged);
+    if (const auto& change = done.motion) {
+        using Change = TimelineInput::MotionChange;
+        const std::string& text = bodies.editor().edited.text();
+        const auto& [what, motion, key, seconds, merged] = *change;
+        const std::string newer = what == Change::move  ? with_key_time(text, *session.scene, motion, key, seconds)
+                                  : what == Change::add ? with_motion_key(text, *session.scene, motion, seconds)
+                                                        : without_motion_key(text, motion, key);
+        if (newer != text)
+            bodies.change_text(newer, merged), session.go_to(seconds, pace.now());
+        else if (what == Change::remove && motion.times.size() == 2)
+            notes.note("a motion has two keys at least");
+        else if (what != Change::move)
+            notes.note("this motion stands in a definition, and is changed in the text");
+    }
     if (done.choose_sound) chooser.ask_for_sound();
     if (const auto& change = done.track)
         session.change_track(change->track, change->merged, steps_beside_tracks(), pace.now());
-    if (done.music || done.track) pace.redraw(3);
+    if (done.music || done.track || done.motion) pace.redraw(3);
     if (done.path) session.change_path(done.path->path, done.path->merged, pace.now());
     if (!done.command && !done.go_to && !done.change && !done.path) return;
     if (done.command) perform(*done.command);

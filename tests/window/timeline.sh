@@ -72,6 +72,21 @@ await 'changes written into'
 xdotool mousemove --window "$id" 100 200 key ctrl+z key F2
 await 'changes written into'
 cmp second.rt scene.rt || fault "undone is not what was written before"
+quit
 
+echo "-- a key of a motion is dragged in its lane, and written in place"
+put "$camera" 'light { position <0, -9, 9>  color <1, 1, 1> }' \
+    'sphere { <0, 0, 2>, 2  motion { key { time 0 }  key { time 8  translate <1, 0, 0> } } }  // mine'
+cp scene.rt first.rt
+start scene.rt --size 640x400 --depth 2
+xdotool key t
+find_key
+xdotool mousemove --window "$id" $((x - 3)) $((y + 230)) sleep 0.2 mousedown 1 sleep 0.2
+xdotool mousemove_relative -- -40 0 sleep 0.2 mousemove_relative -- -60 0 sleep 0.2 mouseup 1
+await 'the changed text is shown'
+xdotool mousemove --window "$id" 300 100 key F2
+await 'changes written into'
+[[ $(<scene.rt) =~ 'key { time 0 }  key { time '([45]|[456].[0-9]+)'  translate <1, 0, 0> } } }  // mine' ]] ||
+    fault "the motion: $(diff first.rt scene.rt)"
 quit
 finish

@@ -24,7 +24,8 @@ constexpr ImU32 line_color = IM_COL32(255, 255, 255, 70), text_color = IM_COL32(
                 key_color = IM_COL32(140, 204, 255, 255), here_color = IM_COL32(255, 190, 90, 255),
                 sound_color = IM_COL32(120, 160, 120, 120), beat_color = IM_COL32(255, 255, 255, 26),
                 curve_color = IM_COL32(150, 230, 150, 255);
-constexpr float most_lanes = 4;  // that are seen at once
+constexpr float most_lanes = 4;                          // of tracks that are seen at once
+constexpr float lane_lines = 2.4f, motion_lines = 1.2f;  // of text, the heights of lanes
 
 /// Returns the seconds between marks, so that there are at most 20: 1, 2 or 5 times a power of ten.
 double mark_interval(double range) {
@@ -43,7 +44,7 @@ TimelineInput Timeline::draw(const TimelineView& view) {
     ImGui::SetNextWindowPos({edge, size.y - edge}, ImGuiCond_Always, {0, 1});
     ImGui::SetNextWindowSizeConstraints({size.x - 2 * edge, 0}, {size.x - 2 * edge, size.y});
     ImGui::Begin("timeline", nullptr, flags);
-    if (known != view.scene) known = view.scene, followed = followed_tracks(*known);
+    if (known != view.scene) known = view.scene, followed = followed_tracks(*known), motions = motions_of(*known);
     // One of them is always chosen: the timeline must not grow between the clicks of a double click.
     if (!followed.empty() && std::ranges::find(followed, chosen) == followed.end()) chosen = followed[0];
     if (!ImGui::IsAnyItemActive()) value_held = false;
@@ -236,12 +237,13 @@ void Timeline::key_menu(const TimelineView& view, TimelineInput& input) {
     ImGui::EndPopup();
 }
 
-/// Draws a lane for each track that something follows.
+/// Draws a lane for each track that something follows, and for each motion.
 void Timeline::lanes(const TimelineView& view, TimelineInput& input) {
-    if (followed.empty()) return;
-    const float height = 2.4f * ImGui::GetFontSize(), space = ImGui::GetStyle().ItemSpacing.y;
-    const auto count = static_cast<float>(followed.size());
-    ImGui::BeginChild("lanes", {0, std::min(count, most_lanes) * (height + space)}, false,
+    if (followed.empty() && motions.empty()) return;
+    const float font = ImGui::GetFontSize(), space = ImGui::GetStyle().ItemSpacing.y;
+    const float all =
+        float(followed.size()) * (lane_lines * font + space) + float(motions.size()) * (motion_lines * font + space);
+    ImGui::BeginChild("lanes", {0, std::min(all, most_lanes * (lane_lines * font + space))}, false,
                       ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav);
     for (std::size_t i = 0; i < followed.size(); ++i) {
         const auto known_track = std::ranges::find(view.tracks, followed[i], &Track::name);
@@ -249,7 +251,53 @@ void Timeline::lanes(const TimelineView& view, TimelineInput& input) {
         lane(view, known_track == view.tracks.end() ? Track{followed[i], {}} : *known_track, input);
         ImGui::PopID();
     }
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+        ImGui::PushID(static_cast<int>(followed.size() + i));
+        motion_lane(view, motions[i], input);
+        ImGui::PopID();
+    }
     ImGui::EndChild();
+}
+
+/// Draws the keys of a motion. A click goes there, a double click adds a key, drags move keys in time, and the right
+/// button removes one.
+void Timeline::motion_lane(const TimelineView& view, const SceneMotion& motion, TimelineInput& input) {
+    using Change = TimelineInput::MotionChange;
+    const float font = ImGui::GetFontSize(), height = motion_lines * font, grip = .6f * font;
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::InvisibleButton("motion", {std::max(left + length - corner.x, 1.f), height});
+    zoom();
+    const float pointed = ImGui::GetIO().MousePos.x;
+    const double seconds = std::max(time_at(pointed), 0.);
+    const auto distance = [&](std::size_t key) { return std::abs(x_of(motion.times[key]) - pointed); };
+    std::size_t near = 0;
+    for (std::size_t i = 1; i < motion.times.size(); ++i)
+        if (distance(i) < distance(near)) near = i;
+    const bool on_key = distance(near) < grip;
+    if (ImGui::IsItemActivated()) {
+        dragged = on_key ? std::optional(near) : std::nullopt, drag_began = false;
+        input.go_to = on_key ? motion.times[near] : seconds;
+        if (!on_key && view.text_open && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+            input.motion = {Change::add, motion, 0, seconds, false};
+    }
+    if (ImGui::IsItemActive() && dragged && view.text_open && ImGui::IsMouseDragging(0, 3))
+        input.motion = {Change::move, motion, *dragged, seconds, std::exchange(drag_began, true)};
+    if (ImGui::IsItemHovered() && on_key && view.text_open && ImGui::IsMouseClicked(ImGuiMouseButton_Right))
+        input.motion = {Change::remove, motion, near, seconds, false};
+
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float middle = corner.y + height / 2, r = .35f * font;
+    list.AddRectFilled(corner, {left + length, corner.y + height}, beat_color);
+    ImGui::PushClipRect({corner.x, corner.y}, {left + length + font, corner.y + height}, true);
+    list.AddLine({x_of(motion.times.front()), middle}, {x_of(motion.times.back()), middle}, line_color, 2);
+    for (const double time : motion.times)
+        list.AddQuadFilled({x_of(time) - r, middle}, {x_of(time), middle - r}, {x_of(time) + r, middle},
+                           {x_of(time), middle + r}, key_color);
+    const ImVec2 at{left + .6f * font, corner.y + .1f * font}, size = ImGui::CalcTextSize(motion.name.c_str());
+    list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, ImGui::GetColorU32(ImGuiCol_WindowBg));
+    list.AddText(at, text_color, motion.name.c_str());
+    draw_moment(view, corner.y, corner.y + height);
+    ImGui::PopClipRect();
 }
 
 /// Draws a track as a curve with its keys. A click chooses it and goes there, a double click adds a key there, and the
@@ -257,7 +305,7 @@ void Timeline::lanes(const TimelineView& view, TimelineInput& input) {
 void Timeline::lane(const TimelineView& view, const Track& track, TimelineInput& input) {
     const Music& music = view.scene->music;
     const std::vector<TrackKey>& keys = track.keys;
-    const float font = ImGui::GetFontSize(), height = 2.4f * font, grip = .6f * font;
+    const float font = ImGui::GetFontSize(), height = lane_lines * font, grip = .6f * font;
     const ImVec2 corner = ImGui::GetCursorScreenPos(), mouse = ImGui::GetIO().MousePos;
     ImGui::InvisibleButton("lane", {std::max(left + length - corner.x, 1.f), height});
     zoom();

@@ -10,6 +10,7 @@
 #include "scene/scene.h"
 #include "show/keys/commands.h"
 #include "show/session/path_editor.h"
+#include "text/motion_text.h"
 
 namespace strahl {
 
@@ -53,6 +54,15 @@ struct TimelineInput {
     };
     std::optional<NewMusic> music;
     bool choose_sound = false;  // by a dialog
+    /// A key of a motion to be moved to other seconds, to be added there, or to be removed.
+    struct MotionChange {
+        enum What { move, add, remove } what;
+        SceneMotion motion;
+        std::size_t key;
+        double seconds;
+        bool merged;
+    };
+    std::optional<MotionChange> motion;
 };
 
 class Timeline {
@@ -73,6 +83,7 @@ class Timeline {
     void key_menu(const TimelineView& view, TimelineInput& input);
     void lanes(const TimelineView& view, TimelineInput& input);
     void lane(const TimelineView& view, const Track& track, TimelineInput& input);
+    void motion_lane(const TimelineView& view, const SceneMotion& motion, TimelineInput& input);
     void values(const TimelineView& view, TimelineInput& input);
     void track_values(const TimelineView& view, TimelineInput& input);
     void music(const TimelineView& view, TimelineInput& input);
@@ -91,6 +102,7 @@ class Timeline {
 
     std::shared_ptr<const Scene> known;  // the scene of these
     std::vector<std::string> followed;   // names of tracks
+    std::vector<SceneMotion> motions;
     std::string chosen;                  // one of these
     int chosen_row = 0;                  // of its key, if it has one there
     bool key_dragged = false;
