@@ -28,7 +28,8 @@ Verdict judge(Tracer& tracer, const View& view, const Frame& ours, const Picture
         for (int c = 0; c < 3; ++c)
             apart = std::max(apart, steps_apart(ours.rgb[3 * i + c], theirs.values[theirs.channels * i + c]));
         const int x = int(i % ours.width), y = int(i / ours.width);
-        if (apart > 1 && on_edge(tracer, view, alone, x, y, edge_radius, 1. / 65535, stop)) {
+        const bool decided = verdict.beyond_off_edges * 50 >= verdict.pixels;
+        if (apart > 1 && !decided && on_edge(tracer, view, alone, x, y, edge_radius, 1. / 65535, stop)) {
             ++verdict.beyond_on_edges;
             continue;
         }
@@ -36,6 +37,7 @@ Verdict judge(Tracer& tracer, const View& view, const Frame& ours, const Picture
         if (apart > 1) {
             ++verdict.beyond_off_edges;
             verdict.places.push_back({x, y});
+            if (decided) continue;
             if (apart > verdict.worst_off_edges) verdict.x = x, verdict.y = y;
         }
         verdict.worst_off_edges = std::max(verdict.worst_off_edges, apart);

@@ -24,7 +24,8 @@ struct Verdict {
 inline constexpr double edge_radius = 0.01;
 
 /// Compares POV-Ray's picture of a view, `theirs`, with the tracer's, `ours`. Searches for edges where they differ,
-/// which takes minutes if they differ nearly everywhere. Throws Stopped once `stop` is true.
+/// until one pixel in 50 does off the edges: all that differ after that count as off the edges, except in
+/// `worst_off_edges`. Throws Stopped once `stop` is true.
 Verdict judge(Tracer& tracer, const View& view, const Frame& ours, const Picture& theirs,
               const std::atomic<bool>* stop = nullptr);
 

@@ -83,6 +83,13 @@ TEST_CASE("a verdict counts differences on and off edges") {
     CHECK(verdict.y == 1);
     CHECK(fault(verdict, {}) != "");
     CHECK(fault(verdict, {5, 0.01}).empty());
+    // Where nearly all pixels differ the last ones are counted, and no more.
+    Picture off = theirs;
+    for (double& v : off.values) v = v < .5 ? v + 9 / 65535. : v - 9 / 65535.;
+    off.values.back() = off.values.back() < .5 ? 1 : 0;
+    const Verdict all = judge(tracer, view, ours, off);
+    CHECK(all.beyond_off_edges + all.beyond_on_edges == all.pixels);
+    CHECK(all.worst_off_edges < 20);
     const std::atomic<bool> stop = true;
     CHECK_THROWS_AS(judge(tracer, view, ours, theirs, &stop), Stopped);
     Picture other = theirs;
