@@ -384,7 +384,9 @@ void PovReader::read_shape(Interpreter& in, std::uint16_t code, ObjectThing& obj
     }
     if (!object.shape || object.surface) return;
     if (const char* const fault = std::visit([](const auto& kind) { return kind.fault(); }, *object.shape)) {
-        object.left_out(std::string("a body without extent: ") + fault);
+        // POV-Ray reads over triangles without an area, of which converted meshes have many.
+        const bool triangle = code == word("triangle") || code == word("smooth_triangle");
+        if (!triangle) object.left_out(std::string("a body without extent: ") + fault);
         object.kind = ObjectKind::nothing;
     }
 }

@@ -185,6 +185,11 @@ TEST_CASE("POV-Ray: scenes can ask about their bodies") {
     CHECK(at(6, {2, 3, 4}));
 }
 
+TEST_CASE("POV-Ray: triangles without an area are read over") {
+    CHECK(whole("union { triangle { 0, x, 2*x } smooth_triangle { 0, y, x, y, 3*x, y } sphere { 0, 1 } }")
+              .primitives.size() == 1);
+}
+
 TEST_CASE("POV-Ray: a box that is flat is a rectangle") {
     const Primitive flat = whole("box { <0, 1, 5>, <3, 1, 2> }").primitives.at(0);
     const Box box = world_bounds(flat);
