@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The README's pictures of the window are what the window shows: one with its timeline, one with
-# handles and lights, and one beside POV-Ray's.
+# The README's pictures of the window are what the window shows: one with its timeline, one with the flight from
+# outside, one with handles and lights, and one beside POV-Ray's.
 #
 #   tests/window/screenshot.sh STRAHL [FOLDER]
 #
@@ -38,6 +38,12 @@ start "$here/../../scenes/flythrough.rt" --size 960x600 --time 25.4
 await 'finished 960x600'
 xdotool key t
 same window.jpg 600
+quit
+
+start "$here/../../scenes/flythrough.rt" --size 960x600 --time 6.8
+xdotool key t g g g g g r
+await 'second picture: the camera of the flight'
+same outside.jpg 600
 quit
 
 start "$here/../../scenes/spotlights.rt" --size 960x600
