@@ -27,8 +27,18 @@ const Bodies& bodies_of(Interpreter& in, const Thing& thing) {
     return *object.made.bodies;
 }
 
+/// Is a point in a box, or a rounding error beside it?
+bool is_near(const Box& box, const DVec3& point) {
+    for (int i = 0; i < 3; ++i) {
+        const double margin = 1e-9 * (std::fabs(box.low[i]) + std::fabs(box.high[i]));
+        if (!(point[i] >= box.low[i] - margin && point[i] <= box.high[i] + margin)) return false;
+    }
+    return true;
+}
+
 bool any_contains(const Bodies& bodies, const DVec3& point) {
-    return std::ranges::any_of(bodies, [&](const auto& own) { return contains(own.first, point); });
+    return std::ranges::any_of(
+        bodies, [&](const auto& own) { return is_near(own.second, point) && contains(own.first, point); });
 }
 
 struct InsideFunction : FunctionThing {
