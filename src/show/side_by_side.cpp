@@ -89,7 +89,11 @@ std::shared_ptr<const ScreenImage> SideBySide::image() const {
 
 Overlay::Sides SideBySide::sides(const ScreenArea& area) const {
     std::string right = second_name(line.second);
-    if (line.other_view()) return {line.column(area), "", right, line.second_area(area)};
+    if (line.other_view()) {
+        ScreenArea seen = line.second_area(area);
+        if (!of_flight) seen.height = 0, right += ": tracing";
+        return {line.column(area), "", right, seen};
+    }
     const bool in_motion = line.second == SecondKind::in_motion;
     const std::shared_ptr<const SecondPicture> picture = in_motion ? first : pictures.picture();
     if (in_motion && !line.difference) right += picture ? ", " + resolution_text(first_level) : ": move the camera";
