@@ -79,7 +79,7 @@ class TracerOf : public AnyTracer {
         if (moved) capsules.reset();
         built.reset(), slack.reset();
         built = std::make_unique<BuiltWorld<T>>(scene(), wanted, pool, in_time.moves() ? &moving : nullptr, images,
-                                                view.prove);
+                                                view.prove, kernel.lanes);
         placed = wanted, proves = view.prove;
     }
 

@@ -27,6 +27,9 @@ constexpr bool alone(int form) {
     return form == place_of<Form<Union, 0>>(Forms{}) || form == place_of<Form<Prism, 0>>(Forms{}) ||
            form == place_of<Form<Lathe, 0>>(Forms{});
 }
+constexpr bool triangles(int form) {
+    return form == place_of<Form<Triangle, 0>>(Forms{}) || form == place_of<Form<SmoothTriangle, 0>>(Forms{});
+}
 
 /// A node of the binary hierarchy: items [begin, end).
 struct BinaryNode {
@@ -42,8 +45,8 @@ struct BinaryNode {
 
 class HierarchyBuilder {
   public:
-    HierarchyBuilder(Buffer<ItemBox> boxes, std::int32_t size, double margin, ThreadPool& workers)
-        : entries{boxes.get()}, pool(workers) {
+    HierarchyBuilder(Buffer<ItemBox> boxes, std::int32_t size, double margin, ThreadPool& workers, int lanes)
+        : entries{boxes.get()}, pool(workers), triangle_cost(lanes < leaf_items ? item_cost : .15f) {
         result.order = uninitialized_buffer<std::int32_t>(size);
         Buffer<ItemBox> others = uninitialized_buffer<ItemBox>(size);
         entries[1] = others.get();
@@ -76,6 +79,7 @@ class HierarchyBuilder {
     };
     ItemBox* entries[2];
     ThreadPool& pool;
+    const float triangle_cost;  // of that of a binary node
     std::vector<Task> tasks;
     std::deque<std::array<BinaryNode, 2>> halves;  // of the parts that a grid cuts
 
@@ -123,8 +127,9 @@ class HierarchyBuilder {
     BinaryNode finished(BinaryNode part) const {
         if (part.count() > leaf_items) return part;
         part.cut = cut_of(part);
-        const float area = part.extents.all.half_area(), all = item_cost * static_cast<float>(part.count()) * area;
-        part.leaf = !(area + item_cost * part.cut.cost < all);
+        const float area = part.extents.all.half_area();
+        const float each = triangles(first_of(part)->form) ? triangle_cost : item_cost;
+        part.leaf = !(area + each * part.cut.cost < each * static_cast<float>(part.count()) * area);
         if (part.leaf) {
             const auto [least, most] = std::minmax_element(
                 first_of(part), last_of(part), [](const ItemBox& a, const ItemBox& b) { return a.form < b.form; });
@@ -294,8 +299,8 @@ class HierarchyBuilder {
 
 }  // namespace
 
-Hierarchy build_hierarchy(Buffer<ItemBox> boxes, std::int32_t size, double margin, ThreadPool& pool) {
-    return std::move(HierarchyBuilder(std::move(boxes), size, margin, pool).result);
+Hierarchy build_hierarchy(Buffer<ItemBox> boxes, std::int32_t size, double margin, ThreadPool& pool, int lanes) {
+    return std::move(HierarchyBuilder(std::move(boxes), size, margin, pool, lanes).result);
 }
 
 }  // namespace strahl

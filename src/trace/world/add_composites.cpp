@@ -145,7 +145,7 @@ class CompositeBuilder {
         const auto size = static_cast<std::int32_t>(boxes.size());
         Buffer<ItemBox> copies = uninitialized_buffer<ItemBox>(size);
         std::copy(boxes.begin(), boxes.end(), copies.get());
-        Hierarchy own = build_hierarchy(std::move(copies), size, WorldArrays<T>::rounding(reach), pool);
+        Hierarchy own = build_hierarchy(std::move(copies), size, WorldArrays<T>::rounding(reach), pool, arrays.lanes);
         for (std::int32_t i = 0; i < size; ++i)
             std::copy_n(&before[own.order[i] * fields], fields, numbers + i * fields);
         for (Node* node = own.nodes.get(); node < own.nodes.get() + own.size; ++node)

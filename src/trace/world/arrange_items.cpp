@@ -72,9 +72,11 @@ void WorldArrays<T>::make_hierarchy(ThreadPool& pool) {
     for (int form = 0; form < Forms::size; ++form)
         if (forms[form].boxes != &boxes[starts[form]])
             std::copy_n(forms[form].boxes, forms[form].in_hierarchy, &boxes[starts[form]]);
-    // The order of transparent bodies in the leaves is that in which their colours are multiplied: it must not change.
-    hierarchy = moving && !world.transparent ? moving->fit(std::move(boxes), starts, rounding(reach), pool)
-                                             : build_hierarchy(std::move(boxes), size, rounding(reach), pool);
+    // The order of transparent bodies in the leaves is that in which their colours are multiplied: it must not change,
+    // neither from moment to moment nor with the number of lanes.
+    hierarchy = moving && !world.transparent
+                    ? moving->fit(std::move(boxes), starts, rounding(reach), pool)
+                    : build_hierarchy(std::move(boxes), size, rounding(reach), pool, world.transparent ? 1 : lanes);
     if (!moving && size > share_items) trim_memory();  // what moves needs as much again soon
 
     // Item i in the order of the leaves becomes item places[i] of its form.

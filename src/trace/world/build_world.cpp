@@ -202,8 +202,8 @@ void WorldArrays<T>::cull_for_lights() {
 
 template <class T>
 WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, ThreadPool& pool, MovingHierarchy* moving,
-                            std::shared_ptr<Images> kept, bool proves)
-    : moving(moving), images(std::move(kept)) {
+                            std::shared_ptr<Images> kept, bool proves, int lanes)
+    : moving(moving), images(std::move(kept)), lanes(lanes) {
     add_materials(scene);
     add_finishes(scene, placement);
     add_patterns(scene, placement, proves);
@@ -265,9 +265,9 @@ WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, Thre
 
 template <class T>
 BuiltWorld<T>::BuiltWorld(const Scene& scene, const Placement& placement, ThreadPool& pool, MovingHierarchy* moving,
-                          const std::shared_ptr<Images>& images, bool proves)
+                          const std::shared_ptr<Images>& images, bool proves, int lanes)
     : arrays(std::make_unique<WorldArrays<T>>(scene, placement, pool, moving,
-                                              images ? images : std::make_shared<Images>(), proves)) {}
+                                              images ? images : std::make_shared<Images>(), proves, lanes)) {}
 template <class T>
 BuiltWorld<T>::~BuiltWorld() = default;
 template <class T>

@@ -46,9 +46,9 @@ template <class T>
 class BuiltWorld {
   public:
     /// `moving` and `images` keep what the same scene has at all moments. For proofs a world in long double is computed
-    /// in long double, see extended_numbers.h.
+    /// in long double, see extended_numbers.h. `lanes` are those of the kernel.
     BuiltWorld(const Scene& scene, const Placement& placement, ThreadPool& pool, MovingHierarchy* moving = nullptr,
-               const std::shared_ptr<Images>& images = nullptr, bool proves = false);
+               const std::shared_ptr<Images>& images = nullptr, bool proves = false, int lanes = 1);
     ~BuiltWorld();
     const World<T>& world() const;
     /// Returns the surface numbers of the transparent bodies that a point of the scene is in, in the order declared.

@@ -166,9 +166,10 @@ struct WorldArrays {
 
     MovingHierarchy* const moving;  // of the world at the moments before, or nullptr
     const std::shared_ptr<Images> images;
+    const int lanes;  // of the kernel
 
     WorldArrays(const Scene& scene, const Placement& placement, ThreadPool& pool, MovingHierarchy* moving,
-                std::shared_ptr<Images> kept, bool proves);
+                std::shared_ptr<Images> kept, bool proves, int lanes);
 
     /// Returns by how much coordinates may be off, the largest of them being `furthest`.
     static double rounding(double furthest) { return 32 * culling_unit<T> * furthest; }

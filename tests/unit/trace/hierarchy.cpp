@@ -44,11 +44,11 @@ std::vector<ItemBox> clustered_boxes(int count) {
     return boxes;
 }
 
-Hierarchy built(std::vector<ItemBox> boxes, double margin, int threads) {
+Hierarchy built(std::vector<ItemBox> boxes, double margin, int threads, int lanes = 1) {
     ThreadPool pool(threads);
     Buffer<ItemBox> copies = uninitialized_buffer<ItemBox>(boxes.size());
     std::copy(boxes.begin(), boxes.end(), copies.get());
-    return build_hierarchy(std::move(copies), static_cast<std::int32_t>(boxes.size()), margin, pool);
+    return build_hierarchy(std::move(copies), static_cast<std::int32_t>(boxes.size()), margin, pool, lanes);
 }
 
 bool holds(const Node& node, int child, const ItemBox& box, float margin) {
@@ -108,6 +108,21 @@ TEST_CASE("each composite is in a leaf of its own") {
         for (const Node* node = hierarchy.nodes.get(); node < hierarchy.nodes.get() + hierarchy.size; ++node)
             for (const int code : node->leaves) alone += code == LeafCode::make(composites, 1);
         CHECK(alone == (count + 1) / 2);
+    }
+}
+
+TEST_CASE("leaves hold more triangles, but no more of other bodies, if single rays test sixteen side by side") {
+    for (const int form : {place_of<Form<Triangle, 0>>(Forms{}), place_of<Form<Sphere, 0>>(Forms{})}) {
+        std::vector<ItemBox> boxes = clustered_boxes(5000);
+        for (ItemBox& box : boxes) box.form = form;
+        int leaves[2]{};
+        for (const int lanes : {8, 16}) {
+            const Hierarchy hierarchy = built(boxes, 0, 1, lanes);
+            check_hierarchy(hierarchy, boxes, 0);
+            for (const Node* node = hierarchy.nodes.get(); node < hierarchy.nodes.get() + hierarchy.size; ++node)
+                for (const int code : node->leaves) leaves[lanes / 16] += code != 0;
+        }
+        CHECK((leaves[1] < leaves[0]) == (form == place_of<Form<Triangle, 0>>(Forms{})));
     }
 }
 
