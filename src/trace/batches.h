@@ -100,13 +100,14 @@ class Batches {
                 workspace.pixels_y[i] = static_cast<T>(y - .5 + points[done + i].y / double(Point::unit));
                 if (filters) workspace.sides[i] = static_cast<T>(side > 0 ? side : side_of(points[done + i]));
             }
-            if (filters) std::fill_n(workspace.colors.begin(), 4 * count, T(-1));
+            if (filters) std::fill_n(workspace.colors.begin(), 5 * count, T(-1));
             look(count, scale, samples + done);
             for (int i = 0; i < count && filters; ++i) {
                 CellSample& sample = samples[done + i];
-                for (int c = 0; c < 3; ++c) sample.color[c] = static_cast<float>(workspace.colors[4 * i + c]);
+                for (int c = 0; c < 3; ++c) sample.color[c] = static_cast<float>(workspace.colors[5 * i + c]);
                 sample.filtered = sample.color[0] >= 0;
-                sample.loose = static_cast<float>(workspace.colors[4 * i + 3]);
+                sample.loose = static_cast<float>(workspace.colors[5 * i + 3]);
+                sample.doubt = static_cast<float>(workspace.colors[5 * i + 4]);
             }
         }
     }

@@ -37,8 +37,9 @@ SolidDetail even_detail(const SolidPattern& own) {
         case Solid::quilted:
             return {1.5, .11};
         case Solid::ripples:
-        case Solid::waves:
             return {2 * std::fabs(own.frequency), .12};
+        case Solid::waves:  // the slowest one is the largest
+            return {.34 * std::fabs(own.frequency), .12};
         default:
             return {0, 0};
     }
@@ -132,12 +133,14 @@ SolidDetails details_of(const SolidPattern& own) {
         for (int i = 0; i < 10; ++i) add(std::ldexp(1, i), std::ldexp(.125, -i));
     } else if (even.deviation > 0) {
         add(even.fineness, even.deviation), slope = 3 * even.fineness * even.deviation;
+        if (own.solid == Solid::waves) add(2 * std::fabs(own.frequency), 0);  // the fastest one
     } else if (!linear) {
         add(1, 0);
     }
     double most = std::max({std::fabs(own.turbulence.x), std::fabs(own.turbulence.y), std::fabs(own.turbulence.z)});
     if (own.solid == Solid::marble) most = std::fabs(own.turbulence.x);
     if (own.solid == Solid::agate) most += 4;
+    if (own.solid == Solid::uniform) most = 0;
     if (own.solid == Solid::wood && most > 0) add(2 * most, .5), most *= 2 * std::numbers::pi;
     const auto variance = [&] {
         double sum = 0;

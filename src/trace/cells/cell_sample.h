@@ -20,7 +20,8 @@ struct CellSample {
     bool uneven;                     // see Sight
     bool filtered;   // it shows means of patterns; then
     float color[3];  // is what its light is multiplied by,
-    float loose;     // and this says how loose the filter is, from 0 to 1, or below 0 if nothing varies around
+    float loose;     // this says how loose the filter is, from 0 to 1, or below 0 if nothing varies around,
+    float doubt;     // and this is the standard deviation of what that colour may be off
     bool detailed() const { return filtered && loose >= 0; }
 };
 

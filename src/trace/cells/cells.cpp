@@ -14,6 +14,8 @@ constexpr int side = tile_pixels + 1;  // of the lattice
 constexpr double steepest_gradient = .06;  // across a cell of one signature
 /// The error of the loosest filter of patterns over the deviation of samples from each other, found by experiment.
 constexpr double filter_off = .85;
+/// How many standard deviations means of patterns are assumed to be off, found by experiment.
+constexpr double most_doubt = 1.7;
 /// How much less contrast cells may have in which patterns vary, for there are many of them; found by experiment.
 constexpr double patterned = .8;
 std::uint64_t key_of(Point p) { return std::uint64_t(std::uint32_t(p.x)) << 32 | std::uint32_t(p.y); }
@@ -29,6 +31,13 @@ Point on_side(std::int32_t x, std::int32_t y, std::int32_t size, int number, std
         default:
             return {x, y + size - along};
     }
+}
+
+/// Returns by how much the colour of a pattern is multiplied, about: at most 1, as other light may be seen beside it.
+double light_of(const CellSample& sample) {
+    const double light = sample.rgb[0] + sample.rgb[1] + sample.rgb[2];
+    const double color = double(sample.color[0]) + double(sample.color[1]) + double(sample.color[2]);
+    return std::min(light / std::max(color, 1e-6), 1.);
 }
 
 /// Returns the chord between the middles of the stretches where an edge crosses two sides of a cell.
@@ -336,7 +345,8 @@ std::array<double, 3> Cells::mean(const Cell& cell) const {
 }
 
 /// Returns the largest difference of a channel between the middle and the mean of the corners. If they show a pattern
-/// the middle has seen its mean, and the filter is assumed to be off by a share of the samples' deviation.
+/// the middle has seen its mean, and the filter is assumed to be off by a share of the samples' deviation, or by its
+/// doubt.
 double Cells::off_corners(const Cell& cell) const {
     const CellSample& middle = samples[cell.middle];
     const auto corners = corners_of(cell);
@@ -344,7 +354,8 @@ double Cells::off_corners(const Cell& cell) const {
     return with_values(cell, [&](const auto& value) {
         double loose = middle.loose;
         for (const CellSample* corner : corners) loose = std::max(loose, double(corner->loose));
-        double off = filter_off * loose * deviation_of(corners, middle);
+        double off = std::max(filter_off * loose * deviation_of(corners, middle),
+                              most_doubt * light_of(middle) * middle.doubt);
         for (int c = 0; c < 3; ++c)
             off = std::max(off, std::abs(.25 * (value(0, c) + value(1, c) + value(2, c) + value(3, c)) - value(4, c)));
         return off;

@@ -9,23 +9,27 @@ namespace strahl::inline STRAHL_LEVEL {
 inline constexpr float coarse_pixel = .25f;
 
 /// Adds the colours of patterns, of images where footprints exceed that limit, to `Footprints::colors`: over all that a
-/// sample sees, each by the share of its light that reaches the sample; and notes the loosest filter among them.
+/// sample sees, each by the share of its light that reaches the sample, and what they may be off; and notes the loosest
+/// filter among them.
 /// Weights up to `Limits::noticed` do not count.
 template <class S, class P>
 STRAHL_INLINE void note_colors(const Shading<S, P>& shading, const Filtering<S>& filtering, const Vec3<S>& color,
                                const S& pixel, const S& weight, int lanes) {
     using T = Element<S>;
     const Footprints<T>& all = *shading.batch.footprints;
-    alignas(64) T colors[3][width<S>], lengths[width<S>], looseness[width<S>], pixels[width<S>], weights[width<S>];
+    alignas(64) T colors[3][width<S>], lengths[width<S>], looseness[width<S>], doubts[width<S>];
+    alignas(64) T pixels[width<S>], weights[width<S>];
     for (int c = 0; c < 3; ++c) store_lanes(colors[c], color[c]);
     store_lanes(lengths, filtering.length), store_lanes(looseness, filtering.loose);
+    store_lanes(doubts, filtering.doubt);
     store_lanes(pixels, pixel), store_lanes(weights, weight);
     for (int k = 0; k < lanes; ++k) {
         const int own = static_cast<int>(pixels[k]);
         if (!(lengths[k] > coarse_pixel * all.sides[own]) || !(weights[k] > shading.limits.noticed)) continue;
-        T* const sum = all.colors + std::ptrdiff_t(4) * own;
+        T* const sum = all.colors + std::ptrdiff_t(5) * own;
         for (int c = 0; c < 3; ++c) sum[c] = std::max(sum[c], T(0)) + weights[k] * colors[c][k];
         sum[3] = std::max(sum[3], looseness[k]);
+        sum[4] = std::max(sum[4], T(0)) + weights[k] * doubts[k];
     }
 }
 

@@ -154,8 +154,8 @@ template <class T>
 struct Footprints {
     Vec3<T> forward, right, down;  // in the plane at distance 1: to its middle, and from one pixel to the next ones
     const T* sides;                // of the samples' squares, in pixels
-    /// Four values for each sample: the colours of the patterns that it sees and how loosely they are filtered, see
-    /// note_colors; unchanged if it sees none, or only much enlarged ones.
+    /// Five values for each sample: the colours of the patterns that it sees, how loosely they are filtered, and what
+    /// they may be off, see note_colors; unchanged if it sees none, or only much enlarged ones.
     T* colors;
     bool made = false;  // the queue of camera rays has their differentials
 };

@@ -87,6 +87,7 @@ Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, c
                 const Mask<S> known = lanes & (filtering.length > zero);
                 all.length = select(known, max(all.length, filtering.length), all.length);
                 all.loose = select(known, max(all.loose, filtering.loose), all.loose);
+                all.doubt = select(known, max(all.doubt, filtering.doubt), all.doubt);
             } else {
                 own = clear_color_at<true>(world, layer.pattern, seen.position, seen.surface);
             }

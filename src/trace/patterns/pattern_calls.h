@@ -38,6 +38,7 @@ template <class S>
 struct Filtering {
     S length{0};  // the pixels of an image along a footprint; of other patterns 1, and 0 where there is none
     S loose{0};   // how loose the filter is, from 0 for exact means to 1; -1 if nothing varies around
+    S doubt{0};   // the standard deviation of what the colour is off, if its detail is finer than what was looked at
 };
 
 template <class S>

@@ -143,7 +143,7 @@ template <class S>
 template <class S>
 struct PatternMeans {
     using T = Element<S>;
-    alignas(64) T values[4][width<S>] = {};
+    alignas(64) T values[5][width<S>] = {};
     alignas(64) T weights[most_weighed][width<S>];  // of the stops, only of patterns among whose colours are patterns
     /// Sets the mean of a lane; find(weights) returns it.
     template <class Find>
@@ -152,11 +152,12 @@ struct PatternMeans {
         const PatternMean mean = find(pattern.nests ? own : nullptr);
         for (int c = 0; c < 3; ++c) values[c][k] = static_cast<T>(mean.color[c]);
         values[3][k] = mean.detailed ? static_cast<T>(mean.loose) : T(-1);
+        values[4][k] = static_cast<T>(mean.doubt);
         for (int i = 0; i < pattern.stops && pattern.nests; ++i) weights[i][k] = static_cast<T>(own[i]);
     }
     Filtering<S> get(Vec3<S>& color) const {
         for (int c = 0; c < 3; ++c) color[c] = load_lanes<S>(values[c]);
-        return {S(1), load_lanes<S>(values[3])};
+        return {S(1), load_lanes<S>(values[3]), load_lanes<S>(values[4])};
     }
 };
 
@@ -188,9 +189,10 @@ template <class S>
     const S lengths[2] = {sqrt(dot(across, across)), sqrt(dot(down, down))};
     const T contrast = static_cast<T>(share_of_steps(pattern, world.patterns.stops + pattern.first_stop));
     const S share = min(S(contrast) * weight, one);
+    const S least(static_cast<T>(least_steps(pattern, world.patterns.stops + pattern.first_stop)));
     const auto steps_along = [&](const S& own, const S& other) {
         const S most = select(own < other, S(T(ValueGrid::most_steps / 2)), S(T(ValueGrid::most_steps)));
-        return max(-floor(share * -min(S(T(steps_per_cell)) * finest * own, most)), one);
+        return max(-floor(share * -min(S(T(steps_per_cell)) * finest * own, most)), least);
     };
     const S columns = steps_along(lengths[0], lengths[1]), rows = steps_along(lengths[1], lengths[0]);
     const S steps[2] = {lengths[0] / columns, lengths[1] / rows}, step = max(steps[0], steps[1]);
@@ -205,6 +207,7 @@ template <class S>
                        .rows = static_cast<int>(lane(rows, k)),
                        .spread = of(lost.spread, k),
                        .loose = of(lost.loose, k),
+                       .unseen = of(lost.unseen, k),
                        .cells = of(fine, k)};
         int n = 0;
         for (int j = 0; j <= grid.rows; ++j)
@@ -317,6 +320,7 @@ template <class S>
                 filtered_at(world, world.patterns.nested[stop.nested], middle, surface, part, which, own, divide);
             const Mask<S> varies = which & (inner.loose >= zero) & (inner.length > zero);
             all.loose = select(varies, max(all.loose, inner.loose), all.loose);
+            all.doubt = select(which, fma(weight, inner.doubt, all.doubt), all.doubt);
             crossed = crossed | (varies & others);
             for (int c = 0; c < 3; ++c) color[c] = select(which, fma(weight, own[c], color[c]), color[c]);
         };
@@ -468,6 +472,8 @@ Filtering<S> PatternCalls<S>::paint_filtered(const World<T>& world, const int* m
         const Filtering<S> own = filtered_at(world, pattern, position, surface, footprint, lanes, color);
         set_colors(pattern, lanes, color, values);
         all.length = select(lanes, own.length, all.length), all.loose = select(lanes, own.loose, all.loose);
+        const S most(largest(pattern.ambient) + pattern.diffuse);
+        all.doubt = select(lanes, most * own.doubt, all.doubt);
     });
     return all;
 }

@@ -450,7 +450,7 @@ const ValuesAnywhere& values_anywhere(const SolidPattern& solid, const SolidDeta
 
 /// Finds the values of a solid pattern over an area.
 ValueGrid values_over(const SolidPattern& solid, const SolidDetails& details, const PatternArea& area, double share,
-                      SmoothedValues find) {
+                      int least, SmoothedValues find) {
     double largest = 0, finest = 0;
     const std::span sizes(details.sizes.data(), static_cast<std::size_t>(details.count));
     for (const SolidDetail& size : sizes) largest = std::max(largest, size.deviation);
@@ -459,10 +459,10 @@ ValueGrid values_over(const SolidPattern& solid, const SolidDetails& details, co
     const double lengths[2] = {length(area.across), length(area.down)};
     const double dense = steps_per_cell * finest * std::max(std::fabs(solid.frequency), 1.);
     const auto steps_along = [&](double own, double other) {
-        const bool fewer = own < other && !details.jumps && !details.even;
+        const bool fewer = own < other && !details.jumps;
         const double most = fewer ? ValueGrid::most_steps / 2 : ValueGrid::most_steps;
         const double wanted = details.jumps ? most : std::min(dense * own, most);
-        return static_cast<int>(std::max(std::ceil(share * wanted), 1.));
+        return static_cast<int>(std::max<double>(std::ceil(share * wanted), least));
     };
     if (is_far(area)) return {.columns = 1, .rows = 1};
     if (!details.known) {
@@ -476,18 +476,22 @@ ValueGrid values_over(const SolidPattern& solid, const SolidDetails& details, co
     const double between = details.jumps ? 0 : 1, step_across = between * lengths[0] / grid.columns;
     const double step_down = between * lengths[1] / grid.rows, step = std::max(step_across, step_down);
     grid.coarse = details.jumps || (details.even && sizes[0].fineness * step > coarse_step);
-    double squares = 0, missed = 0, all = 0;
+    double squares = 0, missed = 0, all = 0, unseen = 0, total = 0;
+    const double true_step = std::max(lengths[0] / grid.columns, lengths[1] / grid.rows);
     for (const auto& [fineness, deviation] : sizes) {
         const double own = fineness * step, left = lattice::left_of_noise(own);
         if (details.even && all == 0)
             grid.lost = 1 - left * left;
         else
             squares += deviation * deviation * lost_of_octave(left, fineness * step_across, fineness * step_down);
-        double varies = deviation * deviation;
-        for (const double length : lengths) varies /= std::max(fineness * length, 1.);
-        const double share = std::min(own, 1.);
+        double cells = 1;
+        for (const double length : lengths) cells *= std::max(fineness * length, 1.);
+        const double varies = deviation * deviation / cells, share = std::min(own, 1.);
         missed += varies * share * share, all += varies;
+        const double strength = std::max(deviation * deviation, 1e-9);  // counts where all are 0
+        unseen += strength * unseen_of_cell(fineness * true_step, details.jumps) / cells, total += strength;
     }
+    grid.unseen = total > 0 ? unseen / total : 0;
     if (grid.lost > 0) grid.anywhere = &values_anywhere(solid, details, area, find);
     if (grid.lost == 1) grid.columns = grid.rows = 1;
     grid.spread = std::sqrt(squares);
@@ -593,17 +597,20 @@ PatternMean mean_of_grid(const PatternKernel<T>& pattern, const ColorStopKernel<
             for (int i = 0; i <= grid.columns; ++i)
                 visit_spread(ends(i, grid.columns) * ends(j, grid.rows) / count, at(i, j), 0, 0, grid.spread);
     };
+    DVec3 sum, squares;  // of the colours of parts by their shares, less the map's mean
     const auto mean_by = [&](const MapFunction& map) {
-        DVec3 sum(0);
+        sum = squares = DVec3(0);
+        const auto add = [&](double share, const DVec3& color) {
+            sum += share * color, squares += share * color * color;
+        };
         each_part([&](double share, double x, const auto& sides) {
             const auto& [a, b] = sides;
             const double reach = (std::abs(a) + b) / 2;
             const bool point = (details && details->jumps) || map.is_linear(x - reach, x + reach);
-            sum += share * (point ? map.value(x) : mean_of(map, x, a, b));
+            add((1 - grid.lost) * share, point ? map.value(x) : mean_of(map, x, a, b));
         });
-        sum *= 1 - grid.lost;
         if (grid.lost > 0)
-            for (const double value : *grid.anywhere) sum += grid.lost / most_anywhere * map.value(value);
+            for (const double value : *grid.anywhere) add(grid.lost / most_anywhere, map.value(value));
         return map.mean + sum;
     };
     const MapFunction& map = kept_map(stops, pattern.stops, fold);
@@ -616,9 +623,12 @@ PatternMean mean_of_grid(const PatternKernel<T>& pattern, const ColorStopKernel<
     const bool detailed = grid.cells > finely || high - low > .25 || has_jump;
     if (has_jump && !grid.coarse) grid = refined(given);
     const DVec3 color = mean_by(map);
+    const DVec3 variance = squares - sum * sum;
+    const double doubt = std::sqrt(grid.unseen * std::max({variance.x, variance.y, variance.z, 0.}));
     const bool known = std::abs(color.x) + std::abs(color.y) + std::abs(color.z) < furthest;
     if (weights) weigh(stops, pattern.stops, fold, weights, mean_by);
-    return {known ? max(color, DVec3(0)) : map.mean + map.value(0), detailed, std::clamp(grid.loose, exact, 1.)};
+    return {known ? max(color, DVec3(0)) : map.mean + map.value(0), detailed, std::clamp(grid.loose, exact, 1.),
+            known ? doubt : 0};
 }
 
 }  // namespace
@@ -667,8 +677,9 @@ PatternMean mean_over(const PatternKernel<T>& pattern, const ColorStopKernel<T>*
         case PatternForm::solid: {
             const SolidDetails details = details_of(*pattern.solid);
             const double share = std::min(1., area.weight * share_of_steps(pattern, stops));
-            return mean_of_grid(pattern, stops, values_over(*pattern.solid, details, area, share, find), &details,
-                                weights);
+            return mean_of_grid(pattern, stops,
+                                values_over(*pattern.solid, details, area, share, least_steps(pattern, stops), find),
+                                &details, weights);
         }
         default: {
             const MapFunction& map = kept_map(stops, pattern.stops, Fold::ramp);

@@ -31,6 +31,7 @@ struct ValueGrid {
     int columns, rows;
     double spread = 0;  // the standard deviation of what the values lack of the finest detail
     double loose = 0;   // the share of their variation over areas beside each other that they lack, from 0 to 1
+    double unseen = 0;  // the variance of the area's mean that they do not show, as a share of that of values
     double cells = 0;   // how many cells of the finest detail that counts the sides of the area cross
     bool coarse = false;  // detail is lost between values: colours of these count, not of what lies between
     double lost = 0;      // to this share the area shows so many cells that any value may be anywhere
@@ -46,11 +47,28 @@ inline constexpr double least_strength = 1. / 16;
 /// much; above 1 for all and more.
 template <class T>
 double share_of_steps(const PatternKernel<T>& pattern, const ColorStopKernel<T>* stops);
+/// Returns the fewest steps of a grid: where colours jump, values between corners decide whether they do.
+template <class T>
+int least_steps(const PatternKernel<T>& pattern, const ColorStopKernel<T>* stops) {
+    for (int i = 1; i < pattern.stops; ++i)
+        if (stops[i].at == stops[i - 1].at) return 3;
+    return 1;
+}
 /// Finds values of a solid pattern at some points of a grid, see smoothed_value().
 using SmoothedValues = void (*)(const SolidPattern&, const double (&at)[3][ValueGrid::room], int count, double step,
                                 double* values);
 void values_one_by_one(const SolidPattern& solid, const double (&at)[3][ValueGrid::room], int count, double step,
                        double* values);
+
+/// Returns the variance of a mean over one cell of detail that points `step` cells apart do not show, as a share of
+/// that of its values: all of it if they are further apart than cells. Between them values are linear, unless they
+/// jump: then only pieces that borders cross are unknown, a share of `step` of all.
+template <class S>
+S unseen_of_cell(const S& step, bool jumps) {
+    using std::min;
+    const S share = min(step, S(1)), cube = share * share * share;
+    return jumps ? cube : share * cube;
+}
 
 /// Most stops of patterns whose weights are found.
 inline constexpr int most_weighed = 16;
@@ -60,7 +78,7 @@ inline constexpr int most_weighed = 16;
 struct PatternMean {
     DVec3 color;
     bool detailed;
-    double loose;  // see Filtering
+    double loose, doubt = 0;  // see Filtering
 };
 /// `weights`, unless null, get the shares of the pattern's stops: the mean is the sum of their colours times these.
 template <class T>

@@ -125,6 +125,7 @@ template <class S>
 struct LostOctaves {
     S spread;  // the standard deviation of what smoothed_value leaves out
     S loose;   // the share of their variation over areas beside each other that the grid does not show, from 0 to 1
+    S unseen;  // see ValueGrid
 };
 /// Finds that for a grid over an area around p whose sides, of these lengths, have steps as long as these. Over an
 /// area, octaves with many cells vary little.
@@ -134,8 +135,8 @@ LostOctaves<S> lost_octaves(const PatternKernel<Element<S>>& pattern, const Vec3
     using T = Element<S>;
     constexpr T variance = T(.0121);  // of one octave, over all of space
     const S one(1), step = max(steps[0], steps[1]);
-    S squares(0), missed(0), all(0);
-    T strength = pattern.form == PatternForm::noise ? T(1) : pattern.turbulence, fineness = 1;
+    S squares(0), missed(0), all(0), unseen(0);
+    T strength = pattern.form == PatternForm::noise ? T(1) : pattern.turbulence, fineness = 1, total = 0;
     for (int i = 0; i < pattern.octaves && strength != 0; ++i) {
         const S fine(fineness), own = fine * step;
         const S lost = lost_of_octave(left_of_octave(own), fine * steps[0], fine * steps[1]);
@@ -144,9 +145,11 @@ LostOctaves<S> lost_octaves(const PatternKernel<Element<S>>& pattern, const Vec3
         const S cells = max(fine * lengths[0], one) * max(fine * lengths[1], one);
         const S varies = S(strength * strength) / cells, share = min(own, one);
         missed = fma(varies * share, share, missed), all = all + varies;
+        unseen = fma(varies, unseen_of_cell(own, false), unseen), total += strength * strength;
         strength *= pattern.omega, fineness *= pattern.lambda;
     }
-    return {sqrt(squares), select(all > S(0), sqrt(missed / all), min(step, one))};
+    return {sqrt(squares), select(all > S(0), sqrt(missed / all), min(step, one)),
+            total > 0 ? unseen / S(total) : S(0)};
 }
 
 /// Returns whole numbers modulo 2.

@@ -117,6 +117,37 @@ TEST_CASE("means of solid patterns are near those of many points") {
     CHECK(rms < points_rms / 5);
 }
 
+TEST_CASE("means of detail that is finer than what was looked at are about as far off as they say") {
+    Dice dice(17);
+    for (const double size : {2., 6., 20.}) {
+        double squares = 0, doubts = 0;
+        for (int i = 0; i < 60; ++i) {
+            SolidPattern solid{.solid = static_cast<Solid>(dice.upto(static_cast<int>(solid_names.size()) - 1))};
+            if (dice.chance(.5)) solid.turbulence = dice.vector(0, .5), solid.octaves = 1 + dice.upto(4);
+            solid.wave = dice.upto(4), solid.frequency = 1 + dice.upto(2);
+            if (!details_of(solid).known) continue;
+            PatternKernel<double> pattern{};
+            pattern.form = PatternForm::solid, pattern.stops = 6, pattern.solid = &solid;
+            const PatternArea area{dice.vector(-9, 9), dice.arrow(size / 2, size), dice.arrow(size / 2, size)};
+            const PatternMean mean = mean_over(pattern, six.data(), area);
+            constexpr int points = 60;  // in a row: their mean is off by less than .01
+            DVec3 sum(0);
+            for (int j = 0; j < points; ++j)
+                for (int k = 0; k < points; ++k) {
+                    const double x = (k + dice.in(0, 1)) / points - .5, y = (j + dice.in(0, 1)) / points - .5;
+                    sum += mapped(six, value_at(solid, area.middle + x * area.across + y * area.down));
+                }
+            const DVec3 off = mean.color - 1. / (points * points) * sum;
+            squares += std::max({off.x * off.x, off.y * off.y, off.z * off.z}), doubts += mean.doubt * mean.doubt;
+        }
+        CAPTURE(size);
+        CAPTURE(std::sqrt(squares / 60));
+        CAPTURE(std::sqrt(doubts / 60));
+        CHECK(doubts > .25 * squares);
+        CHECK(doubts < 4 * squares);
+    }
+}
+
 TEST_CASE("solid patterns with waves keep their light where they are finer than what a pixel shows") {
     // A wave of a mean is not the mean of a wave; beyond a distance `spherical` is 0, whatever turbulence does.
     for (const Solid kind : {Solid::quilted, Solid::bozo, Solid::spherical})
