@@ -63,7 +63,7 @@ Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::unique_ptr<Reload
                      if (key != GLFW_KEY_ESCAPE || file.waiting()) return chooser.key(key);
                      return perform({Action::gallery}), true;
                  },
-             .turn_wheel = [this](double n) { notes.tell(session.change_speed(std::pow(1.25, n), pace.now())); },
+             .turn_wheel = [this](double n) { notes.tell(session.turn_wheel(n, pace.now())); },
              .drop =
                  [this](std::string path) {
                      const bool sound = !panels.gallery && std::filesystem::path(path).extension() == ".ogg";
@@ -142,6 +142,10 @@ void Viewer::perform(Command command) {
         case Action::delete_key:
             if (!bodies.remove()) notes.tell(session.perform(command, pace.now()));
             return;
+        case Action::play:
+            if (!bodies.editor().choice() || session.flight.flying() || options.play)
+                return notes.tell(session.perform(command, pace.now()));
+            [[fallthrough]];
         case Action::approach:
             if (screen.width() > 0) bodies.approach(session.view(screen.width(), screen.height()));
             return;

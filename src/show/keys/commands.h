@@ -29,6 +29,7 @@ enum class Action {
     outside,
     change_style,
     reset,
+    turn_view,
     full_screen,
     fill,
     expose,
@@ -59,7 +60,8 @@ enum class Push { forward, back, left, right, down, up };
 struct Command {
     Action action = Action::quit;
     /// Says which Push; which camera, 1 to 9; how many 1/25 s or keys to step, backwards if negative; 1 if a still is a
-    /// .png; by how many half stops to expose more, 0 for no exposure; or which SecondKind, 0 for the next one.
+    /// .png; by how many half stops to expose more, 0 for no exposure; from which side to look, see seen_from(); or
+    /// which SecondKind, 0 for the next one.
     int number = 0;
     bool operator==(const Command&) const = default;
 };
@@ -80,15 +82,20 @@ inline constexpr std::array command_helps{
     CommandHelp{"up", "E", "up", {Action::move, int(Push::up)}},
     CommandHelp{"", "with Shift", "faster"},
     CommandHelp{"", "mouse drag", "look around"},
-    CommandHelp{"", "wheel", "speed"},
+    CommandHelp{"", "middle drag", "turn around what is seen"},
+    CommandHelp{"", "wheel", "speed; in orbit the distance"},
     CommandHelp{"orbit", "Tab", "fly, or orbit around what is seen", {Action::change_style}},
     CommandHelp{"reset", "R", "back to the scene's camera", {Action::reset}},
     CommandHelp{"approach", "B", "to the body that is chosen", {Action::approach}},
+    CommandHelp{"front", "Num1", "look from the front", {Action::turn_view, 1}},
+    CommandHelp{"right-side", "Num3", "from the right", {Action::turn_view, 3}},
+    CommandHelp{"above", "Num7", "from above", {Action::turn_view, 7}},
+    CommandHelp{"opposite", "Num9", "from the opposite side", {Action::turn_view, 9}},
     CommandHelp{"recall", "1-9", "recall a camera", {Action::recall}},
     CommandHelp{"store", "Shift+1-9", "store the camera", {Action::store}},
     CommandHelp{"copy-camera", "C", "copy the camera and print it", {Action::copy_camera}},
     CommandHelp{"", "Flight", ""},
-    CommandHelp{"play", "F", "fly along the path", {Action::play}},
+    CommandHelp{"play", "F", "along the path; to a chosen body", {Action::play}},
     CommandHelp{"pause", "Space", "pause, continue", {Action::pause}},
     CommandHelp{"step-back", "Left", "1/25 s back", {Action::step, -1}},
     CommandHelp{"step", "Right", "1/25 s forward", {Action::step, 1}},

@@ -36,6 +36,10 @@ constexpr std::pair<const char*, int> key_names[] = {{"Esc", GLFW_KEY_ESCAPE},
                                                      {"Up", GLFW_KEY_UP},
                                                      {"Down", GLFW_KEY_DOWN},
                                                      {"Backspace", GLFW_KEY_BACKSPACE},
+                                                     {"Num1", GLFW_KEY_KP_1},
+                                                     {"Num3", GLFW_KEY_KP_3},
+                                                     {"Num7", GLFW_KEY_KP_7},
+                                                     {"Num9", GLFW_KEY_KP_9},
                                                      {"1-9", KeyPress::digits}};
 constexpr int last_function_key = 25;
 
@@ -102,6 +106,8 @@ std::optional<Command> KeyMap::find(const KeyPress& key) const {
 std::optional<Command> KeyMap::command_of_key(int key, int scancode, int modifiers, bool third_level) const {
     const int held = modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER | GLFW_MOD_SHIFT);
     int code = key, number = 0;
+    if (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_9)  // the others are digits
+        if (auto command = find({key, held})) return command;
     for (const int first : {GLFW_KEY_1, GLFW_KEY_KP_1})
         if (key >= first && key < first + 9) code = KeyPress::digits, number = key - first + 1;
     const char letter = letter_of(key, scancode);

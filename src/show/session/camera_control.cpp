@@ -64,6 +64,20 @@ Camera orbit(const Camera& camera, const CameraInput& input) {
     return checked(moved, camera);
 }
 
+Camera seen_from(const Camera& camera, int side) {
+    const Axes axes = axes_of(camera);
+    const DVec3 x = std::abs(axes.up.x) < .9 ? DVec3(1, 0, 0) : DVec3(0, 1, 0);
+    const DVec3 right = normalize(x - dot_product(x, axes.up) * axes.up), front = cross_product(axes.up, right);
+    constexpr double steep = std::numbers::pi * 89 / 180;
+    const DVec3 direction = side == 1   ? front
+                            : side == 3 ? DVec3(0) - right
+                            : side == 7 ? std::cos(steep) * front - std::sin(steep) * axes.up
+                                        : DVec3(0) - axes.forward;
+    Camera moved = camera;
+    moved.position = camera.look_at - direction * length(camera.look_at - camera.position);
+    return checked(moved, camera);
+}
+
 double default_speed(const Camera& camera) { return length(camera.look_at - camera.position) / 3; }
 
 }  // namespace strahl

@@ -8,6 +8,7 @@ namespace strahl {
 struct CameraInput {
     DVec3 push{0};                  // to the right of the picture, up, and into it
     double right = 0, upwards = 0;  // turns in radians
+    bool around = false;            // look_at, in any style
     bool operator==(const CameraInput&) const = default;
 };
 
@@ -17,6 +18,10 @@ Camera fly(const Camera& camera, const CameraInput& input);
 
 /// Moves around look_at. `push` to the right and up is in radians; into the picture it is a share of the distance.
 Camera orbit(const Camera& camera, const CameraInput& input);
+
+/// Turns the camera around look_at: 1 looks from the front, along the world's axis that is across the camera's `up` and
+/// x; 3 from the right, 7 from above, 9 from the side opposite to its own. These are keys of a number pad.
+Camera seen_from(const Camera& camera, int side);
 
 /// Returns a speed, in units per second, that suits the scene: it reaches look_at in three seconds.
 double default_speed(const Camera& camera);

@@ -104,6 +104,10 @@ Answer Session::perform(Command command, double now) {
             flight.stop(now);
             camera = scene->camera, speed = default_speed(camera);
             return {"the scene's camera", ""};
+        case Action::turn_view:
+            flight.stop(now);
+            camera = seen_from(camera, command.number);
+            return {};
         case Action::deeper:
         case Action::shallower:
             own_depth = std::clamp(depth() + (command.action == Action::deeper ? 1 : -1), 1, 256);
@@ -348,8 +352,9 @@ Answer Session::steer(const CameraInput& input, double now) {
     }
     CameraInput scaled = input;
     // In orbit a push turns by a radian per second.
-    scaled.push *= orbiting ? DVec3(speed / default_speed(scene->camera)) : DVec3(speed);
-    camera = orbiting ? orbit(camera, scaled) : fly(camera, scaled);
+    const bool around = orbiting || input.around;
+    scaled.push *= around ? DVec3(speed / default_speed(scene->camera)) : DVec3(speed);
+    camera = around ? orbit(camera, scaled) : fly(camera, scaled);
     return {note, ""};
 }
 
@@ -364,6 +369,12 @@ Answer Session::change_speed(double factor, double now) {
         std::snprintf(text, sizeof text, "speed %.3g a second", speed);
     }
     return {text, ""};
+}
+
+Answer Session::turn_wheel(double notches, double now) {
+    if (!orbiting || bound()) return change_speed(std::pow(1.25, notches), now);
+    camera = orbit(camera, {.push = {0, 0, .15 * notches}});
+    return {};
 }
 
 Camera Session::flight_camera() const {

@@ -19,8 +19,8 @@ void Controls::press(Push key) { held[number(key)] = {true, true}; }
 
 void Controls::release(Push key) { held[number(key)].down = false; }
 
-void Controls::drag(double by_right, double by_upwards, double now) {
-    right += by_right, upwards += by_upwards, dragged = now;
+void Controls::drag(double by_right, double by_upwards, bool around, double now) {
+    right += by_right, upwards += by_upwards, dragged = now, turns_around = around;
 }
 
 void Controls::tilt(const DVec3& push, double by_right, double by_upwards) {
@@ -42,7 +42,8 @@ CameraInput Controls::take(double seconds) {
     const auto push = [&](Push there, Push back) { return pushes(there) - pushes(back); };
     CameraInput input{{push(Push::right, Push::left), push(Push::up, Push::down), push(Push::forward, Push::back)},
                       std::exchange(right, 0) + seconds * tilted.right,
-                      std::exchange(upwards, 0) + seconds * tilted.upwards};
+                      std::exchange(upwards, 0) + seconds * tilted.upwards,
+                      std::exchange(turns_around, false)};
     input.push += tilted.push;
     input.push *= seconds * (faster ? fast : 1);
     for (KeyState& h : held) h.fresh = false;

@@ -14,7 +14,8 @@ class Controls {
   public:
     void press(Push key);
     void release(Push key);
-    void drag(double right, double upwards, double now);
+    /// `around`: around what the camera looks at, in any style.
+    void drag(double right, double upwards, bool around, double now);
     /// Takes the position of a gamepad's sticks, -1 to 1 in each direction: they push like keys, and turn to the right
     /// and upwards. Near their middle they count as at rest.
     void tilt(const DVec3& push, double right, double upwards);
@@ -32,6 +33,7 @@ class Controls {
 
     std::array<KeyState, 6> held;
     double right = 0, upwards = 0, dragged = -1;
+    bool turns_around = false;  // the drag does
     CameraInput tilted;  // per second
 };
 

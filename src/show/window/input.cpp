@@ -139,10 +139,14 @@ void Input::on_button(int button, int action, int modifiers) {
     settle();
     ImGui_ImplGlfw_MouseButtonCallback(screen.window(), button, action, modifiers);
     if (panels.take_input()) pace.redraw(after_input), unsettle(to_settle);
-    if (button != GLFW_MOUSE_BUTTON_LEFT) return;
-    if (action == GLFW_PRESS && panels.help_shown()) return panels.toggle(Action::help);
     double x = 0, y = 0;
     glfwGetCursorPos(screen.window(), &x, &y);
+    if (button == GLFW_MOUSE_BUTTON_MIDDLE && held == Hold::nothing) {
+        middle_held = action == GLFW_PRESS && !on_panel();
+        middle_held ? pointer.press({x, y}) : void(pointer.release());
+    }
+    if (button != GLFW_MOUSE_BUTTON_LEFT || middle_held) return;
+    if (action == GLFW_PRESS && panels.help_shown()) return panels.toggle(Action::help);
     if (action == GLFW_PRESS && !on_panel()) {
         held = fixed ? Hold::nothing : handlers.points_at(pointed().x, pointed().y);
         if (held == Hold::handle) handlers.hold(pointed().x, pointed().y);
@@ -206,7 +210,7 @@ void Input::on_cursor(double x, double y) {
     int width = 1;
     glfwGetWindowSize(screen.window(), &width, nullptr);
     const double angle = 2 * session.camera.fov * std::numbers::pi / 180 / std::max(width, 1);
-    controls.drag(way->x * angle, -way->y * angle, pace.now());
+    controls.drag(way->x * angle, -way->y * angle, middle_held, pace.now());
 }
 
 void Input::on_wheel(double notches) {

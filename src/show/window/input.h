@@ -85,6 +85,7 @@ class Input {
     Pointer pointer;
     std::optional<glm::dvec2> cursor;  // where the pointer moved last, in units of the screen
     Hold held = Hold::nothing;
+    bool middle_held = false;         // the mouse's middle button
     Hold hold_shown = Hold::nothing;  // by the pointer's shape
     std::array<GLFWcursor*, 3> hold_shapes{};
     std::map<int, int> pressed;  // keys for panels, and the number of the picture that was drawn last then

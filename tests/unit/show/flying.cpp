@@ -61,6 +61,41 @@ TEST_CASE("orbiting keeps look_at, and the distance unless pushed") {
     CHECK(degenerate(nearest) == nullptr);
 }
 
+TEST_CASE("views from the sides keep look_at, the distance and a level horizon, whatever is up") {
+    const double away = distance(camera.position, camera.look_at);
+    for (const DVec3& up : {DVec3(0, 0, 1), DVec3(0, 1, 0), DVec3(1, 0, 0), DVec3(0, -1, 0)}) {
+        Camera own = camera;
+        own.up = DVec3(0) - up;
+        const auto direction = [&](const Camera& c) { return normalize(c.look_at - c.position); };
+        const Camera front = seen_from(own, 1), right = seen_from(own, 3), above = seen_from(own, 7);
+        for (const Camera& seen : {front, right, above, seen_from(right, 9)}) {
+            CHECK(seen.look_at == own.look_at);
+            CHECK(seen.up == own.up);
+            CHECK(std::abs(distance(seen.position, seen.look_at) - away) < 1e-9);
+        }
+        CHECK(std::abs(dot_product(direction(front), up)) < 1e-12);
+        CHECK(distance(frame_of(front, 1).right, DVec3(0) - direction(right)) < 1e-9);
+        CHECK(dot_product(direction(above), up) < -.999);
+        CHECK(distance(direction(seen_from(right, 9)), DVec3(0) - direction(right)) < 1e-9);
+        CHECK(distance(seen_from(front, 1).position, front.position) < 1e-9);
+    }
+}
+
+TEST_CASE("the wheel changes the speed, or in orbit the distance; the middle button turns around what is seen") {
+    Session session(scene_of(""));
+    CHECK(session.turn_wheel(1, 0).note.starts_with("speed "));
+    CHECK(session.camera == camera);
+    session.steer({.right = .3, .around = true}, 1);
+    CHECK(session.camera.look_at == camera.look_at);
+    CHECK(distance(session.camera.position, camera.position) > .1);
+    session.perform({Action::change_style}, 2);
+    const double before = distance(session.camera.position, camera.look_at);
+    session.turn_wheel(1, 3);
+    CHECK(distance(session.camera.position, camera.look_at) == doctest::Approx(before * std::exp(-.15)));
+    session.turn_wheel(-1, 4);
+    CHECK(distance(session.camera.position, camera.look_at) == doctest::Approx(before));
+}
+
 TEST_CASE("keys push while they are down, each at once; a tap pushes once") {
     for (const auto& [key, direction] :
          {std::pair{Push::forward, DVec3(0, 0, 1)}, {Push::back, DVec3(0, 0, -1)}, {Push::left, DVec3(-1, 0, 0)}}) {
@@ -140,10 +175,10 @@ TEST_CASE("a picture keeps its camera's proportions, or the view is widened to f
 
 TEST_CASE("a turn of the mouse is taken once") {
     Controls controls;
-    controls.drag(0.1, -0.2, 1);
-    controls.drag(0.1, 0, 1.01);
+    controls.drag(0.1, -0.2, false, 1);
+    controls.drag(0.1, 0, true, 1.01);
     CHECK(controls.active(1.05));
-    CHECK(controls.take(0.02) == CameraInput{.right = 0.2, .upwards = -0.2});
+    CHECK(controls.take(0.02) == CameraInput{.right = 0.2, .upwards = -0.2, .around = true});
     CHECK(controls.take(0.02) == CameraInput{});
     CHECK(!controls.active(1.2));
 }

@@ -54,6 +54,8 @@ TEST_CASE("keys give commands, with Shift the same ones unless there are others"
     CHECK(given(keys, GLFW_KEY_RIGHT, shift) == Command{Action::step, 25});
     CHECK(given(keys, GLFW_KEY_4) == Command{Action::recall, 4});
     CHECK(given(keys, GLFW_KEY_KP_9, shift) == Command{Action::store, 9});
+    CHECK(given(keys, GLFW_KEY_KP_8) == Command{Action::recall, 8});
+    CHECK(given(keys, GLFW_KEY_KP_7) == Command{Action::turn_view, 7});
     CHECK(given(keys, GLFW_KEY_F12, ctrl) == Command{Action::film});
     CHECK(!given(keys, GLFW_KEY_TAB, GLFW_MOD_ALT));
     CHECK(!given(keys, GLFW_KEY_W));
