@@ -74,6 +74,21 @@ xdotool key x
 await 'X checks rounding in a picture at rest'
 xdotool key f
 
+echo "-- the number pad looks from the sides, the middle button turns around what is seen, F goes to what is chosen"
+xdotool key r KP_7 c
+await 'camera copied'
+await 'position <0, -0.47'
+xdotool mousemove --window "$id" 100 100 mousedown 2 mousemove_relative 40 0 mousemove_relative 40 0 mouseup 2 key c
+await 'camera copied'
+await 'look_at <0, 0, 0>'
+xdotool key r
+xdotool mousemove --window "$id" 100 100 click 1
+await 'chosen: body'
+flights=$(grep -c 'flying from' log)
+xdotool key f c
+await 'camera copied'
+[[ $(grep -c 'flying from' log) == "$flights" ]] || fault "F flies although a body is chosen"
+
 echo "-- a signal waits for stills, as Esc does; one that cannot be written is told at once"
 xdotool key shift+F12
 await 'still saved: scene'
