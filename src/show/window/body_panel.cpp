@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "show/timeline/share_slider.h"
+
 namespace strahl {
 namespace {
 
@@ -63,16 +65,6 @@ std::string numbers_text(const std::vector<double>& numbers) {
 }
 
 }  // namespace
-
-bool draw_share(double& share) {
-    // ImGui lets sliders be typed into with Ctrl only, and other numbers after a double click as well.
-    bool& control = ImGui::GetIO().KeyCtrl;
-    const bool held = std::exchange(control, control || ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left));
-    const bool changed = ImGui::SliderScalar("##share", ImGuiDataType_Double, &share, &shares.low, &shares.high, "%.3f",
-                                             ImGuiSliderFlags_AlwaysClamp);
-    control = held;
-    return changed;
-}
 
 BodyInput BodyPanel::draw(const BodyEditor& editor, const std::string& file, float reserved) {
     BodyInput input;

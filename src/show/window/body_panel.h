@@ -12,9 +12,6 @@
 
 namespace strahl {
 
-/// Draws a slider for a number from 0 to 1, which is typed after a double click. Returns whether it has changed.
-bool draw_share(double& share);
-
 /// The user's actions on the panel since the last picture. Values are those of BodyEditor::body(), by number.
 struct BodyInput {
     std::optional<Command> command;

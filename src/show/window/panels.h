@@ -8,7 +8,7 @@
 #include "show/window/add_panel.h"
 #include "show/window/body_panel.h"
 #include "show/window/outliner.h"
-#include "show/window/timeline.h"
+#include "show/timeline/timeline.h"
 #include "show/work/pace.h"
 
 namespace strahl {

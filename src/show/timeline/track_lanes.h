@@ -1,0 +1,38 @@
+// The timeline's lanes of tracks that something follows, and of motions of bodies and lights.
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "show/timeline/time_scale.h"
+#include "show/timeline/timeline_view.h"
+
+namespace strahl {
+
+class TrackLanes {
+  public:
+    /// To be called before the others: looks for what the scene has.
+    void look(const TimelineView& view);
+    bool any_tracks() const { return !followed.empty(); }
+    void draw(const TimelineView& view, TimeScale& scale, TimelineInput& input);
+    /// Draws the values of the key of a track that is chosen.
+    void draw_values(const TimelineView& view, TimelineInput& input);
+
+  private:
+    void track_lane(const TimelineView& view, TimeScale& scale, const Track& track, TimelineInput& input);
+    void motion_lane(const TimelineView& view, TimeScale& scale, const SceneMotion& motion, TimelineInput& input);
+
+    std::shared_ptr<const Scene> known;  // the scene of these
+    std::vector<std::string> followed;   // names of tracks
+    std::vector<SceneMotion> motions;
+    std::string chosen;  // one of the tracks
+    int chosen_row = 0;  // of its key, if it has one there
+    bool key_dragged = false;
+    double low = 0, high = 1;            // the values that its lane shows; constant during a drag
+    bool value_held = false;             // a value has been changed since the mouse button is down
+    std::optional<std::size_t> dragged;  // number of a key of a motion
+    bool drag_began = false;             // a key has been moved
+};
+
+}  // namespace strahl
