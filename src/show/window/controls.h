@@ -42,7 +42,13 @@ class Pointer {
   public:
     /// Begins a drag where the pointer moved last. When events have waited it may be elsewhere by now, at `now`, which
     /// counts only if it has not moved in this window.
-    void press(const glm::dvec2& now) { held = true, dragging = false, last = at.value_or(now); }
+    void press(const glm::dvec2& now, bool with_middle = false) {
+        held = true, dragging = false, middle = with_middle, last = at.value_or(now);
+    }
+    /// Is the middle button down in place of the left one?
+    bool middle_held() const { return held && middle; }
+    /// Returns where it moved last, if it has moved in this window.
+    const std::optional<glm::dvec2>& place() const { return at; }
     /// Returns whether that was a click.
     bool release() { return std::exchange(held, false) && !dragging; }
     /// Ends a drag because the window becomes another one under the pointer.
@@ -51,7 +57,7 @@ class Pointer {
     std::optional<glm::dvec2> move(double x, double y);
 
   private:
-    bool held = false, dragging = false;
+    bool held = false, dragging = false, middle = false;
     std::optional<glm::dvec2> at;
     glm::dvec2 last{0};  // up to where the drag was reported
 };

@@ -53,7 +53,7 @@ Input::Input(Screen& screen, const Session& session, Panels& panels, Pace& pace,
 /// Draws until panels have reacted to what came before. They look at the pointer and at keys only while they are drawn:
 /// if drawing is slow, what is typed right after a click would be commands, or a click would meet another place.
 void Input::settle() {
-    screen.pointer = cursor;
+    screen.pointer = pointer.place();
     const int before = ImGui::GetFrameCount();
     for (int i = 0; i < to_settle && ImGui::GetFrameCount() < settled; ++i) handlers.draw();
     if (ImGui::GetFrameCount() != before) pace.redraw(1);  // these show what was known before the command
@@ -79,10 +79,10 @@ void Input::on_key(int key, int scancode, int action, int modifiers) {
     const bool control = key == GLFW_KEY_LEFT_CONTROL || key == GLFW_KEY_RIGHT_CONTROL;
     if (panels.take_input() && (typing || control || action == GLFW_RELEASE)) {
         const int picture = ImGui::GetFrameCount();
-        if (action == GLFW_PRESS) pressed[key] = picture;
-        const auto press = pressed.find(key);
-        if (action == GLFW_RELEASE && press != pressed.end() && press->second == picture)
-            released.push_back({key, scancode, modifiers});
+        if (action == GLFW_PRESS) for_panels.pressed[key] = picture;
+        const auto press = for_panels.pressed.find(key);
+        if (action == GLFW_RELEASE && press != for_panels.pressed.end() && press->second == picture)
+            for_panels.released.push_back({key, scancode, modifiers});
         else
             ImGui_ImplGlfw_KeyCallback(window, key, scancode, action, modifiers);
         pace.redraw(after_input);
@@ -117,7 +117,7 @@ void Input::on_key(int key, int scancode, int action, int modifiers) {
 }
 
 void Input::release_keys() {
-    for (const auto& [key, scancode, modifiers] : std::exchange(released, {}))
+    for (const auto& [key, scancode, modifiers] : std::exchange(for_panels.released, {}))
         ImGui_ImplGlfw_KeyCallback(screen.window(), key, scancode, GLFW_RELEASE, modifiers);
 }
 
@@ -142,10 +142,10 @@ void Input::on_button(int button, int action, int modifiers) {
     double x = 0, y = 0;
     glfwGetCursorPos(screen.window(), &x, &y);
     if (button == GLFW_MOUSE_BUTTON_MIDDLE && held == Hold::nothing) {
-        middle_held = action == GLFW_PRESS && !on_panel();
-        middle_held ? pointer.press({x, y}) : void(pointer.release());
+        if (action == GLFW_PRESS && !on_panel()) pointer.press({x, y}, true);
+        if (action == GLFW_RELEASE && pointer.middle_held()) pointer.release();
     }
-    if (button != GLFW_MOUSE_BUTTON_LEFT || middle_held) return;
+    if (button != GLFW_MOUSE_BUTTON_LEFT || pointer.middle_held()) return;
     if (action == GLFW_PRESS && panels.help_shown()) return panels.toggle(Action::help);
     if (action == GLFW_PRESS && !on_panel()) {
         held = fixed ? Hold::nothing : handlers.points_at(pointed().x, pointed().y);
@@ -172,7 +172,7 @@ glm::dvec2 Input::pointed() const {
     double x = 0, y = 0;
     int width = 1, height = 1;
     glfwGetCursorPos(screen.window(), &x, &y);
-    if (cursor) x = cursor->x, y = cursor->y;
+    if (const auto& place = pointer.place()) x = place->x, y = place->y;
     glfwGetWindowSize(screen.window(), &width, &height);
     return {x / std::max(width, 1) * screen.width(), y / std::max(height, 1) * screen.height()};
 }
@@ -189,20 +189,15 @@ void Input::show_hold() {
     const Hold hold = held != Hold::nothing ? held
                       : on_panel() || fixed ? Hold::nothing
                                             : handlers.points_at(pointed().x, pointed().y);
-    if (hold == std::exchange(hold_shown, hold)) return;
-    GLFWcursor*& shape = hold_shapes[static_cast<std::size_t>(hold)];  // glfwTerminate destroys them
-    if (!shape && hold != Hold::nothing)
-        shape = glfwCreateStandardCursor(hold == Hold::divider ? GLFW_HRESIZE_CURSOR : GLFW_HAND_CURSOR);
-    glfwSetCursor(screen.window(), shape);
+    look.show(screen.window(), hold);
 }
 
 void Input::on_cursor(double x, double y) {
     settle();
-    pointer_moved = pace.now();
-    cursor = {x, y};
+    look.move(pace.now());
+    const auto way = pointer.move(x, y);
     if (panels.take_input()) pace.redraw();
     show_hold();
-    const auto way = pointer.move(x, y);
     if (held == Hold::divider || (held == Hold::handle && way))
         return handlers.pull(held, pointed().x, pointed().y, steps());
     if (!way || fixed || held != Hold::nothing) return;
@@ -210,7 +205,7 @@ void Input::on_cursor(double x, double y) {
     int width = 1;
     glfwGetWindowSize(screen.window(), &width, nullptr);
     const double angle = 2 * session.camera.fov * std::numbers::pi / 180 / std::max(width, 1);
-    controls.drag(way->x * angle, -way->y * angle, middle_held, pace.now());
+    controls.drag(way->x * angle, -way->y * angle, pointer.middle_held(), pace.now());
 }
 
 void Input::on_wheel(double notches) {
@@ -235,10 +230,6 @@ void Input::read_gamepad() {
     }
 }
 
-void Input::hide_pointer() {
-    const bool hide = screen.full_screen() && (fixed || pace.now() > pointer_moved + 2);
-    if (hide == std::exchange(pointer_hidden, hide)) return;
-    glfwSetInputMode(screen.window(), GLFW_CURSOR, hide ? GLFW_CURSOR_HIDDEN : GLFW_CURSOR_NORMAL);
-}
+void Input::hide_pointer() { look.hide(screen.window(), screen.full_screen() && (fixed || look.rests(pace.now()))); }
 
 }  // namespace strahl

@@ -12,15 +12,11 @@
 #include "show/session/session.h"
 #include "show/window/controls.h"
 #include "show/window/panels.h"
+#include "show/window/pointer_look.h"
 #include "show/window/screen.h"
 #include "show/work/pace.h"
 
-struct GLFWcursor;
-
 namespace strahl {
-
-/// Names what the pointer has hold of in the picture.
-enum class Hold { nothing, divider, handle };
 
 /// Functions that are called, while events are processed, for what the user does besides moving the camera.
 struct InputHandlers {
@@ -51,7 +47,7 @@ class Input {
     /// The input for the camera since the last call, `seconds` ago.
     CameraInput take(double seconds) { return controls.take(seconds); }
     /// Ends a drag, because the window changes under the pointer.
-    void release_pointer() { pointer.leave(), let_go(), cursor.reset(); }
+    void release_pointer() { pointer.leave(), let_go(); }
     /// To be called after each drawing. Panels look at keys only then, so a key that was pressed since the last one is
     /// released for them now.
     void release_keys();
@@ -83,20 +79,18 @@ class Input {
     const InputHandlers handlers;
     Controls controls;
     Pointer pointer;
-    std::optional<glm::dvec2> cursor;  // where the pointer moved last, in units of the screen
+    PointerLook look;
     Hold held = Hold::nothing;
-    bool middle_held = false;         // the mouse's middle button
-    Hold hold_shown = Hold::nothing;  // by the pointer's shape
-    std::array<GLFWcursor*, 3> hold_shapes{};
-    std::map<int, int> pressed;  // keys for panels, and the number of the picture that was drawn last then
     struct ReleasedKey {
         int key, scancode, modifiers;
     };
-    std::vector<ReleasedKey> released;  // before panels could see that they were pressed
-    bool used = false;                  // the key whose character follows
-    int settled = 0;                    // the number of the drawing by which panels have reacted to the last event
-    double pointer_moved = 0;
-    bool pointer_hidden = false;
+    struct PanelKeys {
+        std::map<int, int> pressed;         // and the number of the picture that was drawn last then
+        std::vector<ReleasedKey> released;  // before panels could see that they were pressed
+    };
+    PanelKeys for_panels;
+    bool used = false;               // the key whose character follows
+    int settled = 0;                 // the number of the drawing by which panels have reacted to the last event
     std::array<bool, 15> buttons{};  // of the gamepad, which are down
 };
 
