@@ -381,9 +381,7 @@ Bump PigmentMaker::bump_of(const NormalThing& normal, const Steps& way, bool map
     } else {
         std::optional<SolidPattern> solid;
         if (blend.map && !notes.in.options().as_text) {
-            if (auto bends = bends_of(normal, notes.in.noise_generator))
-                solid = of_function(std::move(bends));
-            notes.approximated(blend.place, "the normals of a map are added before their lengths become 1");
+            if (auto bends = bends_of(normal, notes.in.noise_generator)) solid = of_function(std::move(bends));
         } else if (!blend.map) {
             solid = solid_of(blend, true);
         }

@@ -31,19 +31,23 @@ std::shared_ptr<const SolidFunction> make_values(Function function) {
 }
 
 struct MovedValues : SolidFunction {
-    MovedValues(Moves moves, SolidPattern values) : moves(std::move(moves)), values(std::move(values)) {}
+    MovedValues(Moves given, SolidPattern values)
+        : moves(std::move(given)), normals(moves), values(std::move(values)) {}
     double value_at(const DVec3& point) const override { return strahl::value_at(values, moved(moves, point)); }
-    std::optional<DVec3> bend_at(const DVec3& point) const override {
-        return unmoved_normal(moves, strahl::bend_at(values, moved(moves, point)));
+    std::optional<DVec3> bend_at(const DVec3& point, const DVec3& normal) const override {
+        return normals.unmoved(strahl::bend_at(values, moved(moves, point), normals.moved(normal)), normal);
     }
     const Moves moves;
+    const MovedNormals normals;
     const SolidPattern values;
 };
 
 struct QuiltedValues : SolidFunction {
     explicit QuiltedValues(std::array<double, 2> controls) : controls(controls) {}
-    double value_at(const DVec3& point) const override { return quilt_value(*bend_at(point)); }
-    std::optional<DVec3> bend_at(const DVec3& point) const override { return quilt(point, controls[0], controls[1]); }
+    double value_at(const DVec3& point) const override { return quilt_value(quilt(point, controls[0], controls[1])); }
+    std::optional<DVec3> bend_at(const DVec3& point, const DVec3&) const override {
+        return quilt(point, controls[0], controls[1]);
+    }
     const std::array<double, 2> controls;
 };
 
@@ -231,27 +235,32 @@ struct SlopeValues : SolidFunction {
     const std::vector<MapEntry> entries;
 };
 
-/// Adds to normals what a normal { ... } says: by its own pattern, or by those of a map blended by a pattern.
+/// Bends normals as a normal { ... } says: by its own pattern, or by a map. Its parts each bend the normal themselves,
+/// and the normals of length 1 that these make are blended by a pattern.
 struct Bends : SolidFunction {
     double value_at(const DVec3&) const override { return 0; }
-    std::optional<DVec3> bend_at(const DVec3& given) const override {
-        const DVec3 point = moved(moves, given);
+    std::optional<DVec3> bend_at(const DVec3& point, const DVec3& normal) const override {
+        return bent(point, normal) - normal;
+    }
+    DVec3 bent(const DVec3& given, const DVec3& normal) const {
+        const DVec3 point = moved(moves, given), own = normals.moved(normal);
         DVec3 sum(0);
         if (parts.empty()) {
-            sum = amount * strahl::bend_at(pattern, point);
+            sum = own + amount * strahl::bend_at(pattern, point, own);
         } else if (total > 0) {
-            for (std::size_t i = 0; i < parts.size(); ++i) sum += entries[i].at / total * *parts[i]->bend_at(point);
+            for (std::size_t i = 0; i < parts.size(); ++i) sum += entries[i].at / total * parts[i]->bent(point, own);
         } else {
             const auto [before, after, share] = place_in(entries, strahl::value_at(pattern, point));
             const auto part = [&](const MapEntry* entry) {
-                return *parts[std::size_t(entry - &entries[0])]->bend_at(point);
+                return parts[std::size_t(entry - &entries[0])]->bent(point, own);
             };
             sum = share * part(after);
             if (before != after) sum += (1 - share) * part(before);
         }
-        return unmoved_normal(moves, sum);
+        return quick_unit(normal + normals.unmoved(sum - own, normal));
     }
     Moves moves;
+    MovedNormals normals;
     SolidPattern pattern;
     double amount = 1;
     std::vector<MapEntry> entries;
@@ -285,7 +294,7 @@ std::shared_ptr<Bends> bends_of(const NormalThing& normal, bool last, int genera
     made->amount = static_cast<float>(normal.amount);
     if (!blend) return made->amount = 0, made;
     if (blend.image || blend.uv) return nullptr;
-    made->moves = moves_of(blend, last);
+    made->moves = moves_of(blend, last), made->normals = MovedNormals(made->moves);
     const bool average = blend.word == word("average");
     if (!average) {
         const auto own = still_solid_of(blend, !blend.map, generator);

@@ -111,11 +111,15 @@ DVec3 moved(std::span<const Move> moves, DVec3 point) {
     return point;
 }
 
-DVec3 unmoved_normal(std::span<const Move> moves, DVec3 change) {
-    for (auto move = moves.rbegin(); move != moves.rend(); ++move)
-        if (const auto* const matrix = std::get_if<glm::dmat4>(&*move))
-            change = glm::transpose(glm::dmat3(*matrix)) * change;
-    return change;
+MovedNormals::MovedNormals(std::span<const Move> moves) {
+    for (const Move& move : moves)
+        if (const auto* const matrix = std::get_if<glm::dmat4>(&move))
+            back = back * glm::transpose(glm::dmat3(*matrix));
+    there = glm::inverse(back);
+}
+DVec3 MovedNormals::moved(const DVec3& normal) const { return quick_unit(there * normal); }
+DVec3 MovedNormals::unmoved(const DVec3& change, const DVec3& normal) const {
+    return quick_length(there * normal) * (back * change);
 }
 
 }  // namespace strahl::pov

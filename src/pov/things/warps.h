@@ -48,8 +48,18 @@ using Move = std::variant<glm::dmat4, Warp>;
 using Moves = std::vector<Move>;
 
 DVec3 moved(std::span<const Move> moves, DVec3 point);
-/// Returns what a change of the normal at moved points is at the points themselves. As in POV-Ray warps leave it as it
-/// is.
-DVec3 unmoved_normal(std::span<const Move> moves, DVec3 change);
+
+/// Turns normals to the space of moved points. As in POV-Ray they have length 1 in either space, and warps leave them
+/// as they are.
+class MovedNormals {
+  public:
+    explicit MovedNormals(std::span<const Move> moves = {});
+    DVec3 moved(const DVec3& normal) const;
+    /// Returns what is added to a normal where a change is added to it in the space of moved points.
+    DVec3 unmoved(const DVec3& change, const DVec3& normal) const;
+
+  private:
+    glm::dmat3 there{1}, back{1};
+};
 
 }  // namespace strahl::pov

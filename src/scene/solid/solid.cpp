@@ -47,7 +47,7 @@ SolidDetail even_detail(const SolidPattern& own) {
 
 }  // namespace
 
-std::optional<DVec3> SolidFunction::bend_at(const DVec3&) const { return {}; }
+std::optional<DVec3> SolidFunction::bend_at(const DVec3&, const DVec3&) const { return {}; }
 
 const double* random_numbers() {
     static const auto table = [] {
@@ -111,7 +111,7 @@ SolidDetails::Repeat repeat_of(const SolidPattern& own) {
 
 double value_at(const SolidPattern& own, const DVec3& p) { return solid_value(own, p); }
 double smoothed_value(const SolidPattern& own, const DVec3& p, double step) { return smoothed_solid(own, p, step); }
-DVec3 bend_at(const SolidPattern& own, const DVec3& p) { return solid_bend(own, p); }
+DVec3 bend_at(const SolidPattern& own, const DVec3& p, const DVec3& normal) { return solid_bend(own, p, normal); }
 
 SolidDetails details_of(const SolidPattern& own) {
     const SolidDetail even = even_detail(own);

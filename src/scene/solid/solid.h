@@ -27,8 +27,8 @@ struct SolidFunction {
     virtual ~SolidFunction() = default;
     /// Returns the value at a point, before frequency, phase and wave. Several threads may call it at once.
     virtual double value_at(const DVec3& point) const = 0;
-    /// Returns what is added to the normal at a point; nothing if that is the slope of the values.
-    virtual std::optional<DVec3> bend_at(const DVec3& point) const;
+    /// Returns what is added at a point to the normal, of length 1; nothing if that is the slope of the values.
+    virtual std::optional<DVec3> bend_at(const DVec3& point, const DVec3& normal) const;
 };
 
 /// A pattern of POV-Ray 3.7: what its manual calls the pattern's value goes through `frequency` and `phase`, repeats
@@ -78,8 +78,9 @@ SolidDetails details_of(const SolidPattern& pattern);
 /// values never repeat, the wave has been applied.
 double smoothed_value(const SolidPattern& pattern, const DVec3& point, double step);
 /// Returns what is added to the normal at a point, for a height of 1, which is POV-Ray's amount: noise or waves for
-/// `bumps`, `dents`, `wrinkles`, `ripples` and `waves`, for all others the slope of the values.
-DVec3 bend_at(const SolidPattern& pattern, const DVec3& point);
+/// `bumps`, `dents`, `wrinkles`, `ripples` and `waves`, for all others the slope of the values. Functions may depend on
+/// the normal.
+DVec3 bend_at(const SolidPattern& pattern, const DVec3& point, const DVec3& normal);
 /// Returns the way from the middle of a cell of `quilted`, which is longer the nearer its border is, as a curve with
 /// these slopes at both ends; and the value at such a way.
 DVec3 quilt(const DVec3& point, double middle = 1, double border = 1);

@@ -352,14 +352,14 @@ Vec3<S> slope_of(const SolidPattern& own, const Vec3<S>& p) {
 }
 /// Returns what a pattern adds to a normal at a point that turbulence has moved.
 template <class S>
-Vec3<S> bend_of(const SolidPattern& own, const Vec3<S>& p) {
+Vec3<S> bend_of(const SolidPattern& own, const Vec3<S>& p, const Vec3<S>& normal) {
     Vec3<S> sum = splat<S>(DVec3(0));
     if (own.function) {
-        if (!own.function->bend_at(point_in_lane(p, 0))) return slope_of(own, p);
         alignas(64) double bends[3][width<S>];
         for (int k = 0; k < width<S>; ++k) {
-            const DVec3 bend = own.function->bend_at(point_in_lane(p, k)).value_or(DVec3(0));
-            for (int c = 0; c < 3; ++c) bends[c][k] = bend[c];
+            const auto bend = own.function->bend_at(point_in_lane(p, k), point_in_lane(normal, k));
+            if (!bend) return slope_of(own, p);
+            for (int c = 0; c < 3; ++c) bends[c][k] = (*bend)[c];
         }
         return {load_lanes<S>(bends[0]), load_lanes<S>(bends[1]), load_lanes<S>(bends[2])};
     }
@@ -393,8 +393,8 @@ Vec3<S> bend_of(const SolidPattern& own, const Vec3<S>& p) {
 }
 /// See bend_at() of solid.h.
 template <class S>
-[[gnu::noinline]] Vec3<S> solid_bend(const SolidPattern& own, const Vec3<S>& point) {
-    return within_reach(point, [&](const Vec3<S>& near) { return bend_of(own, place_of(own, near)); });
+[[gnu::noinline]] Vec3<S> solid_bend(const SolidPattern& own, const Vec3<S>& point, const Vec3<S>& normal) {
+    return within_reach(point, [&](const Vec3<S>& near) { return bend_of(own, place_of(own, near), normal); });
 }
 
 }  // namespace strahl::inline STRAHL_LEVEL

@@ -172,16 +172,17 @@ STRAHL_INLINE S wave(const S& x) {
     return S(1) - abs(fma(S(2), fraction(x), S(-1)));
 }
 
-/// Returns the first `count` components of find(points), which computes in double, as many lanes at once as it can.
-template <int count, class S, class Find>
-STRAHL_INLINE Vec3<S> in_double(const Vec3<S>& points, const Find& find) {
+/// Returns the first `count` components of find(given), which computes in double, as many lanes at once as it can.
+template <int count, class S, int n, class Find>
+STRAHL_INLINE Vec3<S> in_double(const Vec3<S> (&given)[n], const Find& find) {
     using T = Element<S>;
     using D = Widest<double>;
-    alignas(64) T at[3][width<S>];
-    for (int c = 0; c < 3; ++c) store_lanes(at[c], points[c]);
+    alignas(64) T at[3 * n][width<S>];
+    for (int i = 0; i < 3 * n; ++i) store_lanes(at[i], given[i / 3][i % 3]);
     for (int k = 0; k < width<S>; k += width<D>) {
-        const Vec3<D> found =
-            find(Vec3<D>(load_converted<D>(at[0] + k), load_converted<D>(at[1] + k), load_converted<D>(at[2] + k)));
+        Vec3<D> own_given[n];
+        for (int i = 0; i < 3 * n; ++i) own_given[i / 3][i % 3] = load_converted<D>(at[i] + k);
+        const Vec3<D> found = find(own_given);
         for (int c = 0; c < count; ++c) {
             alignas(64) double own[width<D>];
             store_lanes(own, found[c]);
@@ -224,7 +225,8 @@ template <class S>
             return fma(S(T(brightness[0])), color.x, fma(S(T(brightness[1])), color.y, S(T(brightness[2])) * color.z));
         }
         case PatternForm::solid:
-            return in_double<1>(p, [&]<class D>(const Vec3<D>& at) { return Vec3<D>(solid_value(*pattern.solid, at)); })
+            return in_double<1>({p},
+                                [&]<class D>(const Vec3<D>* at) { return Vec3<D>(solid_value(*pattern.solid, *at)); })
                 .x;
         case PatternForm::constant:
             break;

@@ -21,7 +21,8 @@ template <class S>
     Vec3<S> sum = splat<S>(Vec3<Element<S>>(0)), own;
     for (int c = 0; c < 3; ++c) own[c] = dot(splat<S>(bump.columns[c]), normal);
     if (bump.by_vectors) {
-        const Vec3<S> bend = in_double<3>(p, [&](const auto& at) { return solid_bend(*bump.pattern.solid, at); });
+        const auto bend_of = [&](const auto* at) { return solid_bend(*bump.pattern.solid, at[0], at[1]); };
+        const Vec3<S> bend = in_double<3>({p, unit_or(own, own)}, bend_of);
         for (int c = 0; c < 3; ++c) sum = fma(bend[c], splat<S>(bump.bends[c]), sum);
         return unit_or(fma(sqrt(dot(own, own)), sum, normal), normal);
     }

@@ -114,18 +114,34 @@ TEST_CASE("POV-Ray: patterns of textures are patterns of their pigments") {
                "the finish of a pattern of textures is that of one of them"));
 }
 
-TEST_CASE("POV-Ray: blended normals are those of their parts") {
-    // Bumps that are the same everywhere in a map are these bumps.
-    const auto bends = [](const std::string& text) {
+TEST_CASE("POV-Ray: blended normals are those of their parts, each of length 1") {
+    const DVec3 normal = normalize(DVec3(1, 2, -2));
+    const auto bent = [&](const std::string& text) {
         const Bump bump = material(opened("sphere { 0, 1 normal { " + text + " } }").scene).bump;
-        return bump.height * bend_at(std::get<SolidPattern>(bump.pattern->kind), {.3, .4, .5});
+        const auto& solid = std::get<SolidPattern>(bump.pattern->kind);
+        return normalize(normal + bump.height * bend_at(solid, {.3, .4, .5}, normal));
     };
-    const DVec3 one = bends("granite .3");
+    // Bumps that are the same everywhere in a map are these bumps.
+    const DVec3 one = bent("granite .3"), other = bent("bumps .8");
+    CHECK(length(one - other) > .1);
     for (const char* const map : {"average normal_map { [1 granite .3] [2 granite .3] }",
                                   "checker normal { granite .3 } "
                                   "normal { granite .3 }",
-                                  "bozo normal_map { [.2 granite .3] [.6 granite .3] }"})
-        CHECK(length(bends(map) - one) < 1e-7);
-    CHECK(length(bends("average normal_map { [1 granite .3] [1 bumps 0] }") - .5 * one) < 1e-7);
-    CHECK(length(bends("granite .3 slope_map { [0 <0, 1>] [1 <1, 1>] }") - one) < 1e-7);
+                                  "bozo normal_map { [.2 granite .3] [.6 granite .3] }",
+                                  "average normal_map { [1 average normal_map { [1 granite .3] }] }",
+                                  "granite .3 slope_map { [0 <0, 1>] [1 <1, 1>] }"})
+        CHECK(length(bent(map) - one) < 1e-7);
+    CHECK(length(bent("average normal_map { [1 granite .3] [1 bumps 0] }") - normalize(one + normal)) < 1e-7);
+    CHECK(length(bent("average normal_map { [1 granite .3] [3 bumps .8] }") - normalize(one + 3. * other)) < 1e-7);
+    const DVec3 between = bent("gradient y normal_map { [.2 granite .3] [1 bumps .8] }");
+    CHECK(length(between - normalize(.75 * one + .25 * other)) < 1e-6);
+    // Steps of a part or before a warp move its points; the normal has length 1 in that space too.
+    const DVec3 size(2, .1, -3), there = normalize(size * normal);
+    const SolidPattern granite{.solid = Solid::granite, .wave = 0};
+    const DVec3 moved = normalize((there + .3 * bend_at(granite, DVec3(.3, .4, .5) / size, there)) / size);
+    CHECK(length(moved - one) > .1);
+    for (const char* const text : {"average normal_map { [1 granite .3 scale <2, .1, -3>] }",
+                                   "granite .3 scale <2, .1, -3> warp { repeat 100 * x }"})
+        CHECK(length(bent(text) - moved) < 1e-6);
+    CHECK(notes_of("sphere { 0, 1 normal { average normal_map { [1 granite] } } }").empty());
 }

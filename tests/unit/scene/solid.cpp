@@ -47,7 +47,7 @@ TEST_CASE("solid patterns have POV-Ray's values") {
         // Points too far away, or none at all, have a value too.
         for (const double x : {1e30, -1e300, std::numeric_limits<double>::quiet_NaN()}) {
             CHECK(value_at(own, {x, 0, 0}) == 0);
-            CHECK(bend_at(own, {0, x, 0}) == DVec3(0));
+            CHECK(bend_at(own, {0, x, 0}, {0, 0, 1}) == DVec3(0));
         }
     }
 }
