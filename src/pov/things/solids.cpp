@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include "pov/language/words.h"
 #include "pov/things/pattern_values.h"
@@ -54,12 +55,19 @@ std::optional<SolidPattern> solid_of(const Blend& blend, bool bends, int generat
     if (blend.values) return of_function(blend.values);
     std::optional<SolidPattern> solid = plain_solid_of(blend, bends, generator);
     if (!solid) return solid;
+    if (blend.slopes) {
+        // Turbulence moves a point before the slope there is found.
+        SolidPattern raised{.octaves = solid->octaves, .omega = solid->omega, .lambda = solid->lambda, .frequency = 0};
+        raised.generator = solid->generator;
+        if (moves_points(blend)) std::swap(raised.turbulence, solid->turbulence);
+        raised.function = slope_values(*solid, blend.slopes->entries);
+        solid = raised;
+    }
     if (!blend.warps.empty()) {
         Blend still = blend;
         still.turbulence = DVec3(0);
         solid = of_function(moved_values(moves_of(still, false), *solid));
     }
-    if (blend.slopes) solid = of_function(slope_values(*solid, blend.slopes->entries));
     return solid;
 }
 

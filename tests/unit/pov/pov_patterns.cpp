@@ -141,7 +141,12 @@ TEST_CASE("POV-Ray: blended normals are those of their parts, each of length 1")
     const DVec3 moved = normalize((there + .3 * bend_at(granite, DVec3(.3, .4, .5) / size, there)) / size);
     CHECK(length(moved - one) > .1);
     for (const char* const text : {"average normal_map { [1 granite .3 scale <2, .1, -3>] }",
-                                   "granite .3 scale <2, .1, -3> warp { repeat 100 * x }"})
+                                   "granite .3 scale <2, .1, -3> warp { repeat 100 * x }",
+                                   "granite .3 slope_map { [0 <0, 1>] [1 <1, 1>] } scale <2, .1, -3> "
+                                   "warp { repeat 100 * x }"})
         CHECK(length(bent(text) - moved) < 1e-6);
+    // Turbulence moves the point, and not each of those whose heights make the slope.
+    CHECK(length(bent("granite .3 turbulence .2 slope_map { [0 <0, 1>] [1 <1, 1>] }") -
+                 bent("granite .3 turbulence .2")) < 1e-7);
     CHECK(notes_of("sphere { 0, 1 normal { average normal_map { [1 granite] } } }").empty());
 }
