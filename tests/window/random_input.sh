@@ -35,7 +35,7 @@ id=$(xdotool search --pid "$pid" | tail -n 1)
 RANDOM=$seed
 keys=(m m l o o ctrl+a ctrl+a ctrl+d ctrl+d ctrl+z w a s d q e f space p r c h i Tab comma period bracketleft bracketright 1 2 3 shift+1 shift+2 shift+3 F11 F12 ctrl+s
     shift+w shift+c n v t t x F2 Home End Left Right Prior Next Insert Delete ctrl+z ctrl+y ctrl+n shift+Right Return F4
-    g g shift+g plus minus 0 BackSpace F1 Down Up)
+    g g shift+g plus minus 0 BackSpace F1 Down Up b KP_1 KP_3 KP_7 KP_9 shift+t)
 change_file() {
     case $((RANDOM % 8)) in
         0) cp broken.rt new && mv new scene.rt ;;
@@ -54,9 +54,9 @@ act() {
             width=$((RANDOM % 200 + 1)) height=$((RANDOM % 150 + 1))
             xdotool windowsize "$id" $width $height
             ;;
-        1) xdotool mousemove --window "$id" $((RANDOM % width)) $((RANDOM % height)) mousedown 1 ;;
+        1) xdotool mousemove --window "$id" $((RANDOM % width)) $((RANDOM % height)) mousedown $((RANDOM % 3 ? 1 : 2)) ;;
         2) xdotool mousemove_relative -- $((RANDOM % 60 - 30)) $((RANDOM % 60 - 30)) ;;
-        3) xdotool mouseup 1 mousemove --window "$id" $((width / 2)) $((height / 2)) ;;
+        3) xdotool mouseup 1 mouseup 2 mousemove --window "$id" $((width / 2)) $((height / 2)) ;;
         4) xdotool click $((RANDOM % 2 + 4)) ;;
         5) xdotool keydown "$key" && sleep 0.$((RANDOM % 4)) && xdotool keyup "$key" ;;
         6) change_file ;;
@@ -68,7 +68,7 @@ for ((actions = 0; SECONDS < end; ++actions)); do
     kill -0 "$pid" 2>/dev/null || break
     act
 done
-xdotool mouseup 1 mousemove --window "$id" 0 0
+xdotool mouseup 1 mouseup 2 mousemove --window "$id" 0 0
 # For a path that is not written, for stills that are not done, and to drop those.
 for ((i = 0; i < 8; ++i)); do
     kill -0 "$pid" 2>/dev/null && xdotool key Escape
