@@ -1,4 +1,4 @@
-// The bodies that the user has hidden in the picture. Hiding does not change the text of the scene.
+// Keeps the bodies that the user has hidden in the picture. Hiding does not change the text of the scene.
 #pragma once
 #include <memory>
 #include <set>

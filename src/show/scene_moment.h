@@ -1,4 +1,4 @@
-// The scene as it is at the moment that the window shows.
+// Keeps the scene as it is at the moment that the window shows.
 #pragma once
 #include <memory>
 #include <vector>

@@ -1,4 +1,4 @@
-// A slider for a share of the whole.
+// Draws a slider for a share of the whole.
 #pragma once
 
 namespace strahl {

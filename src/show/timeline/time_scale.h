@@ -1,4 +1,4 @@
-// The seconds that the timeline shows, and where.
+// Decides which seconds the timeline shows, and where.
 #pragma once
 #include <imgui.h>
 

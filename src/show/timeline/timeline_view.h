@@ -1,4 +1,4 @@
-// What the timeline shows, and what the user does there.
+// Lists what the timeline shows, and what the user does there.
 #pragma once
 #include <memory>
 #include <optional>

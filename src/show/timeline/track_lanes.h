@@ -1,4 +1,4 @@
-// The timeline's lanes of tracks that something follows, and of motions of bodies and lights.
+// Draws the timeline's lanes: of tracks that something follows, and of motions of bodies and lights.
 #pragma once
 #include <memory>
 #include <optional>

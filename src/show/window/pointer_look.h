@@ -1,4 +1,4 @@
-// How the pointer looks in the window: its shape, and whether it is seen.
+// Sets how the pointer looks in the window: its shape, and whether it is seen.
 #pragma once
 #include <array>
 

@@ -14,7 +14,7 @@ constexpr int side = tile_pixels + 1;  // of the lattice
 constexpr double steepest_gradient = .06;  // across a cell of one signature
 /// The error of the loosest filter of patterns over the deviation of samples from each other, found by experiment.
 constexpr double filter_off = .85;
-/// How many standard deviations means of patterns are assumed to be off, found by experiment.
+/// Means of patterns are assumed to be off by so many standard deviations, found by experiment.
 constexpr double most_doubt = 1.7;
 /// How much less contrast cells may have in which patterns vary, for there are many of them; found by experiment.
 constexpr double patterned = .8;
