@@ -1,5 +1,5 @@
-// Places the handles of the body or the light that is chosen, finds the one under the pointer, and applies what the user
-// drags by it.
+// Places the handles of the body or the light that is chosen, finds the one under the pointer, and applies what the
+// user drags by it.
 #pragma once
 #include <array>
 #include <glm/vec2.hpp>

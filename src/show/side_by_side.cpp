@@ -42,9 +42,9 @@ void SideBySide::log_second(const SecondPicture& picture) {
 void SideBySide::keep(const Fresh& fresh) {
     if (line.second != SecondKind::in_motion) return first.reset();
     const auto& [image, picture, row, rows] = fresh;
-    if (picture.number != std::exchange(first_number, picture.number)) {
+    if (picture.number != std::exchange(first_number, picture.number))
         first = std::make_shared<SecondPicture>(), first->image = image, first_level = picture.level;
-    } else if (first && picture.finished()) {
+    if (first && picture.finished() && !first->finished) {  // perhaps at once
         first = std::make_shared<SecondPicture>(*first);
         compare(image, *first), first->finished = true;
         log_second(*first);
