@@ -102,7 +102,7 @@ class BodyTools {
         int number;
         std::optional<DVec3> added_at{};  // where it was added
     };
-    /// What follows once the scene of a text with other bodies is read; until then nothing is changed.
+    /// Says what follows once the scene of a text with other bodies is read; until then nothing is changed.
     struct Awaited {
         bool scene = false;              // it is being read
         bool undone = false;             // what was chosen may be elsewhere then

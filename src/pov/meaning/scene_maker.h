@@ -28,9 +28,9 @@ class SceneMaker {
     Scene make();
     /// Is the scene turned over in z?
     bool mirrors() const { return mirrored; }
-    /// The places of the scene's bodies in the texts.
+    /// Returns the places of the scene's bodies in the texts.
     const std::vector<TextPlace>& places() const { return kept_places; }
-    /// Those of its lights.
+    /// Returns the places of its lights.
     const std::vector<TextPlace>& places_of_lights() const { return light_places; }
     /// Returns the bodies of one object.
     std::vector<Primitive> bodies_of(const ObjectThing& object);

@@ -136,13 +136,14 @@ void TraceThread::first_picture() {
     building = Clock::time_point();
     const auto start = Clock::now();
     const auto seconds = [&] { return seconds_since(start); };
-    const int level = quick.choose(view.width, view.height, wish());
+    const QuickPictures::Wish wanted = wish();
+    const int level = quick.choose(view.width, view.height, wanted);
     {
         std::lock_guard lock(mutex);
         planned = level == 0 ? 0 : allowed_seconds(level, order.budget);
     }
     const Job job{view, pool, {}, &stop};
-    const Counts rays = quick.trace(*tracer, job, *table, wish(), level, seconds, built, spare);
+    const Counts rays = quick.trace(*tracer, job, *table, wanted, level, seconds, built, spare);
     if (stop) return;
     done = sharpens() && level >= sharp_level ? std::max(level, passes[0].level) : level;
     std::unique_lock lock(mutex);

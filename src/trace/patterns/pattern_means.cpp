@@ -597,9 +597,9 @@ PatternMean mean_of_grid(const PatternKernel<T>& pattern, const ColorStopKernel<
             for (int i = 0; i <= grid.columns; ++i)
                 visit_spread(ends(i, grid.columns) * ends(j, grid.rows) / count, at(i, j), 0, 0, grid.spread);
     };
-    DVec3 sum, squares;  // of the colours of parts by their shares, less the map's mean
-    const auto mean_by = [&](const MapFunction& map) {
-        sum = squares = DVec3(0);
+    /// Returns the mean of the colours of parts, by their shares, and the variance of these.
+    const auto mean_and_variance = [&](const MapFunction& map) {
+        DVec3 sum(0), squares(0);  // less the map's mean
         const auto add = [&](double share, const DVec3& color) {
             sum += share * color, squares += share * color * color;
         };
@@ -611,7 +611,7 @@ PatternMean mean_of_grid(const PatternKernel<T>& pattern, const ColorStopKernel<
         });
         if (grid.lost > 0)
             for (const double value : *grid.anywhere) add(grid.lost / most_anywhere, map.value(value));
-        return map.mean + sum;
+        return std::pair(map.mean + sum, squares - sum * sum);
     };
     const MapFunction& map = kept_map(stops, pattern.stops, fold);
     double low = HUGE_VAL, high = -HUGE_VAL;
@@ -622,11 +622,12 @@ PatternMean mean_of_grid(const PatternKernel<T>& pattern, const ColorStopKernel<
     const bool has_jump = map.has_jump(low, high);
     const bool detailed = grid.cells > finely || high - low > .25 || has_jump;
     if (has_jump && !grid.coarse) grid = refined(given);
-    const DVec3 color = mean_by(map);
-    const DVec3 variance = squares - sum * sum;
+    const auto [color, variance] = mean_and_variance(map);
     const double doubt = std::sqrt(grid.unseen * std::max({variance.x, variance.y, variance.z, 0.}));
     const bool known = std::abs(color.x) + std::abs(color.y) + std::abs(color.z) < furthest;
-    if (weights) weigh(stops, pattern.stops, fold, weights, mean_by);
+    if (weights)
+        weigh(stops, pattern.stops, fold, weights,
+              [&](const MapFunction& own) { return mean_and_variance(own).first; });
     return {known ? max(color, DVec3(0)) : map.mean + map.value(0), detailed, std::clamp(grid.loose, exact, 1.),
             known ? doubt : 0};
 }

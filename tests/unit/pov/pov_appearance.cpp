@@ -286,7 +286,7 @@ TEST_CASE("POV-Ray: what scenes cannot hold is told with its line, once") {
     CHECK(opened("sphere { 0, 1 }").summary() == "opens whole");
     CHECK(opened("julia_fractal { 0 } sphere { 0, 1 pigment { pavement } }").summary() ==
           "approximated in 1 place, left out in 1 place");
-    // What a function stands in for is told where a body shows it, and only there.
+    // Tells what a function stands in for where a body shows it, and only there.
     const std::string stand_in = "#declare F = function { pattern { pavement } }";
     CHECK(opened(stand_in).notes.empty());
     CHECK(notes_of(stand_in + "sphere { 0, 1 pigment { function { F(x, y, z) } } }").find(".5 everywhere") !=

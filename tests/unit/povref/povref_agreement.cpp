@@ -83,7 +83,7 @@ TEST_CASE("a verdict counts differences on and off edges") {
     CHECK(verdict.y == 1);
     CHECK(fault(verdict, {}) != "");
     CHECK(fault(verdict, {5, 0.01}).empty());
-    // Where nearly all pixels differ the last ones are counted, and no more.
+    // Counts the last pixels without a search for edges where nearly all differ.
     Picture off = theirs;
     for (double& v : off.values) v = v < .5 ? v + 9 / 65535. : v - 9 / 65535.;
     off.values.back() = off.values.back() < .5 ? 1 : 0;

@@ -100,7 +100,7 @@ TEST_CASE("a picture of one ray, and one in long double, are what the tracer mak
         for (const std::uint32_t pixel : made.difference.pixels) CHECK((pixel & 0xff) <= 16);
     });
     CHECK(stages == 2);
-    // What the camera of the flight sees is compared with nothing, and in motion it is traced with one ray.
+    // Compares what the camera of the flight sees with nothing, and in motion traces it with one ray.
     SecondOrder of_flight = order_of(scene, SecondKind::flight);
     for (const bool brief : {true, false}) {
         of_flight.brief = brief;
