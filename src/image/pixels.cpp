@@ -8,7 +8,7 @@
 
 namespace strahl {
 
-Pixels read_pixels(const std::string& path) {
+FilePixels read_pixels(const std::string& path) {
     const auto fail = [&](const std::string& why) { throw FileError("cannot use '" + path + "': " + why); };
     constexpr std::uint64_t most_values = std::uint64_t(1) << 27;
     constexpr double largest_value = 1e9;  // as for colours in scene text
@@ -20,7 +20,7 @@ Pixels read_pixels(const std::string& path) {
     if (picture.channels > 4)
         fail("it has " + std::to_string(picture.channels) + " channels; a picture of colours has at most 4");
     const bool grey = picture.channels < 3, alpha = picture.channels % 2 == 0;
-    Pixels pixels{picture.width, picture.height, picture.bits == 32, {}};
+    FilePixels pixels(Pixels{picture.width, picture.height, picture.bits == 32, {}});
     const auto count = std::size_t(picture.width) * static_cast<unsigned>(picture.height);
     pixels.values.reserve(3 * count);
     double lowest = 0;
@@ -31,8 +31,12 @@ Pixels read_pixels(const std::string& path) {
             return " at column " + std::to_string(i % unsigned(picture.width)) + ", row " +
                    std::to_string(i / unsigned(picture.width));
         };
-        if (alpha && own[picture.channels - 1] != 1)
-            fail("it has pixels that are not opaque, the first" + at() + "; save it without an alpha channel");
+        if (alpha) {
+            const double opacity = own[picture.channels - 1];
+            if (opacity != 1 && pixels.opacity.empty()) pixels.opacity.assign(i, 1);
+            if (opacity != 1 || !pixels.opacity.empty())
+                pixels.opacity.push_back(static_cast<float>(opacity >= 0 ? std::min(opacity, 1.) : 0));
+        }
         for (int c = 0; c < 3; ++c) {
             const double value = own[grey ? 0 : c];
             if (!(std::abs(value) <= largest_value))

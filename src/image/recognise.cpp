@@ -2,7 +2,6 @@
 // libraries allocate what a header says before they find that it is not there.
 #include "image/recognise.h"
 
-#include <array>
 #include <optional>
 
 #include "image/uncompressed.h"
@@ -91,10 +90,6 @@ PictureFormat recognised(const RegularFile& file) {
         if (!exr_attributes_fit(file)) fail(pieces);
         return {"openexr", most};
     }
-    if (start.size() > 2 && start[0] == 'P' && start[1] >= '1' && start[1] <= '3')
-        throw FileError("'" + file.path() + "' is a plain " +
-                        std::array{".pbm", ".pgm", ".ppm"}[static_cast<std::size_t>(start[1] - '1')] +
-                        " file, which has its values in decimals; save it in binary form, or as .png");
     throw FileError("'" + file.path() + "' is not a .bmp, .png, .exr, .jpg, .gif, .ppm, .pgm or .pfm file");
 }
 

@@ -1,5 +1,6 @@
 // Netpbm's files are a header of words, then the values: in .ppm and .pgm from the top row, the high byte of 16 bits
-// first; in .pfm from the bottom row. A .bmp file has two binary headers, then rows of 4 n bytes, blue first.
+// first, or as words (P2, P3); in .pfm from the bottom row. A .bmp file has two binary headers, then rows of 4 n bytes,
+// blue first.
 #include "image/uncompressed.h"
 
 #include <algorithm>
@@ -18,7 +19,9 @@ constexpr int most_pixels = 1 << 20;  // along a side
 /// How the values of a picture stand in its file.
 struct ValueLayout {
     int channels = 0, width = 0, height = 0, bits = 0;
+    int most = 255;  // of whole numbers: what 1 is
     bool bottom_up = false, blue_first = false;
+    bool words = false;       // decimals with blanks between them
     bool swapped = false;     // floats: not in the processor's byte order
     std::size_t padding = 0;  // bytes after each row
     std::uint64_t start = 0;  // where the first row begins
@@ -36,6 +39,8 @@ class HeaderWords {
         const std::string start = file.bytes(0, BmpHeader::size);
         return start.starts_with("BM") ? bmp(BmpHeader(start)) : netpbm();
     }
+    /// Reads the next value of a file of words.
+    double value(const ValueLayout& layout) { return double(number(0, layout.most)) / layout.most; }
 
   private:
     ValueLayout bmp(const BmpHeader& header) const {
@@ -55,17 +60,19 @@ class HeaderWords {
     ValueLayout netpbm() {
         const std::string kind = word();
         const bool floats = kind == "PF" || kind == "Pf";
-        if (!floats && kind != "P5" && kind != "P6") fail("it is not a .ppm, .pgm or .pfm file");
-        ValueLayout layout{kind == "P5" || kind == "Pf" ? 1 : 3, number(1, most_pixels), number(1, most_pixels), 32};
+        const bool words = kind == "P2" || kind == "P3";
+        if (!floats && !words && kind != "P5" && kind != "P6") fail("it is not a .ppm, .pgm or .pfm file");
+        const bool grey = kind == "P2" || kind == "P5" || kind == "Pf";
+        ValueLayout layout{grey ? 1 : 3, number(1, most_pixels), number(1, most_pixels), 32};
         if (floats) {
             const double scale = number(-1., 1.);
             if (std::abs(scale) != 1) fail("its scale is neither 1 nor -1");
             layout.swapped = (scale < 0) != little_endian;
             layout.bottom_up = true;
         } else {
-            const int most = number(1, 65535);
-            if (most != 255 && most != 65535) fail("its largest value is neither 255 nor 65535");
-            layout.bits = most == 255 ? 8 : 16;
+            layout.most = number(1, 65535);
+            layout.bits = layout.most < 256 ? 8 : 16;
+            layout.words = words;
         }
         layout.start = place;
         return layout;
@@ -82,11 +89,13 @@ class HeaderWords {
         for (int c; (c = next()) >= 0 && result.size() < 20;) {
             if (c == '#')
                 while ((c = next()) >= 0 && c != '\n') continue;
+            if (c < 0) break;
             const bool space = c == ' ' || (c >= '\t' && c <= '\r');
             if (!space) result += static_cast<char>(c);
             if (space && !result.empty()) return result;
         }
-        fail("its header is cut off");
+        if (!result.empty() && result.size() < 20) return result;
+        fail("it is cut off");
     }
     template <class Number>
     Number number(Number low, Number high) {
@@ -94,7 +103,7 @@ class HeaderWords {
         Number value{};
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
         if (error != std::errc{} || end != text.data() + text.size() || !(value >= low && value <= high))
-            fail("its header has '" + text + "' where a number is expected");
+            fail("it has '" + text + "' where a number is expected");
         return value;
     }
 
@@ -105,8 +114,8 @@ class HeaderWords {
 
 double value_of(const char* bytes, const ValueLayout& layout) {
     const auto byte = [&](int i) { return static_cast<unsigned char>(bytes[i]); };
-    if (layout.bits == 8) return byte(0) / 255.;
-    if (layout.bits == 16) return (256 * byte(0) + byte(1)) / 65535.;
+    if (layout.bits == 8) return std::min(byte(0) / double(layout.most), 1.);
+    if (layout.bits == 16) return std::min((256 * byte(0) + byte(1)) / double(layout.most), 1.);
     std::uint32_t code;
     std::copy_n(bytes, 4, reinterpret_cast<char*>(&code));
     return std::bit_cast<float>(layout.swapped ? __builtin_bswap32(code) : code);
@@ -127,7 +136,7 @@ void put(std::string& bytes, double value, int bits) {
 
 bool is_uncompressed(std::string_view bytes) {
     if (bytes.starts_with("BM")) return BmpHeader(bytes).plain();
-    return bytes.starts_with("P5") || bytes.starts_with("P6") || bytes.starts_with("PF") || bytes.starts_with("Pf");
+    return bytes.size() > 1 && bytes[0] == 'P' && std::string_view("2356Ff").find(bytes[1]) != std::string_view::npos;
 }
 
 Picture read_uncompressed(const RegularFile& file, std::uint64_t most) {
@@ -140,6 +149,10 @@ Picture read_uncompressed(const RegularFile& file, std::uint64_t most) {
                     " pixels, which are too many for the file or the memory");
     Picture picture{layout.width, layout.height, layout.channels, {}, layout.bits};
     picture.values.resize(values);
+    if (layout.words) {
+        for (double& own : picture.values) own = header.value(layout);
+        return picture;
+    }
     const std::size_t size = unsigned(layout.bits) / 8;
     std::string bytes(row * size, '\0');
     for (int y = 0; y < layout.height; ++y) {

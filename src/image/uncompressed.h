@@ -1,5 +1,5 @@
 // Picture files without compression, which need no library: .bmp with 24 bits a pixel (Microsoft, "Bitmap Storage"),
-// .ppm and .pgm with 8 or 16 bits a value, and .pfm with floats (netpbm.sourceforge.net/doc).
+// .ppm and .pgm with 8 or 16 bits or a decimal number a value, and .pfm with floats (netpbm.sourceforge.net/doc).
 #pragma once
 #include <cstdint>
 #include <cstdlib>

@@ -120,10 +120,10 @@ HashedScene read_and_hash(const std::string& path, const OpeningOptions& opening
     const std::hash<std::string_view> hash_of;
     std::size_t hash = 0;
     const auto read = [&](const std::string& file) {
-        Pixels pixels = read_pixels(file);
-        const std::size_t bytes = pixels.values.size() * sizeof(float);
-        const std::string_view all(reinterpret_cast<const char*>(pixels.values.data()), bytes);
-        hash = 31 * hash + hash_of(all) + unsigned(pixels.width);
+        FilePixels pixels = read_pixels(file);
+        for (const std::vector<float>& own : {pixels.values, pixels.opacity})
+            hash = 31 * hash + hash_of({reinterpret_cast<const char*>(own.data()), own.size() * sizeof(float)});
+        hash += unsigned(pixels.width);
         return pixels;
     };
     const std::string text = read_text(path);

@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "scene/image_pattern.h"
@@ -14,8 +15,15 @@
 
 namespace strahl {
 
+/// The pixels of a picture file, and how opaque each is, from 0 to 1. Without `opacity` all are.
+struct FilePixels : Pixels {
+    std::vector<float> opacity;
+
+    FilePixels() = default;
+    FilePixels(Pixels pixels) : Pixels(std::move(pixels)) {}
+};
 /// Reads a picture file that a scene names. Throws FileError. The program's own function is in image/pixels.h.
-using ReadPixels = std::function<Pixels(const std::string& path)>;
+using ReadPixels = std::function<FilePixels(const std::string& path)>;
 
 /// The names of files as a scene gives them, relative to the scene's folder, and what of them is not read as it stands.
 struct FilesRead {
@@ -30,6 +38,7 @@ class SceneFiles {
   public:
     SceneFiles(std::string_view scene, ReadPixels read_pixels);
     std::shared_ptr<const MeshData> mesh(std::string_view name);
+    /// Throws also if some pixels are not opaque.
     std::shared_ptr<const Pixels> pixels(std::string_view name);
     /// Checks that it is an Ogg Vorbis file.
     void sound(std::string_view name);

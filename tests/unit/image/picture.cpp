@@ -181,6 +181,10 @@ TEST_CASE("pictures without compression hold what the file holds from which they
     // By the formats' pages, 16 bits have the high byte first; floats start at the bottom, in either byte order.
     write_file(folder / "a.pgm", std::string("P5\n2 1\n65535\n\x80\0\0\1", 19));
     CHECK(read_picture(folder / "a.pgm").values == std::vector<double>{32768 / 65535., 1 / 65535.});
+    write_file(folder / "a.pgm", "P2 # a row\n2 1 100\n100\n25");
+    CHECK(read_picture(folder / "a.pgm").values == std::vector<double>{1, .25});
+    write_file(folder / "a.ppm", "P3 1 1 65535\n65535 0 1\n");
+    CHECK(read_picture(folder / "a.ppm").values == std::vector<double>{1, 0, 1 / 65535.});
     write_file(folder / "a.pfm", std::string("Pf\n1 2\n1.0\n\x3f\x80\0\0\x40\0\0\0", 19));
     CHECK(read_picture(folder / "a.pfm").values == std::vector<double>{2, 1});
 }
@@ -308,7 +312,7 @@ TEST_CASE("pictures as patterns: grey is of three equal colours, and what no pat
     CHECK(grey.values == std::vector<float>{0, 0, 0, 1, 1, 1});
     CHECK(grey.largest == Color(1));
     CHECK(!grey.linear);
-    const Pixels opaque = read_pixels(written({1, 2, 4, {.5, 0, 1, 1, 0, .25, 0, 1}, 16}, "opaque.png", 16));
+    const FilePixels opaque = read_pixels(written({1, 2, 4, {.5, 0, 1, 1, 0, .25, 0, 1}, 16}, "opaque.png", 16));
     CHECK(opaque.values == std::vector<float>{32768 / 65535.f, 0, 1, 0, 16384 / 65535.f, 0});
     CHECK(opaque.largest == Color(32768 / 65535.f, 16384 / 65535.f, 1));
     const Pixels bright = read_pixels(written({1, 1, 3, {5, .5, 1e6}, 32}, "bright.exr", 32));
@@ -319,7 +323,11 @@ TEST_CASE("pictures as patterns: grey is of three equal colours, and what no pat
         CAPTURE(said);
         CHECK(says(said, why));
     };
-    refused({2, 1, 4, {1, 1, 1, 1, 1, 1, 1, .5}, 8}, "glass.png", 8, "not opaque, the first at column 1, row 0");
+    CHECK(opaque.opacity.empty());
+    const FilePixels glass = read_pixels(written({2, 1, 4, {1, 1, 1, 1, 1, 1, 1, .2}, 8}, "glass.png", 8));
+    CHECK(glass.opacity == std::vector<float>{1, .2f});
+    CHECK(says(fault_of([&] { SceneFiles(folder / "x.rt", read_pixels).pixels("glass.png"); }),
+               "not opaque, the first at column 1, row 0"));
     const Pixels ringing = read_pixels(written({1, 2, 3, {5, -.5, 1, -.1, 0, 0}, 32}, "ringing.exr", 32));
     CHECK(ringing.values == std::vector<float>{5, 0, 1, 0, 0, 0});
     refused({1, 2, 3, {1, 1, 1, 1, -.125, 0}, 32}, "dark.exr", 32, "it has the value -0.125 at column 0, row 1");
