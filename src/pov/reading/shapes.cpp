@@ -1,6 +1,7 @@
 // Reads the arguments of simple bodies.
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "mesh/split.h"
 #include "num/vec_math.h"
@@ -51,21 +52,103 @@ Shape box_between(const DVec3& corner, const DVec3& other) {
     return Mesh{std::make_shared<const MeshData>(std::move(mesh)), ""};
 }
 
+/// An edge of a polygon, from its lower end to its upper one.
+struct Edge {
+    Point2 low, high;
+    double at(double height) const {
+        const double share = (height - low[1]) / (high[1] - low[1]);
+        return share == 1 ? high[0] : low[0] + share * (high[0] - low[0]);
+    }
+};
+
+/// Returns the heights at which edges begin, end or cross each other, in order; and whether any cross.
+std::pair<std::vector<double>, bool> heights_of(const std::vector<Edge>& edges) {
+    std::vector<double> heights;
+    bool any = false;
+    for (const Edge& own : edges) {
+        heights.insert(heights.end(), {own.low[1], own.high[1]});
+        for (const Edge* other = &own + 1; other < edges.data() + edges.size(); ++other) {
+            const double low = std::max(own.low[1], other->low[1]), high = std::min(own.high[1], other->high[1]);
+            if (!(low < high)) continue;
+            const double before = other->at(low) - own.at(low), behind = other->at(high) - own.at(high);
+            if (before * behind < 0) any = true, heights.push_back(low + (high - low) * before / (before - behind));
+        }
+    }
+    std::ranges::sort(heights);
+    heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
+    return {heights, any};
+}
+
+/// Reads a polygon of one or several outlines. A point is in it if it is inside of an odd number of them.
 void read_polygon(Interpreter& in, ObjectThing& object) {
     const int count = in.read_integer();
-    std::vector<DVec3> points;
-    for (int i = 0; i < count; ++i) points.push_back(next_vector(in));
-    const auto closing = points.empty() ? points.end() : std::find(points.begin() + 1, points.end(), points[0]);
-    if (closing != points.end() && closing + 1 != points.end())
-        object.approximated("a polygon of several outlines is its first one");
-    points.erase(closing, points.end());
-    if (points.size() < 3) return object.left_out("a polygon of fewer than three corners");
-    std::vector<std::int32_t> corners(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) corners[i] = static_cast<std::int32_t>(i);
+    std::vector<std::vector<DVec3>> outlines(1);
+    for (int i = 0; i < count; ++i) {
+        std::vector<DVec3>& own = outlines.back();
+        const DVec3 point = next_vector(in);
+        if (own.empty() || point != own[0])
+            own.push_back(point);
+        else if (i + 1 < count)
+            outlines.emplace_back();
+    }
+    std::erase_if(outlines, [](const auto& own) { return own.size() < 3; });
+    if (outlines.empty()) return object.left_out("a polygon of fewer than three corners");
+    // Looks at it along the axis from which it is the largest.
+    const std::vector<DVec3>& first = outlines[0];
+    DVec3 normal(0);
+    for (std::size_t i = 2; i < first.size(); ++i) {
+        const DVec3 own = cross_product(first[i - 1] - first[0], first[i] - first[0]);
+        if (length(own) > length(normal)) normal = own;
+    }
+    const DVec3 size = abs(normal);
+    if (size == DVec3(0)) return object.left_out("a polygon without area");
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    const int across = (axis + 1) % 3, up = (axis + 2) % 3;
+    std::vector<Edge> edges;
+    for (const std::vector<DVec3>& own : outlines)
+        for (std::size_t i = 0; i < own.size(); ++i) {
+            const DVec3 &p = own[i], &q = own[(i + 1) % own.size()];
+            const Point2 from{p[across], p[up]}, to{q[across], q[up]};
+            if (from[1] != to[1]) edges.push_back(from[1] < to[1] ? Edge{from, to} : Edge{to, from});
+        }
+    const auto [heights, crossed] = heights_of(edges);
     MeshData mesh;
-    mesh.points = points;
-    FaceSplitter splitter;
-    for (const FaceSplitter::Triangle& own : splitter.split(points, corners)) mesh.triangles.push_back(own);
+    if (outlines.size() == 1 && !crossed) {
+        mesh.points = first;
+        std::vector<std::int32_t> corners(first.size());
+        std::iota(corners.begin(), corners.end(), 0);
+        FaceSplitter splitter;
+        for (const FaceSplitter::Triangle& own : splitter.split(first, corners)) mesh.triangles.push_back(own);
+    }
+    // Between two heights edges lie side by side, and the first two, the next two and so on enclose a face.
+    const std::size_t bands = mesh.triangles.empty() ? heights.size() : 0;
+    for (std::size_t i = 1; i < bands; ++i) {
+        const double low = heights[i - 1], high = heights[i];
+        std::vector<const Edge*> beside;
+        for (const Edge& own : edges)
+            if (own.low[1] <= low && own.high[1] >= high) beside.push_back(&own);
+        std::ranges::sort(beside, {}, [&](const Edge* own) { return own->at(low) + own->at(high); });
+        for (std::size_t k = 0; k + 1 < beside.size(); k += 2) {
+            const auto add = [&](double x, double height) {
+                DVec3 p(0);
+                p[across] = x, p[up] = height;
+                p[axis] =
+                    first[0][axis] +
+                    (normal[across] * (first[0][across] - x) + normal[up] * (first[0][up] - height)) / normal[axis];
+                mesh.points.push_back(p);
+            };
+            const auto corner = static_cast<std::int32_t>(mesh.points.size());
+            add(beside[k]->at(low), low), add(beside[k + 1]->at(low), low);
+            add(beside[k + 1]->at(high), high), add(beside[k]->at(high), high);
+            const auto add_triangle = [&](int a, int b, int c) {
+                if (mesh.points[std::size_t(corner + a)] == mesh.points[std::size_t(corner + b)]) return;
+                if (mesh.points[std::size_t(corner + b)] == mesh.points[std::size_t(corner + c)]) return;
+                mesh.triangles.push_back({corner + a, corner + b, corner + c});
+            };
+            add_triangle(0, 1, 2), add_triangle(2, 3, 0);
+        }
+    }
+    if (mesh.triangles.empty()) return object.left_out("a polygon without area");
     object.kind = ObjectKind::shape;
     object.shape = Mesh{std::make_shared<const MeshData>(std::move(mesh)), ""};
 }

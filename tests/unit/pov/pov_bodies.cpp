@@ -16,6 +16,37 @@
 
 using namespace strahl;
 
+TEST_CASE("POV-Ray: a polygon of several outlines is where an odd number of them is") {
+    const auto inside = [](const std::string& points, const DVec3& p) {
+        const Scene scene = whole("polygon { " + points + " }");
+        const MeshData& mesh = *shape<Mesh>(scene).data;
+        int count = 0;
+        for (const MeshData::Corners& own : mesh.triangles) {
+            const auto at = [&](std::size_t k) { return mesh.points[std::size_t(own[k])] - p; };
+            const DVec3 a = cross_product(at(0), at(1)), b = cross_product(at(1), at(2));
+            count += dot_product(a, b) > 0 && dot_product(b, cross_product(at(2), at(0))) > 0;
+        }
+        CHECK(count < 2);
+        return count == 1;
+    };
+    // A hole that touches the edge, and a second outline.
+    const std::string holed =
+        "15, <0, 0>, <4, 0>, <4, 4>, <0, 4>, <0, 0>, <0, 1>, <2, 1>, <2, 3>, <0, 3>, <0, 1>, <5, 0>, <6, 0>, <6, 1>, "
+        "<5, 1>, <5, 0>";
+    CHECK(inside(holed, {3.1, 2.3, 0}));
+    CHECK(!inside(holed, {1.1, 2.3, 0}));
+    CHECK(inside(holed, {1.1, .4, 0}));
+    CHECK(inside(holed, {5.3, .4, 0}));
+    CHECK(!inside(holed, {4.6, .4, 0}));
+    // An outline that crosses itself, in a plane of its own.
+    const std::string crossed = "5, <0, 0, 0>, <2, 2, 2>, <2, 0, 2>, <0, 2, 0>, <0, 0, 0>";
+    CHECK(inside(crossed, {.2, 1.3, .2}));
+    CHECK(inside(crossed, {1.8, 1.3, 1.8}));
+    CHECK(!inside(crossed, {1, 1.8, 1}));
+    CHECK(says(notes_of("polygon { 4, 0, x, 2*x, 0 }"), "a polygon without area"));
+    CHECK(says(notes_of("polygon { 3, 0, x, 0 }"), "fewer than three corners"));
+}
+
 TEST_CASE("POV-Ray: a left-handed scene is turned over in z, a right-handed one stays") {
     const std::string ball = "sphere { <1, 2, 3>, .5 translate <0, 0, 2> rotate <10, 20, 30> }";
     const Scene left = whole("camera { look_at z } " + ball, false), right = whole(ball);
