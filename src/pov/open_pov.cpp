@@ -44,7 +44,7 @@ OpenedPov open_pov(std::string text, const InterpreterOptions& options, const Re
     PovLayer layer(read_pixels);
     Interpreter in(std::move(text), options, layer);
     layer.read_all(in);
-    SceneMaker maker(in, read_pixels, layer.contents);
+    SceneMaker maker(in, layer.contents);
     OpenedPov opened{
         .scene = maker.make(), .mirrored = maker.mirrors(), .notes = {}, .warnings = {}, .files = in.files()};
     layer.tell_constants(in);

@@ -19,8 +19,8 @@ struct MaterialUse {
 
 class MaterialMaker {
   public:
-    MaterialMaker(NoteTaker notes, ReadPixels read_pixels, const PovContents& contents, bool mirrored)
-        : notes(notes), pigments(notes, std::move(read_pixels), mirrored), contents(contents) {}
+    MaterialMaker(NoteTaker notes, const PovContents& contents, bool mirrored)
+        : notes(notes), pigments(notes, mirrored), contents(contents) {}
 
     /// Returns the number of a material. `way()` leads from the texture's space into that of the body.
     template <class Way>

@@ -5,7 +5,9 @@
 
 #include "files/words.h"
 #include "num/vec_math.h"
+#include "pov/things/outlines.h"
 #include "pov/things/pattern_values.h"
+#include "pov/things/pictures.h"
 #include "pov/things/solids.h"
 #include "scene/error.h"
 
@@ -35,15 +37,16 @@ PigmentMaker::Mean PigmentMaker::mean_of(const MapEntry& entry) {
 
 PigmentMaker::Mean PigmentMaker::mean_of(const PigmentThing& pigment) {
     if (!pigment.blend) return mean_of(MapEntry{.color = pigment.color, .thing = nullptr});
-    if (pigment.blend.image) {
+    if (pigment.blend.word == word("image_map")) {
         const ImageThing& image = *pigment.blend.image;
         const auto pixels = pixels_of(pigment.blend);
-        Color sum(pixels ? 0 : .5);
-        if (pixels)
-            for (std::size_t i = 0; i + 2 < pixels->values.size(); i += 3)
-                for (int c = 0; c < 3; ++c) sum[c] += double(pixels->values[i + std::size_t(c)]);
-        if (pixels) sum = sum / (double(pixels->values.size()) / 3);
-        return {sum, image.filter_all.value_or(0), image.transmit_all.value_or(0)};
+        Mean mean{Color(pixels ? 0 : .5), image.filter_all.value_or(0), image.transmit_all.value_or(0)};
+        if (!pixels) return mean;
+        const double count = double(pixels->values.size()) / 3;
+        for (std::size_t i = 0; i + 2 < pixels->values.size(); i += 3)
+            for (int c = 0; c < 3; ++c) mean.color[c] += double(pixels->values[i + std::size_t(c)]) / count;
+        for (const float opacity : pixels->opacity) mean.transmit += (1 - double(opacity)) / count;
+        return mean;
     }
     if (!pigment.blend.map) return {Color(.5)};
     const std::uint16_t own = pigment.blend.word;
@@ -146,12 +149,12 @@ ColorStop PigmentMaker::stop_of(const Blend& blend, const MapEntry& entry, doubl
     ColorStop stop{at, mean.color, mean.filter, mean.transmit};
     const auto* const nested = dynamic_cast<const PigmentThing*>(entry.thing.get());
     if (!nested || !nested->blend) return stop;
-    if (blend.uv) {
+    if (blend.uv && notes.in.options().as_text) {
         notes.approximated(blend.place, "patterns among colours by uv are their mean colours");
         return stop;
     }
     if (patterns_around == most_nested) {
-        notes.approximated(blend.place, "patterns that are nested deeply are their mean colours");
+        too_deep = true;
         return stop;
     }
     Moves inside = moves_inside(blend);
@@ -168,30 +171,20 @@ ColorStop PigmentMaker::stop_of(const Blend& blend, const MapEntry& entry, doubl
     --patterns_around;
     if (!look.pigment.pattern) {
         stop = {at, look.pigment.color, look.filter, look.transmit};
-        if (alike) made_stops[place] = stop;
+        if (alike && !too_deep) made_stops[place] = stop;
         return stop;
     }
-    if (look.filter + look.transmit > 0 && !look.pigment.clear())
-        notes.approximated(blend.place, "a picture that lets light through is opaque");
     Pattern inner = *look.pigment.pattern;
     // The space of the pattern around it is POV-Ray's.
     if (mirrored) inner.transformations.push_back(Scale{{1, 1, -1}});
     stop = {at, Color(0), 0, 0, std::make_shared<const Pattern>(std::move(inner))};
-    if (alike) made_stops[place] = stop;
+    if (alike && !too_deep) made_stops[place] = stop;
     return stop;
 }
 
-std::shared_ptr<const Pixels> PigmentMaker::pixels_of(const Blend& blend) {
-    const std::string& path = blend.image->path;
-    const auto known = pictures.find(path);
-    if (known != pictures.end()) return known->second;
-    std::shared_ptr<const Pixels> pixels;
-    try {
-        if (!path.empty() && read_pixels) pixels = std::make_shared<const Pixels>(read_pixels(path));
-    } catch (const FileError& error) {
-        notes.left_out(blend.place, std::string("a picture: ") + error.what());
-    }
-    return pictures[path] = pixels;
+std::shared_ptr<const FilePixels> PigmentMaker::pixels_of(const Blend& blend) const {
+    if (!blend.image->fault.empty()) notes.left_out(blend.place, "a picture: " + blend.image->fault);
+    return blend.image->pixels;
 }
 
 /// Returns the transformations of a pattern, from the space of the scene's own pattern into that of the body.
@@ -263,20 +256,151 @@ void PigmentMaker::tell_ignored(const Blend& blend) const {
         notes.approximated(blend.place, strahl::quoted(word_text(blend.ignored)) + " of a pattern has no effect");
 }
 
-/// Tells if POV-Ray decodes a picture in another way: scenes take 8 and 16 bits as sRGB-encoded, floats as linear
-/// light, and both as they are without an assumed_gamma. Before version 3.7 POV-Ray takes them as they are.
-void PigmentMaker::tell_encoding(const Blend& blend, const Pixels& pixels) const {
+/// Does a picture of the scene have the colours of this one? The scene's is opaque; it takes 8 and 16 bits as
+/// sRGB-encoded and floats as linear light, and both as they are without an assumed_gamma.
+bool PigmentMaker::is_shown(const Blend& blend) const {
+    const ImageThing& own = *blend.image;
+    const bool still = around.empty() && blend.warps.empty() && blend.turbulence == DVec3(0);
+    const bool plain = own.pixels->opacity.empty() && !own.once && own.filter_all.value_or(0) == 0 &&
+                       own.transmit_all.value_or(0) == 0 && own.repeat == Point2{1, 1} && own.offset == Point2{0, 0};
+    if (!still || !plain || own.path.empty() || own.map_type > 2 || (own.interpolate != 0 && own.interpolate != 2))
+        return false;
     const Interpreter& in = notes.in;
-    const bool decodes = in.version_given() && in.version() >= 3.7;
-    if (!decodes && !in.assumed_gamma) return;
-    const std::optional<double>& given = blend.image->gamma;
-    const double usual = pixels.linear ? 1 : 0;
-    if (given ? *given != usual : !decodes && !pixels.linear)
-        notes.approximated(blend.place, pixels.linear ? "a picture of floats is linear light"
-                                                      : "the colours of a picture are sRGB-encoded");
+    const bool by_version = in.version_given() && in.version() >= 3.7;
+    const double gamma = in.assumed_gamma && own.working == 0 ? 0 : in.assumed_gamma.value_or(by_version ? 1 : 0);
+    if (gamma == 0) return !own.encoding || *own.encoding == own.working;
+    return own.encoding == std::optional(own.pixels->linear ? 1. : 0.) && own.working == gamma;
 }
 
+namespace {
+
+/// A channel of a picture, from 0 to 1 where that is from 0 to `most`.
+struct Channel : FunctionThing {
+    Channel(std::shared_ptr<const FunctionThing> colors, int number, double most)
+        : colors(std::move(colors)), number(number), most(most) {}
+    void evaluate(const double* given, double* result) const override {
+        double own[5];
+        colors->evaluate(given, own);
+        *result = std::clamp(own[number] / most, 0., 1.);
+    }
+    const std::shared_ptr<const FunctionThing> colors;
+    const int number;
+    const double most;
+};
+
+}  // namespace
+
+/// Makes a pattern whose colours are those of a function in the space of `blend` within its warps: the mean of four,
+/// of which each has four times as much of one channel; filter and transmit share the fourth. Returns false if the
+/// scene cannot have it.
+bool PigmentMaker::set_channels(const std::shared_ptr<const FunctionThing>& colors, const Blend& blend,
+                                const Brightest& most, Pattern& pattern) {
+    if (!colors || notes.in.options().as_text || patterns_around + (most.filters ? 3 : 2) > most_nested) return false;
+    Blend own = blend;
+    own.word = word("function"), own.image = nullptr, own.pigment = nullptr, own.values = nullptr;
+    own.frequency = own.phase = 0, own.wave = std::nullopt;
+    const auto part = [](Pattern shown) {
+        return ColorStop{0, Color(0), 0, 0, std::make_shared<const Pattern>(std::move(shown))};
+    };
+    const auto channel = [&](int number, double limit, const ColorStop& full) {
+        own.function = std::make_shared<const Channel>(colors, number, limit);
+        return part({.kind = *solid_of(own, false), .colors = {{0, Color(0)}, full}, .transformations = {}});
+    };
+    const auto mean = [](ColorStop a, ColorStop b) {
+        a.at = 0, b.at = 1;
+        return Pattern{
+            .kind = SolidPattern{.solid = Solid::uniform, .phase = .5}, .colors = {a, b}, .transformations = {}};
+    };
+    const double full = 4 * most.value;
+    ColorStop clear;
+    if (most.filters)
+        clear = part(mean(channel(3, 1, {1, Color(0), 8, 0}), channel(4, 1, {1, Color(0), 0, 8})));
+    else if (most.transmits)
+        clear = channel(4, 1, {1, Color(0), 0, 4});
+    const auto color = [&](int number) {
+        Color own(0);
+        own[number] = full;
+        return channel(number, most.value, {1, own});
+    };
+    const Pattern whole = mean(part(mean(color(0), color(1))), part(mean(color(2), clear)));
+    pattern.kind = whole.kind, pattern.colors = whole.colors;
+    return true;
+}
+
+/// Returns the largest value of a pigment's colours, at least 1, and whether any lets light through.
+Pigment PigmentMaker::Brightest::of(Pattern pattern) const {
+    Pigment own(std::move(pattern));
+    own.color = Color(value), own.filter = filters, own.transmit = transmits;
+    return own;
+}
+
+PigmentMaker::Brightest PigmentMaker::brightest_of(const PigmentThing& pigment) {
+    Brightest most;
+    const auto add = [&](const FilterColor& own) {
+        most.value = std::max({most.value, double(own.red), double(own.green), double(own.blue)});
+        most.filters |= own.filter != 0, most.transmits |= own.transmit != 0;
+    };
+    const Blend& blend = pigment.blend;
+    if (blend.word == word("image_map") && blend.image->pixels) {
+        const ImageThing& image = *blend.image;
+        const Color& largest = image.pixels->largest;
+        most.value = (image.interpolate == 3 ? 1.5 : 1) * std::max({largest.x, largest.y, largest.z, 1.});
+        most.filters = image.filter_all.value_or(0) != 0;
+        most.transmits = image.once || !image.pixels->opacity.empty() || image.transmit_all.value_or(0) != 0;
+    } else if (!blend) {
+        add(pigment.color);
+    } else if (blend.map) {
+        for (const MapEntry& entry : blend.map->entries) {
+            add(entry.color);
+            const auto* const nested = dynamic_cast<const PigmentThing*>(entry.thing.get());
+            if (!nested) continue;
+            const Brightest own = brightest_of(*nested);
+            most.value = std::max(most.value, own.value);
+            most.filters |= own.filters, most.transmits |= own.transmits;
+        }
+    }
+    return most;
+}
+
+namespace {
+
+/// Makes the patterns among a pattern's colours patterns by uv, as it is one.
+void spread_uv(Pattern& pattern) {
+    for (ColorStop& stop : pattern.colors) {
+        if (!stop.pattern) continue;
+        Pattern inner = *stop.pattern;
+        inner.by_uv = true;
+        inner.transformations.insert(inner.transformations.end(), pattern.transformations.begin(),
+                                     pattern.transformations.end());
+        spread_uv(inner);
+        stop.pattern = std::make_shared<const Pattern>(std::move(inner));
+    }
+}
+
+}  // namespace
+
 Look PigmentMaker::look_of(const PigmentThing& pigment, const Steps& way, bool mapped) {
+    Look look = shown_look_of(pigment, way, mapped);
+    if (patterns_around == 0 && std::exchange(too_deep, false)) {
+        Pattern pattern{.kind = Checker{}, .colors = {}, .transformations = {}};
+        const Brightest most = brightest_of(pigment);
+        if (pigment.blend.uv || !set_channels(colors_of(pigment, notes.in.noise_generator), {}, most, pattern)) {
+            notes.approximated(pigment.blend.place, "patterns that are nested deeply are their mean colours");
+        } else {
+            pattern.transformations = space_of({}, way, {});
+            if (mirrored) pattern.transformations.insert(pattern.transformations.begin(), Scale{{1, 1, -1}});
+            look.pigment = most.of(std::move(pattern));
+            look.varies = look.pigment.clear();
+        }
+    }
+    if (!look.pigment.pattern || !look.pigment.pattern->by_uv || !look.pigment.pattern->nests()) return look;
+    Pattern own = *look.pigment.pattern;
+    spread_uv(own);
+    look.pigment = Pigment(std::move(own));
+    return look;
+}
+
+Look PigmentMaker::shown_look_of(const PigmentThing& pigment, const Steps& way, bool mapped) {
     const Mean mean = mean_of(pigment);
     Look look{Pigment(mean.color), mean.filter, mean.transmit};
     const Blend& blend = pigment.blend;
@@ -310,13 +434,20 @@ Look PigmentMaker::look_of(const PigmentThing& pigment, const Steps& way, bool m
         const auto pixels = pixels_of(blend);
         const ImageThing& image = *blend.image;
         if (!pixels) return look;
-        tell_encoding(blend, *pixels);
-        if (image.map_type > 2) return as_mean("a picture of this map_type");
-        if (image.interpolate == 4)
-            notes.approximated(blend.place, "the pixels of a picture are interpolated bilinearly");
         if (image.single_colors) notes.left_out(blend.place, "transparency of single colours of a picture");
-        if (image.once) notes.approximated(blend.place, "beside a picture that is shown once its body is black");
-        if (!still) notes.approximated(blend.place, "a picture without warps and turbulence");
+        const bool shown = is_shown(blend);
+        if (const Brightest most = brightest_of(pigment);
+            !shown && set_channels(colors_of(image), blend, most, pattern)) {
+            pattern.transformations = space_of(blend, way, {});
+            if (mirrored) pattern.transformations.insert(pattern.transformations.begin(), Scale{{1, 1, -1}});
+            look.pigment = most.of(std::move(pattern));
+            look.varies = look.pigment.clear();
+            return look;
+        }
+        if (!shown && patterns_around > 0) too_deep = !notes.in.options().as_text;
+        if (image.map_type > 2 || image.path.empty()) return as_mean("this picture");
+        if (!shown && !too_deep)
+            notes.approximated(blend.place, "a picture is opaque, still and of sRGB-encoded colours");
         ImagePattern own{
             .file = image.path, .pixels = pixels, .map = static_cast<ImageMap>(image.map_type), .once = {},
             .sharp = image.interpolate == 0};
@@ -371,7 +502,13 @@ Bump PigmentMaker::bump_of(const NormalThing& normal, const Steps& way, bool map
     if (blend.uv && !mapped) return none("bumps by uv of a body that is no mesh");
     tell_ignored(blend);
     Pattern pattern{.kind = Noise{}, .colors = {}, .transformations = {}, .by_uv = blend.uv};
-    if (blend.image && blend.word == word("bump_map")) {
+    const bool picture = blend.image && blend.word == word("bump_map");
+    const auto own_bends = [&]() -> std::shared_ptr<const SolidFunction> {
+        if ((!blend.map && !picture) || notes.in.options().as_text) return nullptr;
+        return bends_of(normal, notes.in.noise_generator);
+    };
+    auto bends = own_bends();
+    if (picture && !bends) {
         const auto pixels = pixels_of(blend);
         if (!pixels || blend.image->map_type != 0) return none("a bump_map");
         pattern.kind = ImagePattern{.file = blend.image->path, .pixels = pixels, .map = ImageMap::planar, .once = {}};
@@ -380,14 +517,13 @@ Bump PigmentMaker::bump_of(const NormalThing& normal, const Steps& way, bool map
         notes.approximated(blend.place, "a bump_map bends normals a little differently");
     } else {
         std::optional<SolidPattern> solid;
-        if (blend.map && !notes.in.options().as_text) {
-            if (auto bends = bends_of(normal, notes.in.noise_generator)) solid = of_function(std::move(bends));
-        } else if (!blend.map) {
+        if (bends)
+            solid = of_function(std::move(bends));
+        else if (!blend.map)
             solid = solid_of(blend, true);
-        }
         if (!solid) return none("'" + word_text(blend.word) + "'");
         pattern.kind = *solid;
-        bump.height = blend.map ? 1 : decimal(static_cast<float>(normal.amount));
+        bump.height = blend.map || picture ? 1 : decimal(static_cast<float>(normal.amount));
     }
     pattern.transformations = space_of(blend, way, {});
     if (mirrored && std::holds_alternative<SolidPattern>(pattern.kind))

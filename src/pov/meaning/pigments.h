@@ -23,8 +23,7 @@ struct Look {
 
 class PigmentMaker {
   public:
-    PigmentMaker(NoteTaker notes, ReadPixels read_pixels, bool mirrored)
-        : notes(notes), read_pixels(std::move(read_pixels)), mirrored(mirrored) {}
+    PigmentMaker(NoteTaker notes, bool mirrored) : notes(notes), mirrored(mirrored) {}
 
     /// `way` leads from the texture's space into that of the body; `mapped` says that it is a mesh with uv_vectors.
     Look look_of(const PigmentThing& pigment, const Steps& way, bool mapped);
@@ -35,6 +34,7 @@ class PigmentMaker {
         Color color{0};
         double filter = 0, transmit = 0;
     };
+    Look shown_look_of(const PigmentThing& pigment, const Steps& way, bool mapped);
     Mean mean_of(const MapEntry& entry);
     Mean mean_of(const PigmentThing& pigment);
     Mean mean_of(const MapThing& map, bool list);
@@ -42,19 +42,27 @@ class PigmentMaker {
     std::vector<ColorStop> stops_of(const Blend& blend);
     std::vector<ColorStop> listed_stops(const Blend& blend);
     std::optional<SolidPattern> solid_of(const Blend& blend, bool bends) const;
-    std::shared_ptr<const Pixels> pixels_of(const Blend& blend);
+    std::shared_ptr<const FilePixels> pixels_of(const Blend& blend) const;
     void tell_ignored(const Blend& blend) const;
-    void tell_encoding(const Blend& blend, const Pixels& pixels) const;
+    bool is_shown(const Blend& blend) const;
+    /// The largest value of a pigment's colours, at least 1, and whether any of them lets light through.
+    struct Brightest {
+        double value = 1;
+        bool filters = false, transmits = false;
+        /// Returns a pigment with this as its bounds.
+        Pigment of(Pattern pattern) const;
+    };
+    static Brightest brightest_of(const PigmentThing& pigment);
+    bool set_channels(const std::shared_ptr<const FunctionThing>& colors, const Blend& blend, const Brightest& most,
+                      Pattern& pattern);
     bool set_kind(const Blend& blend, Pattern& pattern);
     std::vector<Transformation> space_of(const Blend& blend, const Steps& way, const Steps& first) const;
 
     NoteTaker notes;
-    ReadPixels read_pixels;
     const bool mirrored;
     bool add_mean(const Blend& blend, Pattern& pattern);
     Moves moves_inside(const Blend& blend) const;
 
-    std::map<std::string, std::shared_ptr<const Pixels>> pictures;
     // Keep what was made of pigments in maps, so that bodies share it; stops also by how many patterns are around them.
     std::map<std::shared_ptr<const Thing>, Mean> means;
     std::map<std::pair<std::shared_ptr<const Thing>, int>, ColorStop> made_stops;
@@ -62,6 +70,7 @@ class PigmentMaker {
     // cannot be done by transformations.
     Moves around;
     int patterns_around = 0;               // the pigment that is made
+    bool too_deep = false;                 // it has patterns that are nested more deeply than the scene's
     static constexpr int most_nested = 4;  // as scene text has it
 };
 

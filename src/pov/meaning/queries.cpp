@@ -18,7 +18,7 @@ const Bodies& bodies_of(Interpreter& in, const Thing& thing) {
     if (!object.made.bodies) {
         const PovContents nothing;
         Bodies made;
-        for (Primitive& body : SceneMaker(in, {}, nothing, false).bodies_of(object)) {
+        for (Primitive& body : SceneMaker(in, nothing, false).bodies_of(object)) {
             const Box box = world_bounds(body);
             made.emplace_back(std::move(body), box);
         }

@@ -24,7 +24,7 @@ CameraAxes axes_of(const CameraThing& camera);
 class SceneMaker {
   public:
     /// `mirrored` decides whether the scene is turned over in z; by default it is if the camera is left-handed.
-    SceneMaker(Interpreter& in, ReadPixels read_pixels, const PovContents& contents, std::optional<bool> mirrored = {});
+    SceneMaker(Interpreter& in, const PovContents& contents, std::optional<bool> mirrored = {});
     Scene make();
     /// Is the scene turned over in z?
     bool mirrors() const { return mirrored; }

@@ -187,13 +187,13 @@ void SceneMaker::set_settings() {
     settings.max_trace_level = std::clamp(contents.max_trace_level, 1, 256);
 }
 
-SceneMaker::SceneMaker(Interpreter& in, ReadPixels read_pixels, const PovContents& contents, std::optional<bool> turned)
+SceneMaker::SceneMaker(Interpreter& in, const PovContents& contents, std::optional<bool> turned)
     : in(in),
       contents(contents),
       axes(axes_of(contents.camera.value_or(CameraThing()))),
       mirrored(turned.value_or(axes.left_handed())),
       notes{in},
-      materials(notes, std::move(read_pixels), contents, mirrored) {}
+      materials(notes, contents, mirrored) {}
 
 /// Keeps the materials that are used, in the order in which they are.
 void SceneMaker::settle_materials() {

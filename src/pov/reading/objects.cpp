@@ -27,6 +27,7 @@ constexpr const char* inner_texture = "interior_texture: both sides of a surface
 
 /// Gives an object a texture; one that it has becomes the layer below.
 void PovReader::add_texture(ObjectThing& object, std::shared_ptr<const TextureThing> more) {
+    if (object.uv) more = by_uv(*more);
     if (object.texture) more = layered(*kept_texture(object), *more);
     object.texture = PlacedTexture{std::move(more), {}};
 }
@@ -80,6 +81,7 @@ bool PovReader::read_object_modifier(Interpreter& in, ObjectThing& object) {
     const auto change = [&](const auto& read) {
         auto kept = kept_texture(object);
         read(kept->layers.back());
+        if (object.uv) set_by_uv(kept->layers.back());
         object.texture = PlacedTexture{std::move(kept), {}};
         return true;
     };
@@ -162,7 +164,7 @@ bool PovReader::read_object_modifier(Interpreter& in, ObjectThing& object) {
             return true;
         case word("uv_mapping"):
             in.skip();
-            return true;
+            return object.uv = true;
         case word("uv_vectors"):
             in.skip();
             for (int i = 0; i < 4 && in.at_expression(); ++i) in.read_components(), in.skip_comma();

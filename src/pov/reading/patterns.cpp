@@ -1,9 +1,12 @@
 // Reads patterns, their modifiers and their maps, which are alike in pigments, normals and textures.
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 
 #include "num/vec_math.h"
 #include "pov/reading/reader.h"
+#include "scene/error.h"
 
 namespace strahl::pov {
 namespace {
@@ -43,6 +46,8 @@ constexpr std::array numbers_not_shown{Usual{word("agate_turb"), 1},   Usual{wor
                                        Usual{word("coords"), 0},       Usual{word("accuracy"), .02},
                                        Usual{word("strength"), 1},     Usual{word("number_of_waves"), 10},
                                        Usual{word("no_bump_scale"), 0}};
+
+using Size = std::array<int, 2>;  // in pixels
 
 constexpr int most_iterations = 1'000'000;  // of a fractal
 
@@ -242,10 +247,62 @@ void PovReader::read_list(Interpreter& in, Blend& blend, ValueKind level) {
     if (!map->entries.empty()) blend.map = std::move(map);
 }
 
-/// Reads a picture from '{' to '}'.
-std::shared_ptr<const ImageThing> PovReader::read_image(Interpreter& in) {
+namespace {
+
+/// Makes a picture of a function's values from 0 to 1 in x and, downwards, y. As in POV-Ray they are of 16 bits.
+std::shared_ptr<const FilePixels> picture_of(Interpreter& in, const FunctionThing& function, const Size& size) {
+    constexpr int most = 4096;
+    if (std::min(size[0], size[1]) < 1 || std::max(size[0], size[1]) > most)
+        in.fail("the sides of a picture have 1 to " + std::to_string(most) + " pixels");
+    auto made = std::make_shared<FilePixels>(Pixels{size[0], size[1], true, {}});
+    const auto put = [](std::vector<float>& values, double value) {
+        const double code = std::clamp(65535 * value, -1e9, 1e9);  // beyond 0 to 1 it repeats
+        values.push_back(static_cast<float>(std::isnan(code) ? 0 : static_cast<long>(code) & 0xffff) / 65535);
+    };
+    for (int j = 0; j < size[1]; ++j)
+        for (int i = 0; i < size[0]; ++i) {
+            const double given[3]{i / (size[0] - 1.), j / (size[1] - 1.), 0};
+            double result[5]{};
+            function.evaluate(given, result);
+            for (int c = 0; c < 3; ++c) put(made->values, result[function.results == 1 ? 0 : c]);
+            if (function.results == 5) put(made->opacity, 1 - result[4]);
+        }
+    made->largest = Color(1);
+    return made;
+}
+
+}  // namespace
+
+/// Reads the pixels of a picture's file, and says how their values become those of the scene: for colours, as POV-Ray
+/// decodes files by what is known of the scene at this place; for heights and the like, by a given gamma alone.
+void PovReader::load(Interpreter& in, ImageThing& image, bool of_colors, std::optional<double> gamma) {
+    LoadedPicture& known = pictures[image.path];
+    if (!known.pixels && known.fault.empty() && !image.path.empty() && read_pixels) {
+        try {
+            known.pixels = std::make_shared<const FilePixels>(read_pixels(image.path));
+        } catch (const FileError& error) {
+            known.fault = error.what();
+        }
+    }
+    image.pixels = known.pixels, image.fault = known.fault;
+    if (!image.pixels) return;
+    image.encoding = gamma;
+    if (!of_colors) return;
+    if (in.assumed_gamma) image.working = contents.assumes_srgb ? 0 : *in.assumed_gamma;
+    const bool netpbm = image.path.ends_with("pm") || image.path.ends_with("PM");
+    if (!gamma && !netpbm && in.version_given() && in.version() >= 3.7) image.encoding = image.pixels->linear ? 1 : 0;
+}
+
+/// Reads a picture from '{' to '}'; `of_colors`, not of heights or other values.
+std::shared_ptr<const ImageThing> PovReader::read_image(Interpreter& in, bool of_colors) {
     auto image = std::make_shared<ImageThing>();
+    std::optional<double> gamma;
     in.begin_block();
+    if (in.at("function")) {
+        Size size{};
+        const auto function = in.read_function(&size);
+        image->pixels = picture_of(in, *function, size);
+    }
     std::vector<std::string> endings = picture_endings;
     while (!in.at('}')) {
         if (in.at_string()) {
@@ -281,18 +338,22 @@ std::shared_ptr<const ImageThing> PovReader::read_image(Interpreter& in) {
                 break;
             }
             case word("gamma"):
-                image->gamma = in.accept("srgb") ? 0 : in.read_number();
+                gamma = in.accept("srgb") ? 0 : in.read_number();
+                break;
+            case word("repeat"):
+                image->repeat = in.read_uv();
+                break;
+            case word("offset"):
+                image->offset = in.read_uv();
+                break;
+            case word("use_alpha"):
+                image->use_alpha = true;
                 break;
             case word("premultiplied"):
-            case word("use_alpha"):
                 in.read_flag();
                 break;
             case word("bump_size"):
-                in.read_number();
-                break;
-            case word("function"):
-                in.read_number(), in.skip_comma(), in.read_number();
-                in.skip_block();
+                image->bump_size = in.read_number();
                 break;
             case word("pigment"):
             case word("texture"):
@@ -304,6 +365,7 @@ std::shared_ptr<const ImageThing> PovReader::read_image(Interpreter& in) {
         in.skip_comma();
     }
     in.end_block();
+    if (!image->pixels) load(in, *image, of_colors, gamma);
     return image;
 }
 
@@ -313,7 +375,7 @@ bool PovReader::read_pattern_word(Interpreter& in, Blend& blend, ValueKind level
     const auto take = [&] {
         in.skip();
         blend.word = code, blend.place = in.last_place();
-        blend.function = nullptr, blend.pigment = nullptr;
+        blend.function = nullptr, blend.pigment = nullptr, blend.image = nullptr;
         return true;
     };
     if (is_one_of(code, plain_patterns)) return take();
@@ -379,7 +441,7 @@ bool PovReader::read_pattern_word(Interpreter& in, Blend& blend, ValueKind level
             return true;
         case word("function"):
             blend.word = code, blend.place = in.place();
-            blend.pigment = nullptr;
+            blend.pigment = nullptr, blend.image = nullptr;
             blend.function = in.read_function();
             return true;
         case word("density_file"):
@@ -397,7 +459,7 @@ bool PovReader::read_pattern_word(Interpreter& in, Blend& blend, ValueKind level
         case word("bump_map"):
         case word("image_pattern"):
             take();
-            blend.image = read_image(in);
+            blend.image = read_image(in, code == word("image_map"));
             return true;
         default:
             return false;

@@ -4,6 +4,8 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "pov/language/interpreter.h"
@@ -64,7 +66,8 @@ class PovReader : public SceneLayer {
     std::shared_ptr<const MapThing> read_map(Interpreter& in, ValueKind level);
     void read_list(Interpreter& in, Blend& blend, ValueKind level);
     static Warp read_warp(Interpreter& in);
-    std::shared_ptr<const ImageThing> read_image(Interpreter& in);
+    std::shared_ptr<const ImageThing> read_image(Interpreter& in, bool of_colors);
+    void load(Interpreter& in, ImageThing& image, bool of_colors, std::optional<double> gamma);
     // functions.cpp
     std::shared_ptr<const FunctionThing> read_inside(Interpreter& in);
     // objects.cpp
@@ -100,6 +103,11 @@ class PovReader : public SceneLayer {
     std::shared_ptr<const TextureThing> default_texture = std::make_shared<TextureThing>();
     CameraThing default_camera;
     std::map<Point2, std::shared_ptr<const LevelSurface>> superellipsoids;  // so far, by their exponents
+    struct LoadedPicture {
+        std::shared_ptr<const FilePixels> pixels;
+        std::string fault;
+    };
+    std::map<std::string, LoadedPicture> pictures;  // so far, by their paths
 };
 
 }  // namespace strahl::pov

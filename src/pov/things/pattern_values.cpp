@@ -7,6 +7,7 @@
 
 #include "num/lattice_noise.h"
 #include "num/vec_math.h"
+#include "pov/things/pictures.h"
 #include "pov/things/solids.h"
 #include "scene/image_pattern.h"
 
@@ -293,8 +294,14 @@ std::shared_ptr<Bends> bends_of(const NormalThing& normal, bool last, int genera
     auto made = std::make_shared<Bends>();
     made->amount = static_cast<float>(normal.amount);
     if (!blend) return made->amount = 0, made;
-    if (blend.image || blend.uv) return nullptr;
+    if (blend.uv) return nullptr;
     made->moves = moves_of(blend, last), made->normals = MovedNormals(made->moves);
+    if (blend.word == word("bump_map")) {
+        auto bends = bends_of(*blend.image, made->amount);
+        if (!bends) return nullptr;
+        made->pattern = of_function(std::move(bends)), made->amount = 1;
+        return made;
+    }
     const bool average = blend.word == word("average");
     if (!average) {
         const auto own = still_solid_of(blend, !blend.map, generator);
@@ -320,13 +327,14 @@ struct PigmentFunction : FunctionThing {
             for (const float part : {color.red, color.green, color.blue, color.filter, color.transmit})
                 *numbers++ = double(part);
         };
-        if (!pattern) return put(color, result);
+        if (!pattern && !picture) return put(color, result);
         const DVec3 point = moved(moves, {given[0], given[1], given[2]});
+        const double place[3]{point.x, point.y, point.z};
+        if (picture) return picture->evaluate(place, result);
         const auto add = [&](const MapEntry& entry, double weight) {
             double own[5];
             if (const auto* const nested = dynamic_cast<const FunctionThing*>(entry.thing.get())) {
-                const double at[3]{point.x, point.y, point.z};
-                nested->evaluate(at, own);
+                nested->evaluate(place, own);
             } else {
                 put(entry.color, own);
             }
@@ -343,6 +351,7 @@ struct PigmentFunction : FunctionThing {
     }
     FilterColor color{};
     std::optional<SolidPattern> pattern;
+    std::shared_ptr<const FunctionThing> picture;  // in its place
     Moves moves;
     std::vector<MapEntry> entries;  // their things are functions
     double total = 0;               // the sum of the weights, if the colour is a mean
@@ -396,6 +405,7 @@ std::shared_ptr<const SolidFunction> own_values_of(const Blend& blend, int gener
             const double value = own->at(p);
             return value > 1 ? std::fmod(value, 1) : value;
         });
+    if (blend.image) return blend.word == word("image_pattern") ? values_of(*blend.image) : nullptr;
     if (blend.pigment) {
         auto colors = colors_of(*blend.pigment, generator);
         if (!colors) return nullptr;
@@ -452,8 +462,9 @@ std::shared_ptr<const FunctionThing> colors_of(const PigmentThing& pigment, int 
     made->color = pigment.color;
     const Blend& blend = pigment.blend;
     if (!blend) return made;
-    if (blend.image || blend.uv) return nullptr;
+    if (blend.uv) return nullptr;
     made->moves = moves_of(blend, true);
+    if (blend.word == word("image_map")) return (made->picture = colors_of(*blend.image)) ? made : nullptr;
     const bool average = blend.word == word("average");
     made->pattern = average ? SolidPattern() : still_solid_of(blend, false, generator);
     if (!made->pattern) return nullptr;

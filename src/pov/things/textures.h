@@ -10,6 +10,7 @@
 #include "pov/language/user_function.h"
 #include "pov/things/warps.h"
 #include "scene/solid/solid.h"
+#include "text/reading/scene_files.h"
 
 namespace strahl::pov {
 
@@ -27,13 +28,20 @@ struct MapThing : Thing {
 
 enum class Wave { ramp, triangle, sine, scallop, cubic, poly };
 
-/// A picture file that a pattern shows.
+/// A picture that a pattern shows.
 struct ImageThing {
-    std::string path;
+    std::string path;                          // of its file; empty if a function makes it
+    std::shared_ptr<const FilePixels> pixels;  // null if it could not be read
+    std::string fault;                         // why
     int map_type = 0, interpolate = 0;
-    bool once = false, single_colors = false;  // single_colors: some are transparent
-    std::optional<double> filter_all, transmit_all;
-    std::optional<double> gamma;  // by which it is encoded; 0 is srgb
+    bool once = false, use_alpha = false, single_colors = false;  // single_colors: some are transparent
+    std::array<double, 2> repeat{1, 1}, offset{0, 0};
+    std::optional<double> filter_all, transmit_all, bump_size;
+    /// The gamma by which its values are encoded, and that of the scene's values, or 0 for sRGB. Without the first they
+    /// stay as they are.
+    std::optional<double> encoding;
+    double working = 1;
+    mutable std::shared_ptr<const FunctionThing> colors;  // once it has been made
 };
 
 /// How `mandel`, `julia` and `magnet` iterate, and how points are coloured that stay or escape.
@@ -150,11 +158,19 @@ struct TransformThing : Thing {
     Steps steps;
 };
 
-/// Transforms everything that has a place in a texture.
+/// Makes the patterns of a layer patterns by uv.
+inline void set_by_uv(LayerValues& layer) { layer.pigment.blend.uv = layer.normal.blend.uv = layer.blend.uv = true; }
+inline std::shared_ptr<const TextureThing> by_uv(const TextureThing& given) {
+    auto texture = std::make_shared<TextureThing>(given);
+    for (LayerValues& layer : texture->layers) set_by_uv(layer);
+    return texture;
+}
+
+/// Transforms everything that has a place in a texture; what is by uv has none.
 inline void transform(LayerValues& layer, std::span<const Step> steps) {
     for (Blend* const own : {&layer.pigment.blend, &layer.normal.blend, &layer.blend})
         // As in POV-Ray a colour moves, and a pattern in its place later, but there is no normal before it is given.
-        if (own != &layer.normal.blend || *own) append(own->steps, steps);
+        if (!own->uv && (own != &layer.normal.blend || *own)) append(own->steps, steps);
 }
 
 /// Returns a texture with the layers of another on top.

@@ -45,6 +45,7 @@ void WorldArrays<T>::add_colors(const Pigment& pigment, PatternKernel<T>& kernel
     for (std::size_t i = 0; i < colors.size(); ++i) {
         if (!colors[i].pattern) continue;
         PatternKernel<T> own = kernel_of<T>(*colors[i].pattern, matrix_of(*pattern, to_world), placement);
+        own.places = kernel.places;
         Pigment inner(Color(0));
         inner.pattern = colors[i].pattern;
         add_colors(inner, own, gamma, matrix_of(*pattern, to_world), placement);
@@ -172,8 +173,8 @@ void WorldArrays<T>::add_finish(const Material& material, const Scene& scene, co
         LayerKernel<T> layer{};
         layer.pattern.form = PatternForm::constant;
         if (own.rgb.pattern) layer.pattern = kernel_of<T>(*own.rgb.pattern, to_world, placement);
-        add_colors(own.rgb, layer.pattern, scene.settings.assumed_gamma, to_world, placement);
         layer.pattern.places = places;
+        add_colors(own.rgb, layer.pattern, scene.settings.assumed_gamma, to_world, placement);
         layer.ambient = Vec3<T>(cast<M>(scene.settings.ambient_light * own.glow) * M(own.ambient));
         layer.diffuse = number(own.diffuse), layer.brilliance = number(own.brilliance);
         layer.phong = number(own.specular), layer.phong_size = number(own.pow);

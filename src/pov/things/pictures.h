@@ -1,0 +1,19 @@
+// The colours that POV-Ray finds in pictures.
+#pragma once
+#include <memory>
+
+#include "pov/things/textures.h"
+
+namespace strahl::pov {
+
+/// Returns the colour of a picture at a point, in five results: red, green, blue, filter and transmit, as values of the
+/// scene. Null if the picture could not be read.
+std::shared_ptr<const FunctionThing> colors_of(const ImageThing& image);
+
+/// Returns what bump_map adds to normals.
+std::shared_ptr<const SolidFunction> bends_of(const ImageThing& image, double amount);
+
+/// Returns the values of image_pattern: brightness or, with use_alpha, transparency.
+std::shared_ptr<const SolidFunction> values_of(const ImageThing& image);
+
+}  // namespace strahl::pov
