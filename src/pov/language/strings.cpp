@@ -149,10 +149,11 @@ std::string Interpreter::State::string() {
             const int first = integer();
             accept(',');
             const int length = integer();
-            if (first < 1 || length < 0 ||
+            if (first < 0 || length < 0 ||
                 first - 1 + static_cast<long long>(length) > static_cast<long long>(from.size()))
                 fail(at, "invalid substr: the string has " + std::to_string(from.size()) + " characters");
-            text = from.substr(static_cast<std::size_t>(first - 1), static_cast<std::size_t>(length));
+            // In POV-Ray there is a 0 before the text, which ends a string.
+            if (first > 0) text = from.substr(static_cast<std::size_t>(first - 1), static_cast<std::size_t>(length));
             break;
         }
         case word("strupr"):

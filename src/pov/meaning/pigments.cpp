@@ -40,13 +40,17 @@ PigmentMaker::Mean PigmentMaker::mean_of(const PigmentThing& pigment) {
     if (pigment.blend.word == word("image_map")) {
         const ImageThing& image = *pigment.blend.image;
         const auto pixels = pixels_of(pigment.blend);
-        Mean mean{Color(pixels ? 0 : .5), image.filter_all.value_or(0), image.transmit_all.value_or(0)};
-        if (!pixels) return mean;
-        const double count = double(pixels->values.size()) / 3;
-        for (std::size_t i = 0; i + 2 < pixels->values.size(); i += 3)
-            for (int c = 0; c < 3; ++c) mean.color[c] += double(pixels->values[i + std::size_t(c)]) / count;
-        for (const float opacity : pixels->opacity) mean.transmit += (1 - double(opacity)) / count;
-        return mean;
+        const double transmit = image.transmit_all.value_or(0);
+        if (!pixels) return {Color(.5), image.filter_all.value_or(0), transmit};
+        PictureFacts& facts = *image.facts;
+        if (!facts.mean) {
+            facts.mean = Color(0);
+            const double count = double(pixels->values.size()) / 3;
+            for (std::size_t i = 0; i + 2 < pixels->values.size(); i += 3)
+                for (int c = 0; c < 3; ++c) (*facts.mean)[c] += double(pixels->values[i + std::size_t(c)]) / count;
+            for (const float opacity : pixels->opacity) facts.clear += (1 - double(opacity)) / count;
+        }
+        return {*facts.mean, image.filter_all.value_or(0), transmit + facts.clear};
     }
     if (!pigment.blend.map) return {Color(.5)};
     const std::uint16_t own = pigment.blend.word;

@@ -284,7 +284,7 @@ void PovReader::load(Interpreter& in, ImageThing& image, bool of_colors, std::op
             known.fault = error.what();
         }
     }
-    image.pixels = known.pixels, image.fault = known.fault;
+    image.pixels = known.pixels, image.fault = known.fault, image.facts = known.facts;
     if (!image.pixels) return;
     image.encoding = gamma;
     if (!of_colors) return;

@@ -106,6 +106,7 @@ class PovReader : public SceneLayer {
     struct LoadedPicture {
         std::shared_ptr<const FilePixels> pixels;
         std::string fault;
+        std::shared_ptr<PictureFacts> facts = std::make_shared<PictureFacts>();
     };
     std::map<std::string, LoadedPicture> pictures;  // so far, by their paths
 };

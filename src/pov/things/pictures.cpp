@@ -34,12 +34,35 @@ double encoded(double light, double encoding) {
     return light <= .0031308 ? light * 12.92 : 1.055 * std::pow(light, 1 / 2.4) - .055;
 }
 
+/// Returns a picture's values as values of the scene. Those of files of 8 and 16 bits are computed once each.
+std::vector<float> scene_values_of(const std::vector<float>& given, double encoding, double working) {
+    const auto value_of = [&](double own) { return static_cast<float>(encoded(decoded(own, encoding), working)); };
+    std::vector<float> known(65536, -1), values;
+    for (const float own : given) {
+        const double code = static_cast<double>(own) * 65535, whole = std::round(code);
+        if (!(whole >= 0 && whole <= 65535 && std::fabs(code - whole) < .01)) {
+            values.push_back(value_of(static_cast<double>(own)));
+            continue;
+        }
+        float& value = known[static_cast<std::size_t>(whole)];
+        if (value < 0) value = value_of(whole / 65535);
+        values.push_back(value);
+    }
+    return values;
+}
+
 struct PictureColors : FunctionThing {
-    explicit PictureColors(const ImageThing& given) : image(given), pixels(*given.pixels), values(pixels.values) {
+    explicit PictureColors(const ImageThing& given) : image(given), pixels(*given.pixels) {
         results = 5;
-        if (!image.encoding || *image.encoding == image.working) return;
-        for (float& own : values)
-            own = static_cast<float>(encoded(decoded(static_cast<double>(own), *image.encoding), image.working));
+        if (!image.encoding || *image.encoding == image.working) {
+            all = {image.pixels, &pixels.values};
+        } else {
+            all = image.facts->decoded[{*image.encoding, image.working}];
+            if (!all)
+                all = std::make_shared<const std::vector<float>>(
+                    scene_values_of(pixels.values, *image.encoding, image.working));
+            image.facts->decoded[{*image.encoding, image.working}] = all;
+        }
     }
     void evaluate(const double* given, double* result) const override {
         if (const auto place = place_of({given[0], given[1], given[2]})) return color_at(*place, result);
@@ -54,7 +77,7 @@ struct PictureColors : FunctionThing {
                 return std::size_t(image.once ? std::clamp(own, 0., size - 1.) : wrapped(own, size));
             };
             const std::size_t i = at(y, pixels.height) * std::size_t(pixels.width) + at(x, pixels.width);
-            for (std::size_t c = 0; c < 3; ++c) result[c] += weight * static_cast<double>(values[3 * i + c]);
+            for (std::size_t c = 0; c < 3; ++c) result[c] += weight * static_cast<double>((*all)[3 * i + c]);
             if (!pixels.opacity.empty()) result[4] += weight * (1 - static_cast<double>(pixels.opacity[i]));
         };
         auto [x, y] = place;
@@ -117,7 +140,7 @@ struct PictureColors : FunctionThing {
     }
     const ImageThing image;
     const FilePixels& pixels;
-    std::vector<float> values;  // of the scene
+    std::shared_ptr<const std::vector<float>> all;  // as values of the scene
 };
 
 double bright(const double (&c)[5]) { return brightness[0] * c[0] + brightness[1] * c[1] + brightness[2] * c[2]; }

@@ -1,9 +1,11 @@
 // Textures as a POV-Ray scene declares them: pigments, normals, finishes and interiors.
 #pragma once
 #include <array>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "pov/language/interpreter.h"
@@ -28,11 +30,19 @@ struct MapThing : Thing {
 
 enum class Wave { ramp, triangle, sine, scallop, cubic, poly };
 
+/// What has been computed of a picture, for all patterns that show it.
+struct PictureFacts {
+    std::optional<Color> mean;  // of its values
+    double clear = 0;           // the mean of how little opaque its pixels are, once there is the other one
+    std::map<std::pair<double, double>, std::shared_ptr<const std::vector<float>>> decoded;  // by both gammas
+};
+
 /// A picture that a pattern shows.
 struct ImageThing {
     std::string path;                          // of its file; empty if a function makes it
     std::shared_ptr<const FilePixels> pixels;  // null if it could not be read
     std::string fault;                         // why
+    std::shared_ptr<PictureFacts> facts = std::make_shared<PictureFacts>();
     int map_type = 0, interpolate = 0;
     bool once = false, use_alpha = false, single_colors = false;  // single_colors: some are transparent
     std::array<double, 2> repeat{1, 1}, offset{0, 0};

@@ -92,7 +92,8 @@ TEST_CASE("POV-Ray's strings") {
     check_prints(R"(
 #debug concat(str(2.5,0,0), "|", str(3.14159,8,3), "|", str(3.14159,-8,3), "|", str(-1,-6,1), "|",
        str(2,0,-1), "\n")
-#debug concat(strupr("abC1"), strlwr("ABc"), substr("hello",2,3), chr(65), " ", str(asc("a"),0,0), " ",
+#debug concat(strupr("abC1"), strlwr("ABc"), substr("hello",2,3), substr("abc",0,2),
+chr(65), " ", str(asc("a"),0,0), " ",
        str(strlen("four"),0,0), " ", str(val("12.5e1x"),0,1), " ", str(strcmp("ad","ab"),0,0), "\n")
 #debug concat("a\"b", "\u0041", "\n")
 )",
