@@ -2,10 +2,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
 #include <utility>
 
 #include "num/vec_math.h"
 #include "pov/meaning/scene_maker.h"
+#include "scene/overlap.h"
+#include "scene/ray_hits.h"
 
 namespace strahl::pov {
 namespace {
@@ -106,6 +109,38 @@ void SceneMaker::add_light(const ObjectThing& object, const Around& around) {
     light.color = {std::min(light.color.x, 1e9), std::min(light.color.y, 1e9), std::min(light.color.z, 1e9)};
     scene.lights.push_back(light);
     light_places.push_back(object.place);
+}
+
+/// Moves lights and the camera off surfaces that they lie on, to the side that the camera sees: in POV-Ray what is
+/// nearer than 1e-3 to a light casts no shadow, and what is nearer than 1e-4 to the camera is not seen.
+void SceneMaker::leave_surfaces() {
+    constexpr double near_light = 1e-3, near_eye = 1e-4;
+    const DVec3 eye = scene.camera.position, view = scene.camera.look_at - eye;
+    std::vector<std::pair<DVec3*, double>> points{{&scene.camera.position, near_eye}};
+    for (Light& light : scene.lights)
+        if (!light.direction) points.emplace_back(&light.position, near_light);
+    const auto is_flat = []<class Kind>(const Kind&) {
+        return is_composite<Kind> || std::is_same_v<Kind, Cuboid> || std::is_same_v<Kind, Plane> ||
+               std::is_same_v<Kind, Disc> || std::is_same_v<Kind, Cylinder>;
+    };
+    for (const Primitive& body : scene.primitives) {
+        if (!std::visit(is_flat, body.shape)) continue;
+        const Box box = world_bounds(body);
+        for (const auto& [point, reach] : points) {
+            bool holds = true;
+            for (int i = 0; i < 3; ++i)
+                holds &= (*point)[i] >= box.low[i] - reach && (*point)[i] <= box.high[i] + reach;
+            const DVec3 way = eye + .01 * view - *point;
+            const double away = length(way);
+            if (!holds || !(away > 0)) continue;
+            const DVec3 towards = way / away;
+            const auto hits = ray_hits(body, {*point - reach * towards, towards, {}}, 0, 2 * reach);
+            if (hits.empty()) continue;
+            const DVec3 normal = hits[0].normal * (dot_product(hits[0].normal, towards) < 0 ? -1. : 1.);
+            const double behind = (hits[0].t - reach) * dot_product(normal, towards);
+            *point = *point + (std::max(behind, 0.) + 1e-7 * (1 + away)) * normal;
+        }
+    }
 }
 
 }  // namespace strahl::pov

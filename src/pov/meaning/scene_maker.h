@@ -82,6 +82,7 @@ class SceneMaker {
     void settle_materials();
     // lights.cpp
     void add_light(const ObjectThing& object, const Around& around);
+    void leave_surfaces();
     // view.cpp
     void set_camera();
     void set_background();

@@ -5,6 +5,8 @@
 
 #include "num/decimal.h"
 #include "num/vec_math.h"
+#include "pov/meaning/coincident.h"
+#include "pov/meaning/crowds.h"
 #include "pov/meaning/scene_maker.h"
 #include "scene/leaves.h"
 #include "scene/tangent.h"
@@ -261,6 +263,15 @@ Scene SceneMaker::make() {
     }
     drop_shadow_copies();
     settle_materials();
+    for (std::size_t i = 0; i < scene.primitives.size(); ++i)
+        if (limit_crowd(scene.primitives[i], scene.materials))
+            notes.left_out(kept_places[i],
+                           "bodies of a composite beyond " + std::to_string(most_leaves) + " that are connected");
+    if (!in.options().as_text) {
+        for (Primitive& body : scene.primitives) keep_faces(body);
+        settle_faces(scene);
+        leave_surfaces();
+    }
     set_planes();
     set_bailout();
     return std::move(scene);

@@ -16,6 +16,57 @@
 
 using namespace strahl;
 
+TEST_CASE("POV-Ray: a composite has no more connected bodies than rays can meet together") {
+    const std::string spheres = "union { #for (I, 0, 39) #for (J, 0, 39) sphere { <I, J, 0>, .4 } #end #end } ";
+    const Scene whole_box = whole("difference { box { -1, <20, 20, 1> } " + spheres + "}");
+    CHECK(leaves_of(whole_box.primitives[0].shape) == 1 + 21 * 21);
+    const std::string all = "difference { box { -1, <50, 50, 1> } " + spheres + "}";
+    CHECK(says(notes_of(all), "left out: bodies of a composite beyond 1024 that are connected"));
+    CHECK(leaves_of(opened(all).scene.primitives[0].shape) == 1024);
+    CHECK(says(notes_of("intersection { " + spheres + spheres + " }"), "beyond 1024"));
+}
+
+TEST_CASE("POV-Ray: a difference keeps the faces that its parts share") {
+    const auto first = [](const std::string& parts) {
+        const Scene scene = whole("difference { " + parts + " }");
+        return (*shape<Difference>(scene).parts)[0].shape;
+    };
+    const Cuboid grown = std::get<Cuboid>(first("box { 0, 4 } box { 1, <2, 4, 2> }"));
+    CHECK(grown.opposite.y > 4);
+    CHECK(grown.opposite.y < 4 + 1e-7);
+    CHECK(grown.corner == DVec3(0));
+    CHECK(grown.opposite.x == 4);
+    CHECK(std::get<Cuboid>(first("box { 0, 4 } cylinder { <1, 1, 1>, <1, 5, 1>, .5 translate -y }")).opposite.y > 4);
+    CHECK(std::get<Cylinder>(first("cylinder { 0, 3*y, 2 } cylinder { y, 3*y, 1 }")).cap.y > 3);
+    // Faces beside each other, or that face each other, stay.
+    CHECK(first("box { 0, 4 } box { <6, 1, 1>, <7, 4, 2> }") == Shape(Cuboid{DVec3(0), DVec3(4)}));
+    CHECK(first("box { 0, 4 } box { <1, 4, 1>, <2, 5, 2> }") == Shape(Cuboid{DVec3(0), DVec3(4)}));
+}
+
+TEST_CASE("POV-Ray: a plane is seen where a body has a face in its place") {
+    const auto box_of = [](const std::string& camera) {
+        return shape<Cuboid>(
+            whole("camera { right -4/3*x " + camera + " } plane { y, 0 } box { -2, <2, 0, 2> }", false), 1);
+    };
+    CHECK(box_of("location 5*y look_at 0").opposite.y < 0);
+    CHECK(box_of("location -y look_at -2*y").opposite.y > 0);
+    CHECK(box_of("location -5*y look_at 0").opposite.y == 0);  // that side is not seen
+}
+
+TEST_CASE("POV-Ray: lights and the camera are beside the surfaces that they lie on, where they look") {
+    const std::string room =
+        "camera { right -4/3*x location <0, 1, -3> look_at <0, 1, 0> } box { <-3, 0, -3>, <3, 4, 3> } ";
+    const Scene scene = whole(room + "light_source { <0, 4, 0> rgb 1 } light_source { <0, 2, 0> rgb 1 }", false);
+    CHECK(scene.camera.position.z > -3);
+    CHECK(scene.camera.position.z < -3 + 1e-5);
+    CHECK(scene.lights.at(0).position.y < 4);
+    CHECK(scene.lights.at(0).position.y > 4 - 1e-5);
+    CHECK(scene.lights.at(1).position == DVec3(0, 2, 0));
+    // What covers a light by less than POV-Ray's tolerance does not cover it.
+    const Scene covered = whole(room + "light_source { <0, 4.0005, 0> rgb 1 }", false);
+    CHECK(covered.lights.at(0).position.y < 4);
+}
+
 TEST_CASE("POV-Ray: a polygon of several outlines is where an odd number of them is") {
     const auto inside = [](const std::string& points, const DVec3& p) {
         const Scene scene = whole("polygon { " + points + " }");

@@ -1,0 +1,16 @@
+// Settles which of two faces in one place is seen, as it is in POV-Ray; elsewhere rounding would decide.
+#pragma once
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace strahl::pov {
+
+/// Grows the first parts of differences by a hair where a part that is taken away has a face in the place of theirs:
+/// POV-Ray keeps that face, as a point on it is, by its rounding, inside both parts or neither.
+void keep_faces(Primitive& body);
+
+/// Moves faces of bodies by a hair away from the eye where a plane is seen in their place, which POV-Ray shows.
+void settle_faces(Scene& scene);
+
+}  // namespace strahl::pov
