@@ -203,7 +203,6 @@ std::vector<Transformation> PigmentMaker::space_of(const Blend& blend, const Ste
 std::optional<SolidPattern> PigmentMaker::solid_of(const Blend& blend, bool bends) const {
     std::optional<SolidPattern> solid = pov::solid_of(blend, bends, notes.in.noise_generator);
     if (!solid) return solid;
-    if (blend.wave == Wave::poly) notes.approximated(blend.place, "a poly_wave is a ramp");
     if (!around.empty()) {
         Moves moves = around;
         if (!blend.steps.empty()) moves.push_back(glm::inverse(matrix_of(blend.steps)));
@@ -506,9 +505,9 @@ Bump PigmentMaker::bump_of(const NormalThing& normal, const Steps& way, bool map
     if (blend.uv && !mapped) return none("bumps by uv of a body that is no mesh");
     tell_ignored(blend);
     Pattern pattern{.kind = Noise{}, .colors = {}, .transformations = {}, .by_uv = blend.uv};
-    const bool picture = blend.image && blend.word == word("bump_map");
+    const bool picture = blend.image && blend.word == word("bump_map"), facets = blend.word == word("facets");
     const auto own_bends = [&]() -> std::shared_ptr<const SolidFunction> {
-        if ((!blend.map && !picture) || notes.in.options().as_text) return nullptr;
+        if ((!blend.map && !picture && !facets) || notes.in.options().as_text) return nullptr;
         return bends_of(normal, notes.in.noise_generator);
     };
     auto bends = own_bends();
@@ -527,7 +526,7 @@ Bump PigmentMaker::bump_of(const NormalThing& normal, const Steps& way, bool map
             solid = solid_of(blend, true);
         if (!solid) return none("'" + word_text(blend.word) + "'");
         pattern.kind = *solid;
-        bump.height = blend.map || picture ? 1 : decimal(static_cast<float>(normal.amount));
+        bump.height = blend.map || picture || facets ? 1 : decimal(static_cast<float>(normal.amount));
     }
     pattern.transformations = space_of(blend, way, {});
     if (mirrored && std::holds_alternative<SolidPattern>(pattern.kind))

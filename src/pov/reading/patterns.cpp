@@ -42,9 +42,8 @@ struct Usual {
     std::uint16_t code;
     double value;
 };
-constexpr std::array numbers_not_shown{Usual{word("agate_turb"), 1},   Usual{word("size"), 1},
-                                       Usual{word("coords"), 0},       Usual{word("accuracy"), .02},
-                                       Usual{word("strength"), 1},     Usual{word("number_of_waves"), 10},
+constexpr std::array numbers_not_shown{Usual{word("agate_turb"), 1}, Usual{word("accuracy"), .02},
+                                       Usual{word("strength"), 1}, Usual{word("number_of_waves"), 10},
                                        Usual{word("no_bump_scale"), 0}};
 
 using Size = std::array<int, 2>;  // in pixels
@@ -522,7 +521,7 @@ bool PovReader::read_modifier(Interpreter& in, Blend& blend, ValueKind level) {
             return wave(Wave::cubic);
         case word("poly_wave"):
             wave(Wave::poly);
-            in.read_number_or(1);
+            blend.exponent = in.read_number_or(1);
             return true;
         case word("uv_mapping"):
             in.skip();
@@ -555,6 +554,10 @@ bool PovReader::read_modifier(Interpreter& in, Blend& blend, ValueKind level) {
             in.skip();
             blend.crackle.form = in.read_vector();
             return true;
+        case word("size"):
+            return number(blend.facets.size);
+        case word("coords"):
+            return number(blend.facets.coords);
         case word("metric"):
             return number(blend.crackle.metric);
         case word("offset"):

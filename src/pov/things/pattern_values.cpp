@@ -9,7 +9,7 @@
 #include "num/vec_math.h"
 #include "pov/things/pictures.h"
 #include "pov/things/solids.h"
-#include "scene/image_pattern.h"
+#include "scene/pattern.h"
 
 namespace strahl::pov {
 namespace {
@@ -207,6 +207,42 @@ double crackle_value(const CrackleForm& own, int generator, const DVec3& p) {
                  [=](double sum) { return std::pow(sum, 1 / metric); });
 }
 
+/// Bends normals of cells alike: to the point nearest to the normal itself, or by noise at that nearest to its place.
+struct FacetBends : SolidFunction {
+    FacetBends(const FacetForm& form, double metric, int generator)
+        : form(form), metric(metric), noise{.solid = Solid::bumps, .generator = double(generator)} {}
+    double value_at(const DVec3&) const override { return 0; }
+    std::optional<DVec3> bend_at(const DVec3& point, const DVec3& normal) const override {
+        const DVec3 p = (form.coords != 0 ? point : normal) / std::max(form.size, 1e-6);
+        const DVec3 near = nearest(p);
+        if (form.coords == 0) return near - normal;
+        const DVec3 pushed = strahl::bend_at(noise, near, normal);
+        return form.coords * (pushed - dot_product(pushed, normal) * normal);
+    }
+    /// Returns the nearest of points that are spread one to a cell. By the metric 1 it is that furthest down all axes,
+    /// as in POV-Ray.
+    DVec3 nearest(const DVec3& p) const {
+        DVec3 found(0);
+        double least = 1e300;
+        for (int i = -2; i <= 2; ++i)
+            for (int j = -2; j <= 2; ++j)
+                for (int k = -2; k <= 2; ++k) {
+                    if ((std::abs(i) == 2) + (std::abs(j) == 2) + (std::abs(k) == 2) > 1) continue;
+                    const int x = whole(p.x - nearly) + i, y = whole(p.y - nearly) + j, z = whole(p.z - nearly) + k;
+                    const DVec3 own = DVec3(x, y, z) + random_at_cell(x, y, z), way = own - p;
+                    const auto power = [&](double v) {
+                        return metric == 1 ? v : metric == 2 ? v * v : std::pow(std::fabs(v), metric);
+                    };
+                    const double sum = power(way.x) + power(way.y) + power(way.z);
+                    if (sum < least) least = sum, found = own;
+                }
+        return found;
+    }
+    const FacetForm form;
+    const double metric;
+    const SolidPattern noise;
+};
+
 /// Two entries of a map between which a value lies, and the share of the second one. They are the same at an entry.
 struct MapPlace {
     const MapEntry *before, *after;
@@ -231,6 +267,12 @@ struct SlopeValues : SolidFunction {
         // A cubic between two values with these slopes, which are per unit of the share.
         const double h = share, g = 1 - h, rise = after->height - before->height;
         return before->height + h * h * (3 - 2 * h) * rise + h * g * (g * before->slope - h * after->slope);
+    }
+    /// The slope of heights that may be beyond 0 and 1, where values of patterns end.
+    std::optional<DVec3> bend_at(const DVec3& point, const DVec3&) const override {
+        DVec3 sum(0);
+        for (const DVec3& corner : Bump::corners) sum = sum - 5 * value_at(point + .02 * corner) * corner;
+        return sum;
     }
     const SolidPattern values;
     const std::vector<MapEntry> entries;
@@ -296,8 +338,12 @@ std::shared_ptr<Bends> bends_of(const NormalThing& normal, bool last, int genera
     if (!blend) return made->amount = 0, made;
     if (blend.uv) return nullptr;
     made->moves = moves_of(blend, last), made->normals = MovedNormals(made->moves);
-    if (blend.word == word("bump_map")) {
-        auto bends = bends_of(*blend.image, made->amount);
+    if (blend.word == word("bump_map") || blend.word == word("facets")) {
+        std::shared_ptr<const SolidFunction> bends;
+        if (blend.image)
+            bends = bends_of(*blend.image, made->amount);
+        else
+            bends = std::make_shared<FacetBends>(blend.facets, blend.crackle.metric, generator);
         if (!bends) return nullptr;
         made->pattern = of_function(std::move(bends)), made->amount = 1;
         return made;
@@ -447,6 +493,10 @@ std::shared_ptr<const SolidFunction> own_values_of(const Blend& blend, int gener
         default:
             return nullptr;
     }
+}
+
+std::shared_ptr<const SolidFunction> powers_of(const SolidPattern& values, double exponent) {
+    return make_values([=](const DVec3& p) { return std::pow(strahl::value_at(values, p), exponent); });
 }
 
 std::shared_ptr<const SolidFunction> slope_values(const SolidPattern& values, const std::vector<MapEntry>& entries) {

@@ -17,6 +17,9 @@ std::shared_ptr<const SolidFunction> own_values_of(const Blend& blend, int gener
 /// Returns the values of another pattern at points that are moved before.
 std::shared_ptr<const SolidFunction> moved_values(Moves moves, const SolidPattern& values);
 
+/// Returns the powers of a pattern's values.
+std::shared_ptr<const SolidFunction> powers_of(const SolidPattern& values, double exponent);
+
 /// Returns the heights of a slope_map at the values of a pattern.
 std::shared_ptr<const SolidFunction> slope_values(const SolidPattern& values, const std::vector<MapEntry>& entries);
 

@@ -55,6 +55,7 @@ std::optional<SolidPattern> solid_of(const Blend& blend, bool bends, int generat
     if (blend.values) return of_function(blend.values);
     std::optional<SolidPattern> solid = plain_solid_of(blend, bends, generator);
     if (!solid) return solid;
+    if (blend.wave == Wave::poly && blend.exponent != 1) solid = of_function(powers_of(*solid, blend.exponent));
     if (blend.slopes) {
         // Turbulence moves a point before the slope there is found.
         SolidPattern raised{.octaves = solid->octaves, .omega = solid->omega, .lambda = solid->lambda, .frequency = 0};

@@ -7,8 +7,8 @@
 
 namespace strahl::pov {
 
-/// Returns the solid pattern that has a pattern's values, if there is one, in the space behind all warps; a poly_wave
-/// is a ramp. `bends`: it bends normals. `generator` is the scene's noise_generator.
+/// Returns the solid pattern that has a pattern's values, if there is one, in the space behind all warps.
+/// `bends`: it bends normals. `generator` is the scene's noise_generator.
 std::optional<SolidPattern> solid_of(const Blend& blend, bool bends, int generator);
 
 /// Returns a pattern whose values come from a function and stay as they are.

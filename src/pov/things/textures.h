@@ -72,6 +72,12 @@ struct CrackleForm {
     bool operator==(const CrackleForm&) const = default;
 };
 
+/// The flat pieces of `facets`: cells of the normals' directions or, with `coords`, of the points, whose normals differ
+/// by so much.
+struct FacetForm {
+    double size = .1, coords = 0;
+};
+
 /// A warp, and the transformations that stand between it and the warp before it.
 struct WarpEntry {
     Steps before;
@@ -87,6 +93,7 @@ struct Blend {
     DVec3 turbulence{0};
     double octaves = 6, omega = .5, lambda = 2, frequency = 1, phase = 0;
     std::optional<Wave> wave;  // if it is not the pattern's own
+    double exponent = 1;       // of poly_wave
     DVec3 axis{1, 0, 0};       // of gradient
     DVec3 brick_size{8, 3, 4.5};
     double mortar = .5;
@@ -101,6 +108,7 @@ struct Blend {
     std::shared_ptr<const PigmentThing> pigment;  // of pigment_pattern
     FractalForm fractal;
     CrackleForm crackle;
+    FacetForm facets;
     std::vector<WarpEntry> warps;
     Steps steps;  // behind all warps
     // The values of patterns that scene text has no words for: made once, so that all uses share them.

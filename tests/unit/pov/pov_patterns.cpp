@@ -43,6 +43,8 @@ constexpr Row rows[]{
     {"crackle solid scale .2", 0.553402459, 0.596703487},
     {"object { sphere { 0, .3 } translate <.3, .4, 0> } scale 1.1", 1, 0},
     {"radial rotate 90*x translate .5", 0.563426817, 0.406416479},
+    {"gradient x poly_wave 2", 0.0961, 0.09},
+    {"marble poly_wave .5 turbulence .3 scale .3", 0.422670722, 0.135656621},
 };
 
 /// Returns a number that a scene computes.
@@ -149,4 +151,33 @@ TEST_CASE("POV-Ray: blended normals are those of their parts, each of length 1")
     CHECK(length(bent("granite .3 turbulence .2 slope_map { [0 <0, 1>] [1 <1, 1>] }") -
                  bent("granite .3 turbulence .2")) < 1e-7);
     CHECK(notes_of("sphere { 0, 1 normal { average normal_map { [1 granite] } } }").empty());
+    // Heights of a slope_map may be beyond 0 and 1.
+    CHECK(length(bent("gradient y 1 slope_map { [0 <-1, 0>] [1 <2, 0>] }") -
+                 bent("gradient y 3 slope_map { [0 <0, 0>] [1 <1, 0>] }")) < 1e-7);
+}
+
+TEST_CASE("POV-Ray: facets bend the normals of cells alike") {
+    const auto bend = [](const std::string& text, const DVec3& point, const DVec3& normal) {
+        const Material own = material(whole("sphere { 0, 1 normal { facets " + text + " } }"));
+        CHECK(own.bump.height == 1);
+        return bend_at(std::get<SolidPattern>(own.bump.pattern->kind), point, normal);
+    };
+    const DVec3 point(.31, .42, .05), normal = normalize(DVec3(1, 2, -2));
+    // By directions, wherever the point is. The new normal is in the cell of the old one, or in one beside it.
+    const DVec3 one = normalize(normal + bend("size .4", point, normal));
+    CHECK(length(one - normalize(normal + bend("size .4", -point, normal))) < 1e-12);
+    const DVec3 near = normalize(normal + DVec3(1e-6));
+    CHECK(length(one - normalize(near + bend("size .4", point, near))) < 1e-12);
+    CHECK(length(one - normal) < 1);
+    CHECK(length(one - normalize(normal + bend("size .1", point, normal))) > 1e-3);
+    // By points: along the surface, the same in a cell, and as far as coords says.
+    const auto across = [&](const std::string& text, const DVec3& p) {
+        const DVec3 bent = normal + bend(text, p, normal);
+        return bent / dot_product(bent, normal) - normal;
+    };
+    const DVec3 moved = across("coords .5 size .4", point);
+    CHECK(length(moved) > 1e-3);
+    CHECK(length(moved - across("coords .5 size .4", point + DVec3(1e-6))) < 1e-12);
+    CHECK(length(moved - across("coords .5 size .4", point + DVec3(2))) > 1e-3);
+    CHECK(length(2. * moved - across("coords 1 size .4", point)) < 1e-12);
 }
