@@ -6,7 +6,7 @@ target_link_libraries(strahl_referee PUBLIC strahl_scene)
 strahl_tests(test_trace unit/trace "strahl_text;strahl_image;strahl_trace;strahl_referee" referee kernel
              light_culling hierarchy bound accuracy hashes tracing sampling footprints pattern_means lattice_cells area_light thin
              motion tracks patterns images reliefs split_unions composites)
-strahl_tests(test_trace unit/scene "" prisms lathes)
+strahl_tests(test_trace unit/scene "" prisms lathes superellipsoids)
 strahl_tests(test_trace unit "" structure)
 # It makes a kernel of its own.
 set_source_files_properties(${CMAKE_SOURCE_DIR}/tests/unit/trace/area_light.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)

@@ -98,12 +98,12 @@ inline bool any_curve(const ContourData& data) {
 inline std::string sentence(const Prism& prism) {
     const std::string heights =
         text_of(std::min(prism.base, prism.top)) + ", " + text_of(std::max(prism.base, prism.top)) + ", ";
-    const auto point = [](const auto& p) { return "<" + text_of(p[0]) + ", " + text_of(0 - p[1]) + ">"; };
+    const auto point = [](const auto& p) { return text_of(Contour::Point{p[0], 0 - p[1]}); };
     return "prism { " + spline_of(*prism.data, any_curve(*prism.data), true, heights, point) + " rotate 90*x";
 }
 /// The same of a lathe. Only curves of Bezier's need not follow each other.
 inline std::string sentence(const Lathe& lathe) {
-    const auto point = [](const auto& p) { return "<" + text_of(p[0]) + ", " + text_of(p[1]) + ">"; };
+    const auto point = [](const auto& p) { return text_of(p); };
     const bool curved = any_curve(*lathe.data) || lathe.data->contours.size() > 1;
     return "lathe { " + spline_of(*lathe.data, curved, false, "", point) + " sturm";
 }
@@ -111,7 +111,7 @@ inline std::string sentence(const Lathe& lathe) {
 /// Returns a simple body without its closing brace, in the shape's own space.
 inline std::string sentence(const Shape& shape) {
     const auto join = [](const char* keyword, const auto& first, const auto&... more) {
-        return keyword + (" { " + text_of(first)) + (... + (", " + text_of(more)));
+        return ((keyword + (" { " + text_of(first))) + ... + (", " + text_of(more)));
     };
     const auto words = [&](const auto& kind) {
         std::string text = std::apply(join, kind.pov());

@@ -166,4 +166,46 @@ STRAHL_INLINE unsigned bits(bool mask) { return mask; }
 STRAHL_INLINE int count(bool mask) { return mask; }
 STRAHL_INLINE int first(bool) { return 0; }
 
+/// The lanes for what is computed in double, or with more digits: a pack of floats makes two of them.
+template <class S>
+struct DoubleLanes {
+    using Type = S;
+};
+template <>
+struct DoubleLanes<float> {
+    using Type = double;
+};
+template <>
+struct DoubleLanes<Pack<float>> {
+    using Type = Pack<double>;
+};
+template <class S>
+using Doubles = typename DoubleLanes<S>::Type;
+/// Returns the lanes that make the given part.
+template <class S>
+STRAHL_INLINE Doubles<S> doubles_of(const S& a, int part) {
+    if constexpr (std::is_same_v<Doubles<S>, S>) {
+        return a;
+    } else {
+        alignas(64) Element<S> lanes[width<S>];
+        store_lanes(lanes, a);
+        return load_converted<Doubles<S>>(lanes + part * width<Doubles<S>>);
+    }
+}
+template <class S>
+STRAHL_INLINE Vec3<Doubles<S>> doubles_of(const Vec3<S>& v, int part) {
+    return {doubles_of(v.x, part), doubles_of(v.y, part), doubles_of(v.z, part)};
+}
+/// Returns a part as the lanes that it was made of, with 0 in the others.
+template <class S>
+STRAHL_INLINE S lanes_of(const Doubles<S>& a, int part) {
+    if constexpr (std::is_same_v<Doubles<S>, S>) {
+        return a;
+    } else {
+        alignas(64) Element<Doubles<S>> lanes[width<S>] = {};
+        store_lanes(lanes + part * width<Doubles<S>>, a);
+        return load_converted<S>(lanes);
+    }
+}
+
 }  // namespace strahl

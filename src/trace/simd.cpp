@@ -11,9 +11,9 @@ namespace strahl {
 namespace {
 
 #ifdef STRAHL_KERNEL_scalar
-constexpr bool least = false;
+constexpr bool only_least = false;
 #else
-constexpr bool least = true;
+constexpr bool only_least = true;
 #endif
 
 }  // namespace
@@ -54,14 +54,14 @@ bool for_other_processors() {
 #endif
 }
 
-bool proves() { return !least; }
+bool proves() { return !only_least; }
 
 bool built([[maybe_unused]] Simd simd) {
     switch (simd) {
         case Simd::automatic:
             return true;
         case Simd::scalar:
-            return !least;
+            return !only_least;
 #if defined(STRAHL_KERNEL_v2)
         case Simd::v2:
             return true;
@@ -97,7 +97,7 @@ bool supported(Simd simd) {
 Simd best_simd() {
     for (const Simd simd : {Simd::v4, Simd::v3, Simd::v2, Simd::neon})
         if (supported(simd)) return simd;
-    if (least)
+    if (only_least)
         throw std::runtime_error("this program was built for other processors; cmake --preset release "
                                  "-D STRAHL_LEVELS=all builds one for all");
     return Simd::scalar;
@@ -113,7 +113,7 @@ int lanes(Precision precision, Simd simd) {
 template <class T, class Purpose>
 Kernel<T> kernel_for([[maybe_unused]] Simd simd) {
     constexpr bool proving = std::is_same_v<Purpose, ForProofs>;
-    if constexpr (proving && least) {
+    if constexpr (proving && only_least) {
         return {};
     } else if constexpr (std::is_same_v<T, long double>) {
         return long_double::kernel<T, Purpose>();
@@ -131,7 +131,7 @@ Kernel<T> kernel_for([[maybe_unused]] Simd simd) {
 #if defined(STRAHL_KERNEL_neon)
         if (simd == Simd::neon) return neon::kernel<T, Purpose>();
 #endif
-        if constexpr (least)
+        if constexpr (only_least)
             return {};
         else
             return scalar::kernel<T, Purpose>();

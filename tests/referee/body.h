@@ -12,6 +12,7 @@
 #include "tests/referee/lathe.h"
 #include "tests/referee/pattern.h"
 #include "tests/referee/prism.h"
+#include "tests/referee/superellipsoid.h"
 #include "tests/referee/torus.h"
 #include "tests/referee/triangle.h"
 

@@ -230,6 +230,11 @@ bool PovReader::read_surface(Interpreter& in, std::uint16_t code, ObjectThing& o
         }
         case word("superellipsoid"): {
             const Point2 exponents = in.read_uv();
+            const Superellipsoid exact{exponents[0], exponents[1]};
+            if (!exact.fault()) {
+                object.kind = ObjectKind::shape, object.shape = exact;
+                return true;
+            }
             std::shared_ptr<const LevelSurface>& known = superellipsoids[exponents];
             set_surface(object, "superellipsoid",
                         [exponents](int cells) { return superellipsoid(exponents[0], exponents[1], cells); });

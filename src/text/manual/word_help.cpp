@@ -18,7 +18,7 @@ using Rows = std::vector<WordHelp>;
 std::string code(std::string_view word) { return std::string("`").append(word).append("`"); }
 
 /// Describes words that no list of parameters does, or not alone.
-constexpr std::array<std::pair<std::string_view, const char*>, 34> meanings{{
+constexpr std::array<std::pair<std::string_view, const char*>, 35> meanings{{
     {"camera", "where the eye is, and how it looks; a scene has exactly one"},
     {"light", "a point, a spotlight, parallel light or a rectangle of light"},
     {"material", "changes the parameters that it names of the material in force; `material NAME` is one by `define`"},
@@ -43,6 +43,7 @@ constexpr std::array<std::pair<std::string_view, const char*>, 34> meanings{{
     {"uv_vectors", "places of the corners in a picture: `uv_vectors <0, 0>, <1, 0>, <0, 1>`"},
     {"prism", "what lies between two heights over a figure in the plane of x and y"},
     {"lathe", "what contours in the plane of x and y make when they turn about the y axis"},
+    {"superellipsoid", "a ball, a box with round edges, a double cone or something between, from -1 to 1 each way"},
     {"contour",
      "a line around the figure of a prism, or one that turns: `contour { <0, 0>  line <2, 0>  curve <2, 2>, <0, 2> }`"},
     {"line", "goes on along a straight line: `line <end>`"},

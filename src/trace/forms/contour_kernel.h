@@ -4,36 +4,6 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// The lanes for lines that are crossed in double, or with more digits: a pack of floats makes two of them.
-template <class S>
-struct DoubleLanes {
-    using Type = S;
-};
-template <>
-struct DoubleLanes<float> {
-    using Type = double;
-};
-template <>
-struct DoubleLanes<Pack<float>> {
-    using Type = Pack<double>;
-};
-template <class S>
-using Doubles = typename DoubleLanes<S>::Type;
-/// Returns the lanes that make the given part.
-template <class S>
-STRAHL_INLINE Doubles<S> doubles_of(const S& a, int part) {
-    alignas(64) Element<S> lanes[width<S>];
-    store_lanes(lanes, a);
-    return load_converted<Doubles<S>>(lanes + part * width<Doubles<S>>);
-}
-/// Returns a part as the lanes that it was made of.
-template <class S>
-STRAHL_INLINE S lanes_of(const Doubles<S>& a, int part) {
-    alignas(64) Element<Doubles<S>> lanes[width<S>] = {};
-    store_lanes(lanes + part * width<Doubles<S>>, a);
-    return load_converted<S>(lanes);
-}
-
 template <class OwnForm, class S>
 requires has_contours<typename OwnForm::Kind>
 struct FormFunctions<OwnForm, S> : SingleByPack<FormFunctions<OwnForm, S>, S> {
@@ -109,13 +79,11 @@ struct FormFunctions<OwnForm, S> : SingleByPack<FormFunctions<OwnForm, S>, S> {
                 const int first = part * width<V>;
                 const Mask<V> own = mask_of<V>(bits(mask) >> first);
                 if (none(own)) continue;
-                const auto doubles = [part](const Vec3<S>& v) {
-                    return Vec3<V>(doubles_of(v.x, part), doubles_of(v.y, part), doubles_of(v.z, part));
-                };
                 const auto visit_lanes = [&](Mask<V> lanes, const V& t, const V& face) {
                     visit_face(mask_of<S>(bits(lanes) << first), lanes_of<S>(t, part), lanes_of<S>(face, part));
                 };
-                item.shape.each_crossing(pieces, 0, Ray<V>{doubles(ray.origin), doubles(ray.direction), V(0)},
+                item.shape.each_crossing(pieces, 0,
+                                         Ray<V>{doubles_of(ray.origin, part), doubles_of(ray.direction, part), V(0)},
                                          doubles_of(start, part), own, visit_lanes);
             }
         } else {

@@ -21,7 +21,7 @@ class DegenerateBodies {
     explicit DegenerateBodies(Dice& dice) : dice(dice) {}
 
     Shape any(int levels = 1) {
-        switch (dice.upto(levels > 0 ? 13 : 6)) {
+        switch (dice.upto(levels > 0 ? 14 : 6)) {
             case 0:
                 return make(Sphere{});
             case 1:
@@ -47,6 +47,8 @@ class DegenerateBodies {
                 return make(Prism{});
             case 12:
                 return make(Lathe{});
+            case 13:
+                return make(Superellipsoid{});
             default:
                 return composite();
         }
@@ -139,6 +141,11 @@ class DegenerateBodies {
         if (dice.chance(.4)) own.strokes.push_back({own.start, own.start});
         if (dice.chance(.3)) own.start[0] = 0;
         return Lathe{std::make_shared<const ContourData>(std::vector{own}, true)};
+    }
+    Shape make(const Superellipsoid&) {
+        // The radius of an edge is about its roundness.
+        const auto roundness = [&] { return known(dice.chance(.3) ? 1. + dice.upto(1) : power(-5.9, .3)); };
+        return Superellipsoid{roundness(), roundness()};
     }
     Shape make(const Mesh&) {
         MeshData data = *Mesh::tetrahedron();
