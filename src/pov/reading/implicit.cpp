@@ -123,6 +123,42 @@ std::vector<double> read_coefficients(Interpreter& in, int order) {
     return all;
 }
 
+/// Makes an object of the fourth degree a torus or a superellipsoid if it is one whose axes are those of space, and
+/// whose first coefficient is above 0; returns false if it is not.
+bool set_quartic(ObjectThing& object, const std::vector<double>& coefficients) {
+    // The places of x^4, y^4 and z^4, of their roots x^2, y^2 and z^2, and of the products y^2 z^2 and so on.
+    constexpr std::size_t fourth[]{0, 20, 30}, second[]{9, 25, 32}, product[]{23, 7, 4}, constant = 34;
+    std::vector<double> c = coefficients, rest = coefficients;
+    for (double& own : c) own /= coefficients[0];
+    for (int i = 0; i < 3; ++i) rest[fourth[i]] = rest[second[i]] = rest[product[i]] = rest[constant] = 0;
+    if (!(coefficients[0] > 0) || std::ranges::any_of(rest, [](double own) { return own != 0; })) return false;
+    const auto are = [&](const std::size_t(&places)[3], double value) {
+        return std::ranges::all_of(places, [&](std::size_t i) { return c[i] == value; });
+    };
+    object.kind = ObjectKind::shape;
+    if (are(second, 0) && are(product, 0) && c[fourth[1]] > 0 && c[fourth[2]] > 0 && c[constant] < 0) {
+        DVec3 size;
+        for (int i = 0; i < 3; ++i) size[i] = std::sqrt(std::sqrt(-c[constant] / c[fourth[i]]));
+        object.shape = Superellipsoid{.5, .5};
+        object.steps = {Scale{size}};
+        return true;
+    }
+    if (!are(fourth, 1) || !are(product, 2)) return false;
+    for (int i = 0; i < 3; ++i) {
+        // (x^2 + y^2 + z^2)^2 - 2 (R^2 + r^2) (x^2 + z^2) + 2 (R^2 - r^2) y^2 + (R^2 - r^2)^2
+        const double across = c[second[(i + 1) % 3]], along = c[second[i]];
+        const double major = (along - across) / 4, minor = -(along + across) / 4;
+        const auto near = [&](double a, double b) { return std::fabs(a - b) < 1e-12 * major * major; };
+        if (!(minor > 0 && major >= minor) || across != c[second[(i + 2) % 3]]) continue;
+        if (!near(c[constant], along * along / 4)) continue;
+        Torus torus{DVec3(0), DVec3(0), std::sqrt(major), std::sqrt(minor)};
+        torus.axis[i] = 1;
+        object.shape = torus;
+        return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 /// Makes an object the body that a mesh will show.
@@ -289,6 +325,7 @@ bool PovReader::read_implicit(Interpreter& in, std::uint16_t code, ObjectThing& 
 }
 
 void PovReader::set_polynomial(ObjectThing& object, int order, const std::vector<double>& coefficients) {
+    if (order == 4 && set_quartic(object, coefficients)) return;
     set_surface(object, order == 2 ? "quadric" : "polynomial", [order, coefficients](int cells) {
         const Inside inside = [&](std::span<const DVec3> points, double* values) {
             for (const DVec3& p : points) *values++ = polynomial(order, coefficients, p);

@@ -111,6 +111,27 @@ bool set_quadric(ObjectThing& object, const DVec3& squares, const DVec3& product
     return true;
 }
 
+/// A paraboloid or hyperboloid whose axis is one of those of space, and that is solid around it, as a lathe that is
+/// scaled; false if it is none.
+bool set_turned_quadric(ObjectThing& object, const DVec3& squares, const DVec3& linear, double constant) {
+    for (int k = 0; k < 3; ++k) {
+        DVec3 centre(0), factors(1);
+        double rest = constant;
+        bool round = squares[k] < 0 || (squares[k] == 0 && linear[k] != 0);
+        for (const int i : {(k + 1) % 3, (k + 2) % 3}) {
+            round &= squares[i] > 0;
+            centre[i] = -linear[i] / (2 * squares[i]), rest += linear[i] * centre[i] / 2;
+            factors[i] = 1 / std::sqrt(squares[i]);
+        }
+        if (!round) continue;
+        set_lathe(object, contours_of_quadric(-squares[k], -linear[k], -rest, 1e4));
+        object.steps = {Scale{factors}, Translate{centre}};
+        if (k != 1) object.steps.insert(object.steps.begin(), Rotate{k == 0 ? DVec3(0, 0, -90) : DVec3(90, 0, 0)});
+        return true;
+    }
+    return false;
+}
+
 void check_size(const std::array<int, 2>& size) {
     constexpr int most = 2048;
     if (std::ranges::min(size) < 2 || std::ranges::max(size) > most)
@@ -276,6 +297,7 @@ bool PovReader::read_surface(Interpreter& in, std::uint16_t code, ObjectThing& o
             in.skip_comma();
             const double number = in.read_number();
             if (set_quadric(object, squares, products, linear, number)) return true;
+            if (products == DVec3(0) && set_turned_quadric(object, squares, linear, number)) return true;
             set_polynomial(object, 2,
                            {squares.x, products.x, products.y, linear.x, squares.y, products.z, linear.y, squares.z,
                             linear.z, number});

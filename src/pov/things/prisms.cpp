@@ -160,4 +160,35 @@ Contour contour_of_ovus(double bottom, double top) {
     return contour;
 }
 
+std::vector<Contour> contours_of_quadric(double square, double linear, double constant, double far) {
+    if (square == 0) {
+        const double apex = -constant / linear, radius = std::sqrt(std::fabs(linear) * far);
+        return {{{0, apex}, {{{radius / 2, apex}, {radius, apex + std::copysign(far, linear)}}}}};
+    }
+    const double middle = -linear / (2 * square), rest = constant - square * middle * middle;
+    const double radius = std::sqrt(std::fabs(rest)), height = std::sqrt(std::fabs(rest) / square);
+    // Curves are the longer the further away they are: there they are nearly straight.
+    std::vector<double> places{0};
+    for (const double most = std::asinh(far / height); places.back() < most;) {
+        const double u = places.back();
+        places.push_back(std::min(most, u + std::min(.25 * std::exp(u / 3), 1.5)));
+    }
+    const auto arcs = [&](bool from_below, double side) {
+        const auto at = [&](double u, double ahead) {  // of the hyperbola, and ahead along its tangent
+            const double c = std::cosh(u) + ahead * std::sinh(u), s = std::sinh(u) + ahead * std::cosh(u);
+            return Point2{radius * (rest > 0 ? c : s), middle + side * height * (rest > 0 ? s : c)};
+        };
+        Contour own{at(from_below ? -places.back() : 0, 0), {}};
+        const auto add = [&](double from, double to) {
+            const double reach = 4. / 3 * std::tanh((to - from) / 4);
+            own.strokes.push_back({at(from, reach), at(to, 0), at(to, -reach)});
+        };
+        for (std::size_t i = places.size() - 1; from_below && i > 0; --i) add(-places[i], -places[i - 1]);
+        for (std::size_t i = 1; i < places.size(); ++i) add(places[i - 1], places[i]);
+        return own;
+    };
+    if (rest > 0) return {arcs(true, 1)};
+    return {arcs(false, -1), arcs(false, 1)};
+}
+
 }  // namespace strahl::pov

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "num/decimal.h"
 #include "num/vec_math.h"
 #include "pov/language/interpreter_options.h"
 #include "pov/things/letters.h"
@@ -511,6 +512,59 @@ TEST_CASE("POV-Ray: letters are solid, and follow each other as in POV-Ray") {
     CHECK(says(fault_of([&] { pov::letters_of(__FILE__, "A"); }), "is not a font with outlines"));
 }
 
+TEST_CASE("POV-Ray: quartics that are toruses or superellipsoids are these") {
+    const std::string zeros = "0, 0, 0, 0, 0, 0, 0, 0, 0, 0, ";
+    // The torus of radii 3 and 1: (x^2 + y^2 + z^2 + 8)^2 = 36 (x^2 + z^2), and twice that.
+    const std::string ring =
+        "quartic { <1, 0, 0, 0, 2, 0, 0, 2, 0, -20, " + zeros + "1, 0, 0, 2, 0, 16, 0, 0, 0, 0, 1, 0, -20, 0, 64> }";
+    CHECK(shape<Torus>(whole(ring)) == Torus{{0, 0, 0}, {0, 1, 0}, 3, 1});
+    const std::string upright =
+        "poly { 4, <2, 0, 0, 0, 4, 0, 0, 4, 0, -40, " + zeros + "2, 0, 0, 4, 0, -40, 0, 0, 0, 0, 2, 0, 32, 0, 128> }";
+    CHECK(shape<Torus>(whole(upright)) == Torus{{0, 0, 0}, {0, 0, 1}, 3, 1});
+    const Scene cushion =
+        whole("quartic { <1, " + zeros + zeros.substr(3) + "1, " + zeros.substr(3) + "16, 0, 0, 0, -16> }");
+    CHECK(shape<Superellipsoid>(cushion) == Superellipsoid{.5, .5});
+    CHECK(cushion.primitives[0].transformations == std::vector<Transformation>{Scale{{2, 2, 1}}});
+    for (const std::string other : {"-20, 0, 63", "-21, 0, 64", "-20, 1, 64"}) {
+        CAPTURE(other);
+        CHECK(says(notes_of("\n" + ring.substr(0, ring.size() - 14) + other + "> }"),
+                   "approximated: 'polynomial' is a mesh of flat pieces"));
+    }
+}
+
+TEST_CASE("POV-Ray: paraboloids and hyperboloids are lathes") {
+    struct Quadric {
+        DVec3 squares, linear;
+        double number;
+    };
+    std::mt19937 numbers(1);
+    std::uniform_real_distribution<double> place(-6, 6);
+    for (const auto& [squares, linear, number] : {Quadric{{1, 4, -2}, {1, -2, .5}, -3},
+                                                  {{1, 4, -2}, {1, -2, .5}, 9},
+                                                  {{-.5, 1, 1}, {2, 0, 0}, 1},
+                                                  {{0, 1, 3}, {2, 1, 0}, -1},
+                                                  {{2, 0, 3}, {2, -1, 0}, -1},
+                                                  {{2, 1, 0}, {0, 0, 3}, 4}}) {
+        const std::string words =
+            "quadric { " + text_of(squares) + ", 0, " + text_of(linear) + ", " + text_of(number) + " }";
+        CAPTURE(words);
+        for (const bool right_handed : {false, true}) {
+            const std::string camera = right_handed ? "" : "camera { look_at z } ";
+            const Scene scene = whole(camera + "difference { " + words + " sphere { 99, 1 } }", right_handed);
+            const Primitive body = scene.primitives.at(0);
+            const Primitive& own = std::get<Difference>(body.shape).parts->at(0);
+            CHECK(std::holds_alternative<Lathe>(own.shape));
+            for (int i = 0; i < 300; ++i) {
+                const DVec3 p{place(numbers), place(numbers), place(numbers)};
+                const double value = dot_product(p, squares * p) + dot_product(linear, p) + number;
+                if (std::fabs(value) < 1e-5) continue;
+                CHECK(contains(own, {p.x, p.y, right_handed ? p.z : -p.z}) == (value < 0));
+            }
+        }
+    }
+    CHECK(says(notes_of("\nquadric { <-1, -1, 1>, 0, 0, 1 }"), "approximated: 'quadric' is a mesh of flat pieces"));
+}
+
 TEST_CASE("POV-Ray: blobs, polynomials and isosurfaces become meshes near their surfaces") {
     // Returns the least and the largest distance of the mesh's points from the origin, or from a circle around y.
     const auto distances = [](const std::string& text, double circle = 0) {
@@ -534,7 +588,7 @@ TEST_CASE("POV-Ray: blobs, polynomials and isosurfaces become meshes near their 
     // The torus of radii 3 and 1: (x^2 + y^2 + z^2 + 8)^2 = 36 (x^2 + z^2).
     is(distances(
            "quartic { <1, 0, 0, 0, 2, 0, 0, 2, 0, -20, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 2, 0, 16, 0, 0, 0, 0,"
-           "1, 0, -20, 0, 64> }",
+           "1, 0, -20, .00001, 64> }",
            3),
        1);
     is(distances("isosurface { function { x*x + y*y + z*z } threshold 4 contained_by { box { -3, 3 } } }"), 2);
