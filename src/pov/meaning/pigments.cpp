@@ -447,9 +447,9 @@ Look PigmentMaker::shown_look_of(const PigmentThing& pigment, const Steps& way, 
             look.varies = look.pigment.clear();
             return look;
         }
-        if (!shown && patterns_around > 0) too_deep = !notes.in.options().as_text;
+        if (!shown && patterns_around > 0 && !notes.in.options().as_text) return too_deep = true, look;
         if (image.map_type > 2 || image.path.empty()) return as_mean("this picture");
-        if (!shown && !too_deep)
+        if (!shown)
             notes.approximated(blend.place, "a picture is opaque, still and of sRGB-encoded colours");
         ImagePattern own{
             .file = image.path, .pixels = pixels, .map = static_cast<ImageMap>(image.map_type), .once = {},

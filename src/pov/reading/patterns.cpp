@@ -253,6 +253,7 @@ std::shared_ptr<const FilePixels> picture_of(Interpreter& in, const FunctionThin
     constexpr int most = 4096;
     if (std::min(size[0], size[1]) < 1 || std::max(size[0], size[1]) > most)
         in.fail("the sides of a picture have 1 to " + std::to_string(most) + " pixels");
+    in.count_bytes(4 * sizeof(float) * std::size_t(size[0]) * std::size_t(size[1]), in.last_place());
     auto made = std::make_shared<FilePixels>(Pixels{size[0], size[1], true, {}});
     const auto put = [](std::vector<float>& values, double value) {
         const double code = std::clamp(65535 * value, -1e9, 1e9);  // beyond 0 to 1 it repeats
