@@ -47,7 +47,11 @@ struct Multiply {
 
     void operator()(const Rotate& step) const {
         const DVec3& r = step.degrees;
-        const glm::dmat3 m = turn(0, 1, r.z) * turn(2, 0, r.y) * turn(1, 2, r.x);
+        // Most turns are about one axis; the others would multiply by 1.
+        const glm::dmat3 m = r.y == 0 && r.z == 0   ? turn(1, 2, r.x)
+                             : r.x == 0 && r.z == 0 ? turn(2, 0, r.y)
+                             : r.x == 0 && r.y == 0 ? turn(0, 1, r.z)
+                                                    : turn(0, 1, r.z) * turn(2, 0, r.y) * turn(1, 2, r.x);
         for (int c = 0; c < 4; ++c) product[c] = glm::dvec4(m * glm::dvec3(product[c]), product[c].w);
     }
     void operator()(const Translate& step) const { product[3] += glm::dvec4(step.by.x, step.by.y, step.by.z, 0); }
