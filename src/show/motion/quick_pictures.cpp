@@ -1,14 +1,23 @@
 #include "show/motion/quick_pictures.h"
 
 namespace strahl {
+namespace {
+
+/// Pictures in motion may lack this many times the light that finished ones may. Bounds of pruned light are far above
+/// what is lost: with .2 of white, a pixel is off by .1 to .6 steps of 1/255 (tests/bench/motion_quality.md).
+constexpr double pruned_more = 100;
+
+}  // namespace
 
 int QuickPictures::choose(int width, int height, const Wish& wish) {
     return resolution.choose(width, height, wish.budget, wish.finest,
                              wish.sharpened_until > 0 ? Sharpener::first_share : 1);
 }
 
-Counts QuickPictures::trace(Tracer& tracer, const Job& job, const TransferTable& table, const Wish& wish, int level,
+Counts QuickPictures::trace(Tracer& tracer, const Job& finished, const TransferTable& table, const Wish& wish, int level,
                             const std::function<double()>& clock, bool learns, ScreenImage& picture) {
+    Job job = finished;
+    job.view.error *= pruned_more;
     const View& view = job.view;
     const Steps steps = steps_of(level);
     const Lattice pixels = pixels_of(level, view.width, view.height);

@@ -12,7 +12,7 @@ namespace strahl {
 namespace {
 
 /// Largest contrast of a cell that is filled; its pixels may be off by half of it on the screen.
-constexpr double most_off = 3. / 255;
+constexpr double most_off = 6. / 255;
 
 /// Sharpened pictures from this level on are finer at edges than cells of 2 pixels: they leave out the first pass.
 constexpr int sharp_level = sixteenth_level;

@@ -80,7 +80,7 @@ int run(const Flown& options) {
     const QuickPictures::Wish wish{.budget = options.budget,
                                    .sharpened_until = options.even ? 0 : options.budget,
                                    .averages = !options.even,
-                                   .contrast = 3. / 255 / steepest(scene->settings.assumed_gamma)};  // as in the window
+                                   .contrast = 6. / 255 / steepest(scene->settings.assumed_gamma)};  // as in the window
     const auto encode = [&](const double* rgb) { return table.pixel(rgb); };
     QuickPictures quick;
     QualityLog log;
