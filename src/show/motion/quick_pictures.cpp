@@ -3,8 +3,8 @@
 namespace strahl {
 namespace {
 
-/// Pictures in motion may lack this many times the light that finished ones may. Bounds of pruned light are far above
-/// what is lost: with .2 of white, a pixel is off by .1 to .6 steps of 1/255 (tests/bench/motion_quality.md).
+/// How many times the light of finished pictures may be pruned: about .2 of white. Bounds are far above what is lost:
+/// an RMS of .04 to .6 steps of 1/255 (tests/bench/motion_quality.md).
 constexpr double pruned_more = 100;
 
 }  // namespace
@@ -14,9 +14,9 @@ int QuickPictures::choose(int width, int height, const Wish& wish) {
                              wish.sharpened_until > 0 ? Sharpener::first_share : 1);
 }
 
-Counts QuickPictures::trace(Tracer& tracer, const Job& finished, const TransferTable& table, const Wish& wish, int level,
-                            const std::function<double()>& clock, bool learns, ScreenImage& picture) {
-    Job job = finished;
+Counts QuickPictures::trace(Tracer& tracer, const Job& order, const TransferTable& table, const Wish& wish,
+                            int level, const std::function<double()>& clock, bool learns, ScreenImage& picture) {
+    Job job = order;
     job.view.error *= pruned_more;
     const View& view = job.view;
     const Steps steps = steps_of(level);

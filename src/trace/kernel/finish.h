@@ -121,7 +121,8 @@ template <class S, class P>
 void push(const Shading<S, P>& shading, RayQueue<Element<S>>& to, const Hit<S>& hit, Branch<S, P> ray,
           const Vec3<S>& tint, const S& level, const S& mirrored, const HitNotes<S, P>& notes) {
     ray.mask = ray.mask & (ray.weight >= S(shading.world.finishes.bailout));
-    for (int c = 0; c < 3; ++c) compress(to.tint[c] + to.count, tint[c], ray.mask);
+    // Infinity times a channel without light would be no number.
+    for (int c = 0; c < 3; ++c) compress(to.tint[c] + to.count, min(tint[c], S(largest_gain)), ray.mask);
     compress(to.level + to.count, level, ray.mask), compress(to.mirrored + to.count, mirrored, ray.mask);
     push(shading, to, hit, ray, notes);
 }
@@ -168,7 +169,8 @@ template <class S, class P>
     const S level = pick(from.level);
     const Mask<S> deeper = hit.active & (level < S(static_cast<T>(shading.limits.depth)));
     if (none(deeper) || shading.depth >= deepest) return truncate(shading, hit);
-    const Mask<S> glass = deeper & (largest(layers.through) > zero);
+    const S least(std::numeric_limits<T>::min());  // 1 / share is finite
+    const Mask<S> glass = deeper & (largest(layers.through) > least);
     const bool bends = world.patterns.bends;
     const Vec3<S> away = bends ? reflect_bent(hit, notes.flat) : reflect(hit);
     Vec3<S> mirrored = layers.mirrored, faded = splat<S>(Vec3<T>(1));
@@ -205,7 +207,7 @@ template <class S, class P>
     }
     // POV-Ray takes rays for as strong as light that grazes the surface, or that comes through it.
     const S share = select(total, largest(layers.through), layers.most_mirrored);
-    const Mask<S> sends = deeper & (share > zero) & (largest(mirrored) > zero);
+    const Mask<S> sends = deeper & (share > least) & (largest(mirrored) > zero);
     Branch<S, P> reflected = branch<P>(hit, sends, away, share, hit.medium);
     P::reflect(shading, hit, notes, share, reflected);
     const Vec3<S> sent = tint * scale(one / share, mirrored);

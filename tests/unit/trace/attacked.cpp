@@ -126,6 +126,17 @@ TEST_CASE("bodies of which one is the unit of length, and the square of the othe
                  30, 21) == std::vector<std::string>{});
 }
 
+TEST_CASE("glass in coloured fog that lets nearly nothing through") {
+    // The colours of refracted rays were divided by the largest of them, whose inverse is infinite.
+    for (const std::string body :
+         {"plane { <0, 0, -1>, <1, 0, -1>, <0, 1, -1>", "box { <-4, -1, -1>, <4, 3, 1>"})
+        CHECK(faults("camera { position <0, -4, 1> look_at <0, 0, 0> up <0, 0, -1> fov 40 }"
+                     "light { position <-5, -5, 2> color <1, 1, 1> }"
+                     "fog { distance 2 color <1, 2, 1> altitude .5 transmit .7 filter .4 }" +
+                         body + " material { reflection .5 refraction 5e-324 ior .9 } }",
+                     24, 18) == std::vector<std::string>{});
+}
+
 TEST_CASE("bodies with degenerate values are those of the referee in every precision") {
     constexpr int scenes = 150;
     int checked[3] = {};
