@@ -22,8 +22,8 @@ class QuickPictures {
     /// Returns the level whose pixels can be traced in time.
     int choose(int width, int height, const Wish& wish);
     /// Traces the pixels of a level, interpolates the others, and sharpens the picture. More light is pruned than the
-    /// job's view asks for. `clock` returns the seconds since it was begun. `learns`: the next level is chosen by the time that this one takes. If the job is stopped,
-    /// the picture is of no use.
+    /// job's view asks for. `clock` returns the seconds since it was begun. `learns`: the next level is chosen by the
+    /// time that this one takes. If the job is stopped, the picture is of no use.
     Counts trace(Tracer& tracer, const Job& job, const TransferTable& table, const Wish& wish, int level,
                  const std::function<double()>& clock, bool learns, ScreenImage& picture);
 
