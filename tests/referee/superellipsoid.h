@@ -38,7 +38,7 @@ LineCrossings<R> crossings(const Superellipsoid& body, const Line<R>& line, int 
     const R reach = root(square), share = R(.381966011250105151795);
     R low = -reach, high = reach;
     R a = low + (high - low) * share, b = high - (high - low) * share, at_a = at(a), at_b = at(b);
-    for (int i = 0; i < 80 && !(at_a < 0 || at_b < 0); ++i)
+    for (int i = 0; i < 40 && !(at_a < 0 || at_b < 0); ++i)
         if (at_a < at_b)
             high = b, b = a, at_b = at_a, a = low + (high - low) * share, at_a = at(a);
         else
