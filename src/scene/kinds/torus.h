@@ -37,31 +37,34 @@ struct TorusKernel {
         S middle = select(starts_here, -towards, -dot(p, d));
         const Vec3<S> nearest = fma(middle, d, p);
         const S nearest2 = dot(nearest, nearest), beyond = fma(reach, reach, -nearest2);
-        const S width = fma(sqrt(max(beyond, zero)), S(1 + bits), slack);
         const S along = dot(p, a);
         S along_d = dot(d, a);
         // Does the ray meet the ball around the torus, and in it the space between the planes that touch the torus?
-        const Mask<S> between = abs(fma(middle, along_d, along)) <= fma(abs(along_d), width, minor + slack);
+        const S height = max(abs(fma(middle, along_d, along)) - (minor + S(2) * slack), zero);
+        const Mask<S> between = height * height <= along_d * along_d * beyond * S(1 + 4 * bits);
         const Mask<S> hit = ((beyond > zero) & between) | starts_here;
         if (none(hit)) return {{S(-inf), S(-inf), S(-inf), S(-inf)}, hit};
 
+        const S width = fma(sqrt(max(beyond, zero)), S(1 + bits), slack);
         const Vec3<S> u = across(fma(-along, a, p)), v = across(fma(-along_d, a, d));
         const S vv = dot(v, v);
         const Mask<S> parallel = vv < S(noise * noise);
         const S k = select(parallel, zero, sqrt(vv));
         const Vec3<S> e = scale(one / k, v);
         S x = select(parallel, zero, dot(u, e));
-        const S y = select(parallel, sqrt(dot(u, u)), dot(a, strahl::cross(u, e)));
+        S y = dot(a, strahl::cross(u, e));
+        if (any(parallel)) [[unlikely]]
+            y = select(parallel, sqrt(dot(u, u)), y);
         const Mask<S> turned = fma(k, middle, x) < zero;
         x = select(turned, -x, x), along_d = select(turned, -along_d, along_d);
         middle = select(turned, -middle, middle);
         // On the axis F has a kink. Rays that close to it pass it at a distance of some bits.
         const S closest = S(noise) * reach, y2 = max(y * y, closest * closest);
         Mask<S> leaves = starts_here;
-        if (any(starts_here)) leaves = starts_here & (dot(outwards(f), d) > zero);
+        S known_rho = zero;
+        if (any(starts_here)) leaves = starts_here & (dot(outwards(f), d) > zero), known_rho = sqrt(fma(x, x, y2));
         const TorusProfile<S> profile{
-            x, y2, k, along, along_d, middle, major, minor, sqrt(fma(x, x, y2)), width, shift, turned,
-            starts_here, leaves};
+            x, y2, k, along, along_d, middle, major, minor, known_rho, width, shift, turned, starts_here, leaves};
         if constexpr (strahl::width<S> > 1)
             return profile.call_crossings(nearest2, y * y, hit);
         else

@@ -20,26 +20,28 @@ struct TorusProfile {
     Mask<S> starts_here, leaves;  // on the torus at t = 0, and from there outwards
 
     struct Value {
-        S gap, slope, curvature, side;  // F - minor^2; F' / 2; F'' / 2; x + k t
+        S gap, slope, curvature, side, inverse;  // F - minor^2; F' / 2; F'' / 2; x + k t; 1 / rho
     };
     STRAHL_INLINE static Value select(Mask<S> mask, const Value& yes, const Value& no) {
         using strahl::select;
         return {select(mask, yes.gap, no.gap), select(mask, yes.slope, no.slope),
-                select(mask, yes.curvature, no.curvature), select(mask, yes.side, no.side)};
+                select(mask, yes.curvature, no.curvature), select(mask, yes.side, no.side),
+                select(mask, yes.inverse, no.inverse)};
     }
     STRAHL_INLINE static S select(Mask<S> mask, S yes, S no) {
         using strahl::select;
         return select(mask, yes, no);
     }
     STRAHL_INLINE Value operator()(S t) const {
-        const S side = fma(k, t, x), square = fma(side, side, y2), rho = sqrt(square), inverse = S(1) / rho;
+        const S side = fma(k, t, x), square = fma(side, side, y2);
+        const S rho = sqrt(square), inverse2 = S(1) / square, inverse = rho * inverse2;  // root beside quotient
         const S pull = major * k * inverse, z = fma(t, along_d, along), q = rho - major, since = t - middle;
         S gap = fma(q, q, fma(z, z, -(minor * minor)));
         if (any(starts_here)) {  // what F grows since the start: F(t) - F(0) with t divided out
             const S grown = t * (since - middle - S(E(2)) * major * k * (side + x) / (rho + known_rho));
             gap = select(starts_here, grown, gap);
         }
-        return {gap, fma(-pull, side, since), fma(-pull * k, y2 * (inverse * inverse), S(1)), side};
+        return {gap, fma(-pull, side, since), fma(-pull * k, y2 * inverse2, S(1)), side, inverse};
     }
 
     /// Finds the crossings of the ray with the torus, ascending. `nearest2` is its line's least squared
@@ -66,12 +68,17 @@ struct TorusProfile {
         at.other = select(at.hump, at.other, at.deepest), at.top = select(at.hump, at.top, at.deepest);
         const Starts known = starts(at, first, four);
         const S left = select(first, at.other, at.deepest);
-        Bracket brackets[4]{bracket(left, middle - width, select(first, left_low, low), -one, hit & !known.at[0]),
-                            bracket(at.other, at.top, left_low, one, four & !known.at[1]),
-                            bracket(at.deepest, at.top, low, -one, four & !known.at[2]),
-                            bracket(at.deepest, middle + width, low, one, hit & !known.at[3])};
+        Bracket brackets[4];
+        brackets[0] = bracket(left, middle - width, select(first, left_low, low), -one, hit & !known.at[0]);
+        brackets[3] = bracket(at.deepest, middle + width, low, one, hit & !known.at[3]);
+        brackets[1].t = at.other, brackets[2].t = at.top;
+        if (any(four)) {
+            brackets[1] = bracket(at.other, at.top, left_low, one, four & !known.at[1]);
+            brackets[2] = bracket(at.deepest, at.top, low, -one, four & !known.at[2]);
+        }
+        const int pairs = any(four) ? 2 : 1;
 #pragma GCC unroll 1
-        for (int i = 0; i < 2; ++i)  // one loop, so that its code is there once
+        for (int i = 0; i < pairs; ++i)  // one loop, so that its code is there once
             for (int k = 0; k < 200 && any(brackets[i].going | brackets[3 - i].going); ++k)
                 approach(brackets[i]), approach(brackets[3 - i]);
         S t[4]{brackets[0].t, select(four, brackets[1].t, at.other), select(four, brackets[2].t, at.top),
@@ -189,6 +196,7 @@ struct TorusProfile {
     }
     /// Halley's step, or half of what is known where that would lead out of it.
     STRAHL_INLINE void approach(Bracket& b) const {
+        if (none(b.going)) return;
         const S bits(std::numeric_limits<E>::epsilon()), zero(0), half(E(.5)), two(E(2)), four(E(4));
         const Value at = (*this)(b.t);
         const Mask<S> in = at.gap < zero;
@@ -198,7 +206,9 @@ struct TorusProfile {
         const S step = two * at.gap * at.slope / fma(four * at.slope, at.slope, -(at.gap * at.curvature));
         const S halley = b.t - step, noise = select(starts_here, size * (major + minor), minor * minor);
         const Mask<S> here = abs(at.gap) <= four * bits * noise;
-        const Mask<S> there = step * step * abs(at.curvature) <= bits * size * abs(at.slope);
+        // A step leaves an error of step^3 ((F'' / 2 F')^2 - F''' / 6 F'), where |F'''| / 6 <= (1 - F'' / 2) / rho.
+        const S bound = fma(at.curvature, at.curvature, (S(1) - at.curvature) * at.inverse * abs(at.slope));
+        const Mask<S> there = abs(step) * (step * step) * bound <= bits * size * (at.slope * at.slope);
         const S next = select(there | ((halley > low) & (halley < high)), halley, half * (low + high));
         b.t = select(b.going & !here, next, b.t);
         b.going = b.going & !(here | there | (high - low <= bits * max(abs(low), abs(high))));

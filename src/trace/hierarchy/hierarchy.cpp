@@ -94,6 +94,7 @@ class HierarchyBuilder {
         }
         result.nodes = uninitialized_buffer<Node>(count);
         result.size = static_cast<std::int32_t>(count);
+        top[0].only = count == 1;
         std::copy(top.begin(), top.end(), result.nodes.get());
         share_out(pool, static_cast<std::int32_t>(tasks.size()), 1, [&](std::int32_t first, std::int32_t last) {
             for (std::int32_t i = first; i < last; ++i) {

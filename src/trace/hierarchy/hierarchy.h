@@ -26,6 +26,7 @@ struct alignas(64) Node {
     std::int16_t leaves[width];  // of a leaf: a LeafCode; else 0
     std::int32_t children = 0;   // lanes from here on are empty
     bool together = false;       // is a child a body that one ray takes as long to test as a pack of rays?
+    bool only = false;           // is this node the whole hierarchy?
 };
 
 /// The box around an item of a form, its corners rounded to the nearest floats. The builder sets `item`.

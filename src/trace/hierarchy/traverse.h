@@ -55,7 +55,9 @@ class PacketBounds {
     using E = Element<F>;
 
   public:
-    STRAHL_INLINE PacketBounds(const auto& ray, Mask<S> active) {
+    /// Finds them, unless they are not `wanted`.
+    STRAHL_INLINE PacketBounds(const auto& ray, Mask<S> active, bool wanted) {
+        if (!wanted) return;
         const S most(std::numeric_limits<T>::infinity());
         for (int i = 0; i < 3; ++i) {
             const T origin_least = least(select(active, ray.low(i), most));
@@ -191,7 +193,8 @@ STRAHL_INLINE void traverse(const Node* nodes, const R<S>& ray, Mask<S> active, 
         T near;
         Leaf leaf;
     };
-    const PacketBounds<S> packet(ray, active);
+    // To find these takes as long as to test some ten boxes.
+    const PacketBounds<S> packet(ray, active, !nodes->only);
     Stack<Entry> stack;
     Entry& start = stack.push();
     start.enters = S(0), start.mask = active, start.near = T(0), start.leaf.first = 0, start.leaf.code = 0;
@@ -216,8 +219,9 @@ STRAHL_INLINE void traverse(const Node* nodes, const R<S>& ray, Mask<S> active, 
         T nears[Node::width];
         const auto test = [&](int c) {
             F near;
-            const Mask<F> met =
-                packet.meets(boxes<F>(node.low, c), boxes<F>(node.high, c), near) & first_lanes<F>(node.children - c);
+            Mask<F> met = first_lanes<F>(node.children - c);
+            if (node.only) return bits(met);
+            met = met & packet.meets(boxes<F>(node.low, c), boxes<F>(node.high, c), near);
             store_lanes(nears + c, near);
             return bits(met);
         };
@@ -225,6 +229,7 @@ STRAHL_INLINE void traverse(const Node* nodes, const R<S>& ray, Mask<S> active, 
             S enters;
             const Mask<S> hit = mask & crosses(box<S>(node.low, i), box<S>(node.high, i), ray, limit, enters);
             if (none(hit)) return;
+            if (sorted && node.only) nears[i] = lane(enters, first(hit));
             Entry& child = sorted ? stack.push_sorted(nears[i], bottom) : stack.push();
             child.enters = enters, child.mask = hit, child.near = nears[i];
             child.leaf.first = node.first[i], child.leaf.code = node.leaves[i];

@@ -1,7 +1,6 @@
 // Shadow rays of worlds in whose bodies light fades: from surface to surface, as POV-Ray follows them.
 #pragma once
 #include <algorithm>
-#include <bit>
 
 #include "trace/kernel/surface_at.h"
 #include "trace/patterns/finish_calls.h"
@@ -12,37 +11,48 @@ namespace strahl::inline STRAHL_LEVEL {
 template <class S>
 Mask<S> from_inside(const World<Element<S>>& world, MediumStacks* mediums, const S& medium, const S& body,
                     Mask<S> outside) {
-    using T = Element<S>;
     if (!world.nested || !mediums) return !outside;
-    alignas(64) T stacks[width<S>], bodies[width<S>], inside[width<S>];
-    store_lanes(stacks, medium), store_lanes(bodies, body);
-    for (int k = 0; k < width<S>; ++k)
-        inside[k] = contains(*mediums, static_cast<int>(stacks[k]), world.media.bodies[static_cast<int>(bodies[k])]);
-    return load_lanes<S>(inside) > S(0);
+    Mask<S> inside = first_lanes<S>(0);
+    each_stack_and_body(world, medium, body, first_lanes<S>(width<S>), [&](int stack, int own, Mask<S> same) {
+        if (contains(*mediums, stack, own)) inside = inside | same;
+    });
+    return inside;
 }
 /// Returns the stacks of rays that, in these lanes, have gone on into bodies or, in those of `leaving`, out of them.
 template <class S>
 S stacks_beyond(const World<Element<S>>& world, MediumStacks& mediums, const S& medium, const S& body, Mask<S> lanes,
                 Mask<S> leaving) {
-    using T = Element<S>;
-    alignas(64) T stacks[width<S>], bodies[width<S>];
-    store_lanes(stacks, medium), store_lanes(bodies, body);
-    for (unsigned left = bits(lanes); left; left &= left - 1) {
-        const int k = std::countr_zero(left), stack = static_cast<int>(stacks[k]);
-        const int own = world.media.bodies[static_cast<int>(bodies[k])];
-        stacks[k] = static_cast<T>((bits(leaving) >> k & 1) ? remove(mediums, stack, own) : push(mediums, stack, own));
-    }
-    return load_lanes<S>(stacks);
+    S after = medium;
+    each_stack_and_body(world, medium, body, lanes, [&](int stack, int own, Mask<S> same) {
+        const int next = any(same & leaving) ? remove(mediums, stack, own) : push(mediums, stack, own);
+        after = select(same, S(static_cast<Element<S>>(next)), after);
+    });
+    return after;
 }
 
-/// Attenuates light that crosses the nearest surfaces, all of one bin, in these lanes. `way` is how far light has come
-/// since the surface before, which surfaces that cast no shadow leave as it is.
+/// Returns the number of a surface's material.
+template <class T>
+int material_of(const World<T>& world, int surface) {
+    const ItemReference& reference = world.references[surface];
+    const int form = world.sort_bins[reference.bin].form;
+    int number = 0, material = 0;
+    world.groups.each([&](const auto& group) {
+        if (number++ == form) material = static_cast<int>(group.items[reference.item].material);
+    });
+    return material;
+}
+
+/// Attenuates light that crosses the nearest surfaces, all of one bin, in these lanes, where the rays go on from there.
+/// `way` is how far light has come since the surface before, which surfaces that cast no shadow leave as it is.
 template <class S>
-void cross_surfaces(const World<Element<S>>& world, const Ray<S>& ray, const Nearest<S>& met, Mask<S> lanes,
-                    Start<S>& start, Ray<S>& after, S& way, Vec3<S>& share) {
+void cross_surfaces(const World<Element<S>>& world, Ray<S>& ray, const Nearest<S>& met, Mask<S> lanes, Start<S>& start,
+                    S& way, Vec3<S>& share) {
     using T = Element<S>;
     const int first_lane = first(lanes);
+    const int surface = static_cast<int>(lane(met.surface, first_lane)), material = material_of(world, surface);
     const SortBin& bin = world.sort_bins[static_cast<int>(lane(met.bin, first_lane))];
+    const Mask<S> alike = lanes & (met.surface == S(static_cast<T>(surface)));
+    const bool on_leaf = world.composites.leaf_faces && world.composites.leaf_faces[surface] >= 0;
     SurfaceHit<S> hit;
     int materials[width<S>];
     const auto opaque = [&](int material) {
@@ -51,24 +61,28 @@ void cross_surfaces(const World<Element<S>>& world, const Ray<S>& ray, const Nea
     const auto hide = [&](Mask<S> dark) {
         for (int c = 0; c < 3; ++c) share[c] = select(dark, S(0), share[c]);
     };
-    if (world.bin_per_item) {
-        if (opaque(bin.material)) return hide(lanes);
-        hit = surface_at(world, bin, ray, met.t);
-        std::fill_n(materials, width<S>, bin.material);
+    // What is opaque is so without its normal and its pattern.
+    if (opaque(material)) {
+        hide(alike), lanes = lanes & !alike;
+        if (none(lanes)) return;
+    }
+    if (world.bin_per_item || (none(lanes & !alike) && !on_leaf)) {
+        hit = surface_at(world, {bin.form, world.references[surface].item, material}, ray, met.t);
+        std::fill_n(materials, width<S>, material);
     } else {
         // Lanes of other bins get a surface of this one.
         alignas(64) T surfaces[width<S>], order[width<S>];
-        store_lanes(surfaces, select(lanes, met.surface, S(lane(met.surface, first_lane))));
+        store_lanes(surfaces, select(lanes, met.surface, S(static_cast<T>(surface))));
         store_lanes(order, iota<S>());
         hit = surfaces_at(world, bin.form, surfaces, LaneIndices<S>(order, width<S>), ray, met.t, materials);
     }
     const Mask<S> outside = dot(ray.direction, hit.point.normal) < S(0);
     const Mask<S> leaving = from_inside(world, start.mediums, start.medium, hit.body, outside);
+    alignas(64) T numbers[width<S>];
+    std::copy_n(materials, width<S>, numbers);
     for (Mask<S> left = lanes; any(left);) {
-        const int k = first(left), own = materials[k];
-        unsigned alike = 0;
-        for (int n = k; n < width<S>; ++n) alike |= unsigned(materials[n] == own) << n;
-        const Mask<S> same = left & mask_of<S>(alike);
+        const int own = materials[first(left)];
+        const Mask<S> same = left & (load_lanes<S>(numbers) == S(static_cast<T>(own)));
         left = left & !same;
         if (!world.finishes.list[own].shadow) continue;
         if (opaque(own)) {
@@ -77,7 +91,7 @@ void cross_surfaces(const World<Element<S>>& world, const Ray<S>& ray, const Nea
         }
         Vec3<S> kept = FinishCalls<S>::through(world, own, hit.point.position, hit.surface);
         if (world.finishes.list[own].fade_power > T(0) && any(leaving & same)) {
-            const Vec3<S> faded = FinishCalls<S>::faded_inside(world, own, way);
+            const Vec3<S> faded = FinishCalls<S>::faded_inside(world, own, way, leaving & same);
             kept = select(leaving, kept * faded, kept);
         }
         for (int c = 0; c < 3; ++c) share[c] = select(same, min(share[c] * kept[c], S(largest_gain)), share[c]);
@@ -85,8 +99,8 @@ void cross_surfaces(const World<Element<S>>& world, const Ray<S>& ray, const Nea
         if (world.nested && start.mediums)
             start.medium = stacks_beyond(world, *start.mediums, start.medium, hit.body, same, leaving);
     }
-    after.origin = select(lanes, hit.point.position, after.origin);
-    after.source = select(lanes, hit.surface, after.source);
+    ray.origin = select(lanes, hit.point.position, ray.origin);
+    ray.source = select(lanes, hit.surface, ray.source);
 }
 
 /// Returns the share of light that is transmitted, see Visibility.
@@ -102,13 +116,11 @@ template <class S>
         const Nearest<S> met = nearest(world, own, active, ~BodySet(0));
         active = active & (met.t < left);
         left = select(active, left - met.t, left), way = select(active, way + met.t, way);
-        Ray<S> after = own;
         for (Mask<S> rest = active; any(rest);) {
             const Mask<S> same = rest & (met.bin == S(lane(met.bin, first(rest))));
-            cross_surfaces(world, own, met, same, inside, after, way, share);
+            cross_surfaces(world, own, met, same, inside, way, share);
             rest = rest & !same;
         }
-        own = after;
         active = active & (max(share.x, max(share.y, share.z)) > S(0));
     }
     return share;

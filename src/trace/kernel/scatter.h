@@ -67,29 +67,17 @@ STRAHL_INLINE void push(const Shading<S, P>& shading, RayQueue<Element<S>>& to, 
 template <class S, class P>
 [[gnu::noinline]] void change_medium(const Shading<S, P>& shading, const Hit<S>& hit, Mask<S> glass, S& ratio,
                                      S& medium) {
-    using T = Element<S>;
-    T ratios[width<S>], stacks[width<S>], bodies[width<S>], wanted[width<S>];
-    store_lanes(ratios, ratio), store_lanes(stacks, medium), store_lanes(bodies, hit.body);
-    store_lanes(wanted, select(glass, S(1), S(0)));
     MediumStacks& all = mediums(shading.workspace);
-    const auto ior = [&](int body) { return body < 0 ? T(1) : shading.world.media.iors[body]; };
-    for (int k = 0; k < width<S>; ++k) {
-        if (wanted[k] == 0) continue;
-        const int before = static_cast<int>(stacks[k]), body = shading.world.media.bodies[static_cast<int>(bodies[k])];
+    const auto ior = [&](int body) { return body < 0 ? Element<S>(1) : shading.world.media.iors[body]; };
+    each_stack_and_body(shading.world, S(medium), hit.body, glass, [&](int before, int body, Mask<S> lanes) {
         const int inner = top(all, before);
-        if (body == inner) {
-            const int after = remove(all, before, body);
-            ratios[k] = ior(body) / ior(top(all, after));
-            stacks[k] = static_cast<T>(after);
-        } else if (contains(all, before, body)) {
-            ratios[k] = 1;
-            stacks[k] = static_cast<T>(remove(all, before, body));
-        } else {
-            ratios[k] = ior(inner) / ior(body);
-            stacks[k] = static_cast<T>(push(all, before, body));
-        }
-    }
-    ratio = load_lanes<S>(ratios), medium = load_lanes<S>(stacks);
+        const bool leaving = contains(all, before, body);
+        const int after = leaving ? remove(all, before, body) : push(all, before, body);
+        // Leaving a body that was not entered last changes nothing.
+        const Element<S> own = leaving && body != inner ? 1 : ior(inner) / ior(top(all, after));
+        ratio = select(lanes, S(own), ratio);
+        medium = select(lanes, S(static_cast<Element<S>>(after)), medium);
+    });
 }
 
 /// From this ratio of indices on refract_far is used. Below it unit() corrects the lengths of refracted directions.

@@ -66,6 +66,19 @@ struct HitNotes {
     [[no_unique_address]] typename P::template OfHit<S> own;
 };
 
+/// Calls visit(stack, body, lanes) once for all lanes with the same medium stack whose surfaces are of the same body.
+template <class S, class Visit>
+STRAHL_INLINE void each_stack_and_body(const World<Element<S>>& world, const S& stacks, const S& bodies, Mask<S> lanes,
+                                       const Visit& visit) {
+    while (any(lanes)) {
+        const int k = first(lanes);
+        const Element<S> stack = lane(stacks, k), body = lane(bodies, k);
+        const Mask<S> same = lanes & (stacks == S(stack)) & (bodies == S(body));
+        visit(static_cast<int>(stack), world.media.bodies[static_cast<int>(body)], same);
+        lanes = lanes & !same;
+    }
+}
+
 template <class S>
 STRAHL_INLINE Vec3<S> reflect(const Hit<S>& hit) {
     return fma(S(-2) * dot(hit.direction, hit.normal), hit.normal, hit.direction);

@@ -261,7 +261,14 @@ class GridSum {
           hits(hits),
           visibility(visibility),
           known(std::size_t(light.columns) * light.rows),
-          shares(known.size()) {}
+          shares(known.size()) {
+        // What is divided in any case is the same for all hits. Its points are traced together: fuller packs.
+        parts.assign(1, {0, 0, light.columns - 1, light.rows - 1});
+        want_corners();
+        for (int level = 0; level < light.adaptive && !parts.empty(); ++level)
+            refine([](const Quarter&) { return true; });
+        first_known = known, first_wanted = wanted, first_parts = parts, first_whole = whole, first_weight = weight;
+    }
 
     /// Finds the mean for the hit of lane k, at which the light would have this colour.
     Vec3<T> mean(int k, const Vec3<T>& color) {
@@ -278,21 +285,12 @@ class GridSum {
         start = {number,      hits.bin, first_lanes<S>(outside ? width<S> : 0), ~BodySet(0), S(lane(hits.medium, k)),
                  hits.mediums};
         if (nothing_before()) return Vec3<T>(1);
-        std::fill(known.begin(), known.end(), std::uint8_t(0));
-        T weight(1);
-        whole.clear(), parts.assign(1, {0, 0, light.columns - 1, light.rows - 1});
-        for (int level = 0; !parts.empty(); ++level, weight *= T(.25)) {
-            want_corners();
-            if (level >= light.adaptive) trace_wanted();  // all that are divided in any case together: fuller packs
-            quarters.clear();
-            for (const Quarter& part : parts)
-                if ((part.u2 - part.u1 > 1 || part.v2 - part.v1 > 1) && (level < light.adaptive || mixed(part, color)))
-                    divide(part);
-                else
-                    whole.emplace_back(part, weight * T(.25));
-            parts.swap(quarters);
-        }
+        known = first_known, wanted = first_wanted, parts = first_parts, whole = first_whole, weight = first_weight;
         trace_wanted();
+        while (!parts.empty()) {
+            refine([&](const Quarter& part) { return mixed(part, color); });
+            trace_wanted();
+        }
         Vec3<T> sum(0);
         for (const auto& [part, share] : whole)
             for (const int corner : corners_of(part)) sum = fma(share, shares[corner], sum);
@@ -314,6 +312,19 @@ class GridSum {
         for (const auto& [u1, u2] : {std::pair(part.u1, u / 2), std::pair((u + 1) / 2, part.u2)})
             for (const auto& [v1, v2] : {std::pair(part.v1, v / 2), std::pair((v + 1) / 2, part.v2)})
                 quarters.push_back({u1, v1, u2, v2});
+    }
+    /// Divides those of the parts that are large enough and of which `divides` returns true; the others remain whole.
+    /// Notes the corners of the new parts.
+    template <class Divides>
+    void refine(const Divides& divides) {
+        weight *= T(.25), quarters.clear();
+        for (const Quarter& part : parts)
+            if ((part.u2 - part.u1 > 1 || part.v2 - part.v1 > 1) && divides(part))
+                divide(part);
+            else
+                whole.emplace_back(part, weight);
+        parts.swap(quarters);
+        want_corners();
     }
     /// Does the light of two corners beside each other differ by more than .1, the differences of channels added up?
     bool mixed(const Quarter& part, const Vec3<T>& color) const {
@@ -345,12 +356,10 @@ class GridSum {
         wanted.clear();
     }
     void trace_pack(const int* points, int lanes) {
-        alignas(64) T ways[3][width<S>] = {};
-        for (int k = 0; k < lanes; ++k) {
-            const Vec3<T> way = way_to(points[k] / light.rows, points[k] % light.rows);
-            for (int c = 0; c < 3; ++c) ways[c][k] = way[c];
-        }
-        const Vec3<S> way(load_lanes<S>(ways[0]), load_lanes<S>(ways[1]), load_lanes<S>(ways[2]));
+        alignas(64) T numbers[width<S>] = {};
+        std::copy_n(points, lanes, numbers);
+        const S number = load_lanes<S>(numbers), column = floor((number + S(T(.5))) / S(T(light.rows)));
+        const Vec3<S> way = way_to(column, number - column * S(T(light.rows)));
         const S distance = sqrt(dot(way, way));
         const Mask<S> active = first_lanes<S>(lanes) & (distance > S(0));
         // A body is in the way of light from behind its own surface.
@@ -362,15 +371,15 @@ class GridSum {
         for (int k = 0; k < lanes; ++k)
             shares[points[k]] = {lane(arrives.x, k), lane(arrives.y, k), lane(arrives.z, k)};
     }
-    Vec3<T> way_to(int column, int row) const {
-        T a = light.columns > 1 ? T(column) / T(light.columns - 1) - T(.5) : T(0);
-        T b = light.rows > 1 ? T(row) / T(light.rows - 1) - T(.5) : T(0);
+    Vec3<S> way_to(const S& column, const S& row) const {
+        S a = light.columns > 1 ? column / S(T(light.columns - 1)) - S(T(.5)) : S(0);
+        S b = light.rows > 1 ? row / S(T(light.rows - 1)) - S(T(.5)) : S(0);
         if (light.circular) {
-            a += T(.001), b += T(.001);
-            const T inwards = max(abs(a), abs(b)) / sqrt(a * a + b * b);
+            a += S(T(.001)), b += S(T(.001));
+            const S inwards = max(abs(a), abs(b)) / sqrt(a * a + b * b);
             a *= inwards, b *= inwards;
         }
-        return fma(a, u, fma(b, v, middle));
+        return fma(a, splat<S>(u), fma(b, splat<S>(v), splat<S>(middle)));
     }
 
     const World<T>& world;
@@ -382,11 +391,12 @@ class GridSum {
     T surface = 0;
     bool outside = false;
     Start<S> start{};
-    std::vector<std::uint8_t> known;  // by point, column by column
+    std::vector<std::uint8_t> known, first_known;  // by point, column by column
     std::vector<Vec3<T>> shares;
-    std::vector<int> wanted;
-    std::vector<Quarter> parts, quarters;
-    std::vector<std::pair<Quarter, T>> whole;  // parts that are not divided, and what each of their corners counts
+    std::vector<int> wanted, first_wanted;
+    std::vector<Quarter> parts, quarters, first_parts;
+    std::vector<std::pair<Quarter, T>> whole, first_whole;  // undivided parts, and what each of their corners counts
+    T weight = 1, first_weight;  // what each corner of a part counts of the level before
 };
 
 template <class S>

@@ -49,8 +49,8 @@ struct FinishCalls {
     static Vec3<S> through(const World<T>& world, int material, const Vec3<S>& position, const S& surface);
     /// Returns the share of a light that is left after a distance.
     static S faded(const LightKernel<T>& light, const S& distance);
-    /// Returns the share of light that is left after a way through a body of this material.
-    static Vec3<S> faded_inside(const World<T>& world, int material, const S& way);
+    /// Returns the share of light that is left after a way through a body of this material, in the lanes of the mask.
+    static Vec3<S> faded_inside(const World<T>& world, int material, const S& way, Mask<S> lanes);
     /// Returns the same for the materials of a pack, one in each lane; 1 in lanes not `inside`.
     static Vec3<S> faded_inside(const World<T>& world, const int* materials, const S& way, Mask<S> inside);
     /// Returns the lanes whose rays go through a material as if it was not there; `mirrored` as in RayQueue.

@@ -2,6 +2,7 @@
 // POV-Ray 3.7 follows.
 #pragma once
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -176,13 +177,14 @@ S FinishCalls<S>::faded(const LightKernel<T>& light, const S& distance) {
 }
 
 template <class S>
-Vec3<S> FinishCalls<S>::faded_inside(const World<T>& world, int material, const S& way) {
+Vec3<S> FinishCalls<S>::faded_inside(const World<T>& world, int material, const S& way, Mask<S> lanes) {
     const FinishKernel<T>& finish = world.finishes.list[material];
     if (finish.fade_per == 0) return splat<S>(Vec3<T>(1));
     constexpr T exponential = 1000;  // powers from here on are no powers
-    alignas(64) T ways[width<S>], values[3][width<S>];
+    alignas(64) T ways[width<S>], values[3][width<S>] = {};
     store_lanes(ways, way * S(finish.fade_per));
-    for (int k = 0; k < width<S>; ++k) {
+    for (unsigned rest = bits(lanes); rest; rest &= rest - 1) {
+        const int k = std::countr_zero(rest);
         const T left = finish.fade_power < exponential ? 1 / (1 + std::pow(ways[k], finish.fade_power)) : T(0);
         for (int c = 0; c < 3; ++c) {
             const T color = finish.fade_color[c], rest = 1 - color;
@@ -197,7 +199,7 @@ Vec3<S> FinishCalls<S>::faded_inside(const World<T>& world, const int* materials
     each_finish<S>(world, materials, [&](const FinishKernel<T>& finish, Mask<S> lanes) {
         const Mask<S> own = lanes & inside;
         if (finish.fade_per == 0 || none(own)) return;
-        share = select(own, faded_inside(world, static_cast<int>(&finish - world.finishes.list), way), share);
+        share = select(own, faded_inside(world, static_cast<int>(&finish - world.finishes.list), way, own), share);
     });
     return share;
 }
