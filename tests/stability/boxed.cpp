@@ -110,7 +110,7 @@ TEST_CASE("near, far and thin boxes: hit or miss, where, and at which face") {
             const Cuboid box{centre - half, centre + half};
             const DVec3 from = dice.direction() * std::pow(10, dice(0, reach)) * 9.;
             const DVec3 aim = centre + half * DVec3(dice(-1.3, 1.3), dice(-1.3, 1.3), dice(-1.3, 1.3));
-            const DVec3 d = unit(aim - from);
+            const DVec3 d = naive::unit(aim - from);
             const Exact right = exact(box, from, d);
             const double unsure = 0x1p-50 * naive::length(from);
             const Span<double> span = ours(box, from, d);
@@ -144,7 +144,7 @@ TEST_CASE("under any transformation: the parallelepiped is where its corners are
         // The same ray in both spaces.
         const glm::dmat4 back = glm::inverse(to_world.matrix);
         const DVec3 middle = transform_point(to_world.matrix, box.bounds().centre());
-        const DVec3 o = dice.direction() * 2., d = unit(middle + dice.direction() * dice(0, 1) - o);
+        const DVec3 o = dice.direction() * 2., d = naive::unit(middle + dice.direction() * dice(0, 1) - o);
         const DVec3 from = transform_point(back, o), along = glm::dmat3(back) * d;
         const DVec3 world = to_world.place(o);
         const Span<double> span = own.span(Ray<double>{world, d, -1}, -1.);
@@ -175,7 +175,7 @@ TEST_CASE("rays that start on a box: none meets it again from outside, all cross
                 const BoxKernel<T> own = kernel<T>(box, to_world);
                 const DVec3 aim = to_world.point({dice(-.9, .9), dice(-.9, .9), 0}),
                             from = aim + dice.direction() * 9e3;
-                const Ray<T> ray{naive::to<T>(from), naive::to<T>(unit(aim - from)), T(-1)};
+                const Ray<T> ray{naive::to<T>(from), naive::to<T>(naive::unit(aim - from)), T(-1)};
                 const Span<T> span = own.span(ray, T(-1));
                 if (!span.hit) return;
                 const SurfacePoint<T> point = own.at(ray, span.near, span.near_face);
@@ -187,7 +187,7 @@ TEST_CASE("rays that start on a box: none meets it again from outside, all cross
                 CHECK(std::abs(off) / naive::length(row) < 16 * std::numeric_limits<T>::epsilon());
                 Vec3<T> d = naive::to<T>(dice.direction());
                 if (dice(0, 1) < .5)
-                    d = unit(d - point.normal * (dot(d, point.normal) * T(1 - std::exp(dice(-30, 0)))));
+                    d = naive::unit(d - point.normal * (dot(d, point.normal) * T(1 - std::exp(dice(-30, 0)))));
                 const Span<T> next = own.span(Ray<T>{point.position, d, span.near_face}, span.near_face);
                 CHECK(next.near == 0);
                 const T side = dot(point.normal, d);

@@ -31,7 +31,7 @@ TEST_CASE("parallel to a line of the side, give or take the last bits, the one c
     int naive_wrong = 0;
     for (const double slip : {0., 1e-15, -1e-15, 1e-9, -1e-9, 1e-7, -1e-7, 1e-5, -1e-5}) {
         CAPTURE(slip);
-        const Vec3<float> o{-3, .5, 0}, d = unit(Vec3<float>(float(1 + slip), 0, 1));
+        const Vec3<float> o{-3, .5, 0}, d = naive::unit(Vec3<float>(float(1 + slip), 0, 1));
         const double right = exact(funnel, naive::to<double>(o), naive::to<double>(d));
         CHECK(right == doctest::Approx(2.180246).epsilon(1e-4));
         naive_wrong += !(std::abs(naive_cone(o, d) / right - 1) < 1e-4);
@@ -121,7 +121,7 @@ TEST_CASE("equal radii make a cylinder") {
         const Cylinder can{base, cap, dice(.1, 2)};
         const double height = std::hypot(cap.x - base.x, cap.y - base.y, cap.z - base.z);
         const CylinderKernel<double> other{base, can.axis(), can.radius, height};
-        const Ray<double> ray{dice.direction() * 4., unit(dice.direction() * dice(0, 2) - dice.direction()), -1};
+        const Ray<double> ray{dice.direction() * 4., naive::unit(dice.direction() * dice(0, 2) - dice.direction()), -1};
         const Span<double> right = other.span(ray, -1.);
         const Span<double> span = ours(Cone{base, can.radius, cap, can.radius}, ray.origin, ray.direction);
         CHECK(span.hit == right.hit);
@@ -138,9 +138,9 @@ TEST_CASE("flat as a coin: what is hit is the end that faces the ray, at the rim
         for (int i = 0; i < 3000; ++i) {
             const DVec3 a = dice.direction();
             const ConeKernel<float> coin = ConeKernel<float>::frustum(dice.direction(), a, 1, 1 - height / 2, height);
-            const DVec3 from = dice.direction() * 4., out = unit(cross(a, dice.direction()));
+            const DVec3 from = dice.direction() * 4., out = naive::unit(cross(a, dice.direction()));
             const DVec3 aim = naive::to<double>(coin.base) + out * (i % 2 ? 1 - std::exp(dice(-20, -10)) : dice(0, .9));
-            const Ray<float> ray{naive::to<float>(from), naive::to<float>(unit(aim - from)), -1};
+            const Ray<float> ray{naive::to<float>(from), naive::to<float>(naive::unit(aim - from)), -1};
             const Span<float> span = coin.span(ray, -1.f);
             if (i % 2 == 0) REQUIRE(span.hit);
             if (!span.hit) continue;
@@ -162,12 +162,12 @@ TEST_CASE_TEMPLATE("a cone flatter than its coordinates can say is hit no furthe
     Dice dice;
     int inside = 0, outside = 0;
     for (int i = 0; i < 3000; ++i) {
-        const DVec3 a = dice.direction(), across = unit(cross(a, dice.direction()));
+        const DVec3 a = dice.direction(), across = naive::unit(cross(a, dice.direction()));
         const ConeKernel<T> disc = ConeKernel<T>::frustum(dice.direction(), a, 1, 0, 1e-20);
         const double off = beyond * std::exp(dice(0, 5));
         const auto hit = [&](double distance) {
             const Vec3<T> to = naive::to<T>(naive::to<double>(disc.base) + distance * across);
-            const Vec3<T> d = naive::to<T>(unit(a + .5 * dice.direction()));
+            const Vec3<T> d = naive::to<T>(naive::unit(a + .5 * dice.direction()));
             return disc.span(Ray<T>{to - d, d, -1}, T(-1)).hit;
         };
         inside += hit(1 - off);

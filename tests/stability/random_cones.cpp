@@ -32,7 +32,7 @@ TEST_CASE("near and far cones of all kinds: hit or miss, and where") {
             const double size = std::max({cone.base_radius, cone.cap_radius, cone.height()});
             const DVec3 from = dice.direction() * size * std::pow(10, dice(0, reach)) * 3.;
             const DVec3 aim = cone.base + (cone.cap - cone.base) * dice(-.2, 1.2) + dice.direction() * dice(0, size);
-            const DVec3 d = unit(aim - from);
+            const DVec3 d = naive::unit(aim - from);
             const double right = exact(cone, from, d), unsure = 0x1p-50 * (naive::length(from) + naive::length(aim));
             const Span<double> span = ours(cone, from, d);
             const bool hit = span.hit && span.far > 0;
@@ -58,12 +58,12 @@ TEST_CASE("no ray along the side, closer to it than rounding, passes through a c
     int wrong = 0, hits = 0;
     for (int i = 0; i < 20000; ++i) {
         const Cone cone = random_cone(dice);
-        const DVec3 a = cone.axis(), u = unit(cross(a, dice.direction())), v = cross(a, u);
+        const DVec3 a = cone.axis(), u = naive::unit(cross(a, dice.direction())), v = cross(a, u);
         const double slope = (cone.cap_radius - cone.base_radius) / cone.height(), slant = std::hypot(1, slope);
         const DVec3 line = (a + slope * u) / slant, normal = (u - slope * a) / slant;  // along the side, and off it
         const double place = dice(0, 1), radius = cone.base_radius + (cone.cap_radius - cone.base_radius) * place;
         const double turn = dice(0, 1) < .5 ? 0 : dice(0, 1) * std::exp(dice(-30, 0));
-        const DVec3 d = unit(line + turn * v + normal * (dice(-1, 1) * std::exp(dice(-36, -2))));
+        const DVec3 d = naive::unit(line + turn * v + normal * (dice(-1, 1) * std::exp(dice(-36, -2))));
         const DVec3 aim = cone.base + place * (cone.cap - cone.base) + radius * (1 + std::exp(dice(-36, -2))) * u;
         const auto check = [&]<class T>(T) {
             const Vec3<T> o = naive::to<T>(aim - d * dice(0, 5)), direction = naive::to<T>(d);
@@ -92,7 +92,7 @@ TEST_CASE("rays that start on a cone: none meets it again from outside, all cros
             DVec3 aim = cone.base + (cone.cap - cone.base) * dice(0, 1) + dice.direction() * dice(0, .1);
             if (dice(0, 1) < .1 && cone.base_radius == 0) aim = cone.base;
             if (dice(0, 1) < .1 && cone.cap_radius == 0) aim = cone.cap;
-            const Ray<T> ray{naive::to<T>(from), naive::to<T>(unit(aim - from)), T(-1)};
+            const Ray<T> ray{naive::to<T>(from), naive::to<T>(naive::unit(aim - from)), T(-1)};
             const Span<T> span = own.span(ray, T(-1));
             if (!span.hit || !(span.near > 0)) return;
             const SurfacePoint<T> point = own.at(ray, span.near, span.near_face);
@@ -100,7 +100,8 @@ TEST_CASE("rays that start on a cone: none meets it again from outside, all cros
             CHECK(std::abs(naive::length(point.normal) - 1) < 8 * std::numeric_limits<T>::epsilon());
             // Any direction, or one close to the surface.
             Vec3<T> d = naive::to<T>(dice.direction());
-            if (dice(0, 1) < .5) d = unit(d - point.normal * (dot(d, point.normal) * T(1 - std::exp(dice(-30, 0)))));
+            if (dice(0, 1) < .5)
+                d = naive::unit(d - point.normal * (dot(d, point.normal) * T(1 - std::exp(dice(-30, 0)))));
             const Span<T> next = own.span(Ray<T>{point.position, d, span.near_face}, span.near_face);
             CHECK(next.near == 0);
             const T side = dot(point.normal, d);
@@ -127,7 +128,7 @@ TEST_CASE("box and ball of a cone: around it, and tight") {
     for (int i = 0; i < 300; ++i) {
         const Cone cone = random_cone(dice);
         const DVec3 a = cone.axis(), any = dice.direction();
-        const DVec3 u = unit(cross(a, any)), v = cross(a, u);
+        const DVec3 u = naive::unit(cross(a, any)), v = cross(a, u);
         const Box box = cone.bounds();
         const Ball ball = kernel<double>(cone).ball();
         Box rims;

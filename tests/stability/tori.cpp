@@ -23,7 +23,7 @@ namespace {
 template <class T>
 long double outside(const TorusKernel<T>& torus, const DVec3& p) {
     using L = long double;
-    const Vec3<L> f = naive::to<L>(p) - naive::to<L>(torus.centre), a = unit(naive::to<L>(torus.axis));
+    const Vec3<L> f = naive::to<L>(p) - naive::to<L>(torus.centre), a = naive::unit(naive::to<L>(torus.axis));
     const L z = naive::times(f, a), rho = naive::length(f - a * z) - L(torus.major);
     return std::sqrt(rho * rho + z * z) - L(torus.minor);
 }
@@ -85,13 +85,13 @@ enum Aim { near, thin, grazing };
 std::pair<TorusKernel<double>, Ray<double>> aimed(Dice& dice, Aim aim) {
     const double major = std::exp(dice(-1, 1)), minor = major * (aim == thin ? 2e-3 : dice(.05, 1));
     const TorusKernel<double> torus{dice.direction(), dice.direction(), major, minor};
-    const DVec3 side = unit(cross(torus.axis, dice.direction())), tube = torus.centre + major * side;
+    const DVec3 side = naive::unit(cross(torus.axis, dice.direction())), tube = torus.centre + major * side;
     const double turn = dice(0, 6.283185307179586);
     const DVec3 normal = std::cos(turn) * side + std::sin(turn) * torus.axis;
     const double by = (major + minor) * std::pow(10, dice(-15, -2));
     const double out = aim != grazing ? minor * dice(0, 1.5) : dice(0, 1) < .5 ? minor + by : minor - by;
     const DVec3 to = tube + out * normal, towards = dice.direction();
-    const DVec3 d = unit(aim == grazing ? cross(normal, towards) : towards);
+    const DVec3 d = naive::unit(aim == grazing ? cross(normal, towards) : towards);
     return {torus, {to - (major + minor) * dice(2, 8) * d, d, -1}};
 }
 
@@ -131,7 +131,7 @@ TEST_CASE("rays that pass close by, against 113 bits") {
 
 TEST_CASE("the crossing of a ray that passes many a solver by") {
     const TorusKernel<double> torus{{0, 0, 0}, {0, 0, 1}, 143, 113.2};
-    const Ray<double> ray{{160.37125, -6.351337, -.000241}, unit(DVec3(.852793, -.522249, -.00002)), -1};
+    const Ray<double> ray{{160.37125, -6.351337, -.000241}, naive::unit(DVec3(.852793, -.522249, -.00002)), -1};
     const Crossings<double, 4> found = torus.crossings(ray, -1.);
     CHECK(found.hit);
     CHECK(found.t[3] == doctest::Approx(103.849237).epsilon(1e-9));
@@ -145,7 +145,7 @@ TEST_CASE("crossings ahead are on the torus, ascending, and between them is its 
             const TorusKernel<T> torus = random_torus<T>(dice);
             const DVec3 c = naive::to<double>(torus.centre), aim = c + dice.direction() * double(torus.major);
             const DVec3 from = aim + dice.direction() * std::pow(10, dice(0, 3));
-            const Ray<T> ray{naive::to<T>(from), naive::to<T>(unit(aim - from)), T(-1)};
+            const Ray<T> ray{naive::to<T>(from), naive::to<T>(naive::unit(aim - from)), T(-1)};
             const Crossings<T, 4> found = torus.crossings(ray, T(-1));
             const DVec3 o = naive::to<double>(ray.origin), d = naive::to<double>(ray.direction);
             const double unsure = 16 * double(std::numeric_limits<T>::epsilon()) * (naive::length(from) + 4);
@@ -185,8 +185,8 @@ TEST_CASE("a ray that starts on a torus: that crossing is 0, and it alternates b
         const auto check = [&]<class T>(T) {
             const TorusKernel<T> torus = random_torus<T>(dice);
             const DVec3 c = naive::to<double>(torus.centre), from = c + dice.direction() * 9.;
-            const Ray<T> ray{naive::to<T>(from), naive::to<T>(unit(c + dice.direction() * double(torus.major) - from)),
-                             T(-1)};
+            const Ray<T> ray{naive::to<T>(from),
+                             naive::to<T>(naive::unit(c + dice.direction() * double(torus.major) - from)), T(-1)};
             const Crossings<T, 4> found = torus.crossings(ray, T(-1));
             if (!found.hit) return;
             const SurfacePoint<T> point = torus.at(ray, found.t[2], T(-1));
