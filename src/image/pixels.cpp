@@ -3,10 +3,33 @@
 #include <algorithm>
 #include <cmath>
 
+#include "files/bytes.h"
+#include "files/regular_file.h"
 #include "image/picture.h"
 #include "num/decimal.h"
 
 namespace strahl {
+
+namespace {
+
+/// Returns the gamma by which a .png file says that its values are encoded, 0 for sRGB (W3C, "Portable Network
+/// Graphics", 11.3.2).
+std::optional<double> png_gamma(const RegularFile& file) {
+    std::optional<double> gamma;
+    if (!file.bytes(0, 8).starts_with("\x89PNG")) return gamma;
+    for (std::uint64_t at = 8; at + 8 <= file.size();) {
+        const std::string head = file.bytes(at, 12);
+        const std::string type = head.size() < 12 ? "IEND" : head.substr(4, 4);
+        if (type == "IDAT" || type == "IEND") break;
+        if (type == "sRGB") return 0;
+        const auto code = get_big<std::uint32_t>(head, 8);
+        if (type == "gAMA" && code >= 10'000 && code <= 1'000'000) gamma = 1e5 / code;
+        at += 12 + std::uint64_t(get_big<std::uint32_t>(head, 0));
+    }
+    return gamma;
+}
+
+}  // namespace
 
 FilePixels read_pixels(const std::string& path) {
     const auto fail = [&](const std::string& why) { throw FileError("cannot use '" + path + "': " + why); };
@@ -21,6 +44,7 @@ FilePixels read_pixels(const std::string& path) {
         fail("it has " + std::to_string(picture.channels) + " channels; a picture of colours has at most 4");
     const bool grey = picture.channels < 3, alpha = picture.channels % 2 == 0;
     FilePixels pixels(Pixels{picture.width, picture.height, picture.bits == 32, {}});
+    pixels.gamma = png_gamma(RegularFile(path));
     const auto count = std::size_t(picture.width) * static_cast<unsigned>(picture.height);
     pixels.values.reserve(3 * count);
     double lowest = 0;

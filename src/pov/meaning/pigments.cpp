@@ -259,20 +259,13 @@ void PigmentMaker::tell_ignored(const Blend& blend) const {
         notes.approximated(blend.place, strahl::quoted(word_text(blend.ignored)) + " of a pattern has no effect");
 }
 
-/// Does a picture of the scene have the colours of this one? The scene's is opaque; it takes 8 and 16 bits as
-/// sRGB-encoded and floats as linear light, and both as they are without an assumed_gamma.
+/// Does a picture of the scene show this one? The scene's is opaque and still.
 bool PigmentMaker::is_shown(const Blend& blend) const {
     const ImageThing& own = *blend.image;
     const bool still = around.empty() && blend.warps.empty() && blend.turbulence == DVec3(0);
     const bool plain = own.pixels->opacity.empty() && !own.once && own.filter_all.value_or(0) == 0 &&
                        own.transmit_all.value_or(0) == 0 && own.repeat == Point2{1, 1} && own.offset == Point2{0, 0};
-    if (!still || !plain || own.path.empty() || own.map_type > 2 || (own.interpolate != 0 && own.interpolate != 2))
-        return false;
-    const Interpreter& in = notes.in;
-    const bool by_version = in.version_given() && in.version() >= 3.7;
-    const double gamma = in.assumed_gamma && own.working == 0 ? 0 : in.assumed_gamma.value_or(by_version ? 1 : 0);
-    if (gamma == 0) return !own.encoding || *own.encoding == own.working;
-    return own.encoding == std::optional(own.pixels->linear ? 1. : 0.) && own.working == gamma;
+    return still && plain && !own.path.empty() && own.map_type <= 2 && (own.interpolate == 0 || own.interpolate == 2);
 }
 
 namespace {
@@ -449,11 +442,20 @@ Look PigmentMaker::shown_look_of(const PigmentThing& pigment, const Steps& way, 
         }
         if (!shown && patterns_around > 0 && !notes.in.options().as_text) return too_deep = true, look;
         if (image.map_type > 2 || image.path.empty()) return as_mean("this picture");
-        if (!shown)
-            notes.approximated(blend.place, "a picture is opaque, still and of sRGB-encoded colours");
-        ImagePattern own{
-            .file = image.path, .pixels = pixels, .map = static_cast<ImageMap>(image.map_type), .once = {},
-            .sharp = image.interpolate == 0};
+        if (!shown) notes.approximated(blend.place, "a picture is opaque and still");
+        const Interpreter& in = notes.in;
+        const bool by_version = in.version_given() && in.version() >= 3.7;
+        const double gamma = in.assumed_gamma && image.working == 0 ? 0 : in.assumed_gamma.value_or(by_version ? 1 : 0);
+        std::shared_ptr<const Pixels> own_pixels = shown_pixels(image, gamma);
+        if (own_pixels != pixels && in.options().as_text) {
+            notes.approximated(blend.place, "the colours of a picture are sRGB-encoded, or linear light if floats");
+            own_pixels = pixels;
+        }
+        ImagePattern own{.file = image.path,
+                         .pixels = own_pixels,
+                         .map = static_cast<ImageMap>(image.map_type),
+                         .once = {},
+                         .sharp = image.interpolate == 0};
         if (image.once) own.once = Color(0);
         pattern.kind = own;
         pattern.colors.clear();

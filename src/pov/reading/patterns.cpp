@@ -290,7 +290,12 @@ void PovReader::load(Interpreter& in, ImageThing& image, bool of_colors, std::op
     if (!of_colors) return;
     if (in.assumed_gamma) image.working = contents.assumes_srgb ? 0 : *in.assumed_gamma;
     const bool netpbm = image.path.ends_with("pm") || image.path.ends_with("PM");
-    if (!gamma && !netpbm && in.version_given() && in.version() >= 3.7) image.encoding = image.pixels->linear ? 1 : 0;
+    const bool decodes = in.version_given() && in.version() >= 3.7;
+    if (gamma || netpbm || (!decodes && !in.assumed_gamma)) return;
+    if (image.pixels->gamma)
+        image.encoding = image.pixels->gamma;
+    else if (decodes)
+        image.encoding = image.pixels->linear ? 1 : 0;
 }
 
 /// Reads a picture from '{' to '}'; `of_colors`, not of heights or other values.

@@ -191,6 +191,26 @@ std::shared_ptr<const FunctionThing> colors_of(const ImageThing& image) {
     return image.colors;
 }
 
+std::shared_ptr<const Pixels> shown_pixels(const ImageThing& image, double gamma) {
+    const bool linear = image.pixels->linear;
+    const bool same = gamma == 0 ? !image.encoding || *image.encoding == image.working
+                                 : image.encoding == std::optional(linear ? 1. : 0.) && image.working == gamma;
+    if (same) return image.pixels;
+    std::shared_ptr<const Pixels>& known = image.facts->shown[{image.encoding.value_or(-1), image.working}];
+    if (known) return known;
+    auto made = std::make_shared<Pixels>(*image.pixels);
+    if (image.encoding) made->values = scene_values_of(made->values, *image.encoding, image.working);
+    made->largest = Color(0);
+    for (std::size_t i = 0; i < made->values.size(); ++i) {
+        float& own = made->values[i];
+        const double light = std::pow(static_cast<double>(own), gamma);
+        if (gamma != 0) own = static_cast<float>(linear ? light : encoded(light, 0));
+        double& largest = made->largest[static_cast<int>(i % 3)];
+        largest = std::max(largest, static_cast<double>(own));
+    }
+    return known = made;
+}
+
 std::shared_ptr<const SolidFunction> bends_of(const ImageThing& image, double amount) {
     return image.pixels ? std::make_shared<const PictureBends>(image, amount) : nullptr;
 }

@@ -10,6 +10,9 @@ namespace strahl::pov {
 /// scene. Null if the picture could not be read.
 std::shared_ptr<const FunctionThing> colors_of(const ImageThing& image);
 
+/// Returns the pixels that a scene with this assumed_gamma, or 0, decodes to the picture's values of the scene.
+std::shared_ptr<const Pixels> shown_pixels(const ImageThing& image, double gamma);
+
 /// Returns what bump_map adds to normals.
 std::shared_ptr<const SolidFunction> bends_of(const ImageThing& image, double amount);
 

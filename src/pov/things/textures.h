@@ -35,6 +35,7 @@ struct PictureFacts {
     std::optional<Color> mean;  // of its values
     double clear = 0;           // the mean of how little opaque its pixels are, once there is the other one
     std::map<std::pair<double, double>, std::shared_ptr<const std::vector<float>>> decoded;  // by both gammas
+    std::map<std::pair<double, double>, std::shared_ptr<const Pixels>> shown;                // as a scene takes them
 };
 
 /// A picture that a pattern shows.

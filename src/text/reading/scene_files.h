@@ -3,6 +3,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -18,6 +19,7 @@ namespace strahl {
 /// The pixels of a picture file, and how opaque each is, from 0 to 1. Without `opacity` all are.
 struct FilePixels : Pixels {
     std::vector<float> opacity;
+    std::optional<double> gamma;  // by which the file says that its values are encoded; 0 is sRGB
 
     FilePixels() = default;
     FilePixels(Pixels pixels) : Pixels(std::move(pixels)) {}

@@ -324,6 +324,18 @@ TEST_CASE("pictures as patterns: grey is of three equal colours, and what no pat
         CHECK(says(said, why));
     };
     CHECK(opaque.opacity.empty());
+    // What a .png says of its gamma stands in chunks before its pixels: a length, a name, numbers and a checksum.
+    const auto with_chunk = [&](const std::string& chunk) {
+        std::string bytes = bytes_of(folder / "grey.png");
+        for (const auto& [name, size] : {std::pair("sRGB", 13), std::pair("gAMA", 16)})
+            if (const std::size_t own = bytes.find(name); own != bytes.npos) bytes.erase(own - 4, std::size_t(size));
+        bytes.insert(33, chunk);
+        write_file(folder / "said.png", bytes);
+        return read_pixels(folder / "said.png").gamma;
+    };
+    CHECK(!with_chunk(""));
+    CHECK(with_chunk(std::string("\0\0\0\4gAMA\0\0\xb1\x8f\x0b\xfc\x61\x05", 16)) == 1e5 / 45455);
+    CHECK(with_chunk(std::string("\0\0\0\1sRGB\0\xae\xce\x1c\xe9", 13)) == 0);
     const FilePixels glass = read_pixels(written({2, 1, 4, {1, 1, 1, 1, 1, 1, 1, .2}, 8}, "glass.png", 8));
     CHECK(glass.opacity == std::vector<float>{1, .2f});
     CHECK(says(fault_of([&] { SceneFiles(folder / "x.rt", read_pixels).pixels("glass.png"); }),

@@ -137,10 +137,37 @@ TEST_CASE("POV-Ray: pictures that scenes have themselves stay pictures") {
     CHECK(is_picture("#version 3.7; global_settings { assumed_gamma 1 } ", ""));
     CHECK(is_picture("#version 3.7; global_settings { assumed_gamma 2.2 } ", ""));
     CHECK(is_picture("#version 3.7; global_settings { assumed_gamma srgb } ", ""));
-    // Values that are encoded in another way.
-    CHECK(!is_picture("#version 3.7; global_settings { assumed_gamma 1 } ", " gamma 1"));
-    CHECK(!is_picture("#version 3.6; global_settings { assumed_gamma 1 } ", ""));
     CHECK(!is_picture("", " once"));
+}
+
+TEST_CASE("POV-Ray: pictures that are encoded in another way have the colours that POV-Ray decodes") {
+    const auto shown = [](const std::string& before, const std::string& more, std::optional<double> gamma,
+                          bool linear) {
+        const Opener open([&](const std::string&) {
+            FilePixels pixels(Pixels{1, 1, linear, {.5f, .5f, .5f}, Color(.5)});
+            pixels.gamma = gamma;
+            return pixels;
+        });
+        const Scene scene = open(before + "sphere { 0, 1 pigment { image_map { png \"a.png\"" + more + " } } }").scene;
+        const Pixels& pixels = *std::get<ImagePattern>(material(scene).rgb.pattern->kind).pixels;
+        const double value = static_cast<double>(pixels.values[0]), assumed = scene.settings.assumed_gamma;
+        CHECK(pixels.largest == Color(value));
+        if (assumed == 0) return value;
+        return std::pow(linear ? value : std::pow((value + .055) / 1.055, 2.4), 1 / assumed);
+    };
+    const std::string modern = "#version 3.7; global_settings { assumed_gamma 1 } ";
+    const double srgb = std::pow((.5 + .055) / 1.055, 2.4);
+    const auto about = [](double value) { return doctest::Approx(value).epsilon(1e-6); };
+    CHECK(shown(modern, "", {}, false) == about(srgb));
+    CHECK(shown(modern, "", 0, false) == about(srgb));
+    CHECK(shown(modern, "", 2.2, false) == about(std::pow(.5, 2.2)));
+    CHECK(shown(modern, " gamma 1", 2.2, false) == about(.5));
+    CHECK(shown(modern, " gamma 2", {}, true) == about(.25));
+    CHECK(shown("#version 3.7; global_settings { assumed_gamma 2 } ", "", 1., false) == about(std::sqrt(.5)));
+    // Before version 3.7 only what the file says counts, and nothing without an assumed_gamma.
+    CHECK(shown("#version 3.6; global_settings { assumed_gamma 1 } ", "", {}, false) == about(.5));
+    CHECK(shown("#version 3.6; global_settings { assumed_gamma 1 } ", "", 2.2, false) == about(std::pow(.5, 2.2)));
+    CHECK(shown("", "", 2.2, false) == about(.5));
 }
 
 TEST_CASE("POV-Ray: a bump_map bends normals, by the size that it names itself") {
