@@ -25,7 +25,7 @@ template <class R>
 bool contains(const Superellipsoid& body, const Vector<R>& p) {
     return value_of(body, p) < 1;
 }
-/// Of the crossings of a line that starts on the surface the one nearest to the start is the start.
+/// Finds where a line crosses it. Where the line starts on the surface, the crossing nearest to the start is the start.
 template <class R>
 LineCrossings<R> crossings(const Superellipsoid& body, const Line<R>& line, int source) {
     LineCrossings<R> found;

@@ -121,8 +121,8 @@ HashedScene read_and_hash(const std::string& path, const OpeningOptions& opening
     std::size_t hash = 0;
     const auto read = [&](const std::string& file) {
         FilePixels pixels = read_pixels(file);
-        for (const std::vector<float>& own : {pixels.values, pixels.opacity})
-            hash = 31 * hash + hash_of({reinterpret_cast<const char*>(own.data()), own.size() * sizeof(float)});
+        for (const std::vector<float>* const own : {&pixels.values, &pixels.opacity})
+            hash = 31 * hash + hash_of({reinterpret_cast<const char*>(own->data()), own->size() * sizeof(float)});
         hash += unsigned(pixels.width);
         return pixels;
     };

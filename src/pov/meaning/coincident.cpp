@@ -47,7 +47,7 @@ std::vector<FlatFace> faces_of(Primitive& body, const glm::dmat4& outer) {
         for (int j = 0; j < 3; ++j)
             if ((m[i][j] == 0) == (i == j)) return {};
     std::vector<FlatFace> faces;
-    Box around;
+    const Box around = bounds_in(body, m);
     const auto add = [&](DVec3& point, const DVec3& other, int axis) {
         FlatFace own{.axis = axis, .point = &point, .scale = m[axis][axis], .offset = m[3][axis]};
         own.at = own.scale * point[axis] + own.offset;
@@ -56,11 +56,9 @@ std::vector<FlatFace> faces_of(Primitive& body, const glm::dmat4& outer) {
         faces.push_back(own);
     };
     if (auto* const box = std::get_if<Cuboid>(&body.shape)) {
-        around = bounds_in(body, m);
         for (int i = 0; i < 3; ++i) add(box->corner, box->opposite, i), add(box->opposite, box->corner, i);
     } else if (auto* const cylinder = std::get_if<Cylinder>(&body.shape)) {
         const DVec3 way = cylinder->cap - cylinder->base;
-        around = bounds_in(body, m);
         for (int i = 0; i < 3; ++i) {
             if (way[i] == 0 || length(way) != std::fabs(way[i])) continue;
             add(cylinder->base, cylinder->cap, i), add(cylinder->cap, cylinder->base, i);

@@ -199,6 +199,13 @@ std::vector<Transformation> PigmentMaker::space_of(const Blend& blend, const Ste
     return transformations_of(steps, mirrored);
 }
 
+/// Returns the space of a pattern of which nothing is mirrored but its argument.
+std::vector<Transformation> PigmentMaker::space_of_argument(const Blend& blend, const Steps& way) const {
+    std::vector<Transformation> space = space_of(blend, way, {});
+    if (mirrored) space.insert(space.begin(), Scale{{1, 1, -1}});
+    return space;
+}
+
 /// Returns the scene's solid pattern for POV-Ray's, if it has one. `bends`: it bends normals.
 std::optional<SolidPattern> PigmentMaker::solid_of(const Blend& blend, bool bends) const {
     std::optional<SolidPattern> solid = pov::solid_of(blend, bends, notes.in.noise_generator);
@@ -323,13 +330,13 @@ bool PigmentMaker::set_channels(const std::shared_ptr<const FunctionThing>& colo
     return true;
 }
 
-/// Returns the largest value of a pigment's colours, at least 1, and whether any lets light through.
 Pigment PigmentMaker::Brightest::of(Pattern pattern) const {
     Pigment own(std::move(pattern));
     own.color = Color(value), own.filter = filters, own.transmit = transmits;
     return own;
 }
 
+/// Returns the largest value of a pigment's colours, at least 1, and whether any lets light through.
 PigmentMaker::Brightest PigmentMaker::brightest_of(const PigmentThing& pigment) {
     Brightest most;
     const auto add = [&](const FilterColor& own) {
@@ -383,8 +390,7 @@ Look PigmentMaker::look_of(const PigmentThing& pigment, const Steps& way, bool m
         if (pigment.blend.uv || !set_channels(colors_of(pigment, notes.in.noise_generator), {}, most, pattern)) {
             notes.approximated(pigment.blend.place, "patterns that are nested deeply are their mean colours");
         } else {
-            pattern.transformations = space_of({}, way, {});
-            if (mirrored) pattern.transformations.insert(pattern.transformations.begin(), Scale{{1, 1, -1}});
+            pattern.transformations = space_of_argument({}, way);
             look.pigment = most.of(std::move(pattern));
             look.varies = look.pigment.clear();
         }
@@ -420,9 +426,7 @@ Look PigmentMaker::shown_look_of(const PigmentThing& pigment, const Steps& way, 
         if (blend.word == word("brick")) pattern.kind = Brick{blend.brick_size, blend.mortar};
         pattern.colors = listed_stops(blend);
         for (const ColorStop& stop : pattern.colors) look.varies |= stop.pattern && Pigment(*stop.pattern).clear();
-        // All that is mirrored is the argument of the pattern.
-        pattern.transformations = space_of(blend, way, {});
-        if (mirrored) pattern.transformations.insert(pattern.transformations.begin(), Scale{{1, 1, -1}});
+        pattern.transformations = space_of_argument(blend, way);
         look.pigment = Pigment(std::move(pattern));
         return look;
     }
@@ -434,8 +438,7 @@ Look PigmentMaker::shown_look_of(const PigmentThing& pigment, const Steps& way, 
         const bool shown = is_shown(blend);
         if (const Brightest most = brightest_of(pigment);
             !shown && set_channels(colors_of(image), blend, most, pattern)) {
-            pattern.transformations = space_of(blend, way, {});
-            if (mirrored) pattern.transformations.insert(pattern.transformations.begin(), Scale{{1, 1, -1}});
+            pattern.transformations = space_of_argument(blend, way);
             look.pigment = most.of(std::move(pattern));
             look.varies = look.pigment.clear();
             return look;

@@ -57,6 +57,7 @@ class PigmentMaker {
                       Pattern& pattern);
     bool set_kind(const Blend& blend, Pattern& pattern);
     std::vector<Transformation> space_of(const Blend& blend, const Steps& way, const Steps& first) const;
+    std::vector<Transformation> space_of_argument(const Blend& blend, const Steps& way) const;
 
     NoteTaker notes;
     const bool mirrored;

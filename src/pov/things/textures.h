@@ -30,7 +30,7 @@ struct MapThing : Thing {
 
 enum class Wave { ramp, triangle, sine, scallop, cubic, poly };
 
-/// What has been computed of a picture, for all patterns that show it.
+/// Keeps what has been computed of a picture, for all patterns that show it.
 struct PictureFacts {
     std::optional<Color> mean;  // of its values
     double clear = 0;           // the mean of how little opaque its pixels are, once there is the other one

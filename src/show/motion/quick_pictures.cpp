@@ -3,8 +3,8 @@
 namespace strahl {
 namespace {
 
-/// How many times the light of finished pictures may be pruned: about .2 of white. Bounds are far above what is lost:
-/// an RMS of .04 to .6 steps of 1/255 (tests/bench/motion_quality.md).
+/// Multiplies the light that finished pictures may lack by pruning, to about .2 of white. Bounds are far above what is
+/// lost: an RMS of .04 to .6 steps of 1/255 (tests/bench/motion_quality.md).
 constexpr double pruned_more = 100;
 
 }  // namespace

@@ -61,7 +61,7 @@ void cross_surfaces(const World<Element<S>>& world, Ray<S>& ray, const Nearest<S
     const auto hide = [&](Mask<S> dark) {
         for (int c = 0; c < 3; ++c) share[c] = select(dark, S(0), share[c]);
     };
-    // What is opaque is so without its normal and its pattern.
+    // Needs neither the normal nor the pattern of an opaque surface.
     if (opaque(material)) {
         hide(alike), lanes = lanes & !alike;
         if (none(lanes)) return;

@@ -121,7 +121,7 @@ template <class S, class P>
 void push(const Shading<S, P>& shading, RayQueue<Element<S>>& to, const Hit<S>& hit, Branch<S, P> ray,
           const Vec3<S>& tint, const S& level, const S& mirrored, const HitNotes<S, P>& notes) {
     ray.mask = ray.mask & (ray.weight >= S(shading.world.finishes.bailout));
-    // Infinity times a channel without light would be no number.
+    // Keeps colours finite: infinity times a channel without light is no number.
     for (int c = 0; c < 3; ++c) compress(to.tint[c] + to.count, min(tint[c], S(largest_gain)), ray.mask);
     compress(to.level + to.count, level, ray.mask), compress(to.mirrored + to.count, mirrored, ray.mask);
     push(shading, to, hit, ray, notes);
@@ -169,7 +169,7 @@ template <class S, class P>
     const S level = pick(from.level);
     const Mask<S> deeper = hit.active & (level < S(static_cast<T>(shading.limits.depth)));
     if (none(deeper) || shading.depth >= deepest) return truncate(shading, hit);
-    const S least(std::numeric_limits<T>::min());  // 1 / share is finite
+    const S least(std::numeric_limits<T>::min());  // so that 1 / share is finite
     const Mask<S> glass = deeper & (largest(layers.through) > least);
     const bool bends = world.patterns.bends;
     const Vec3<S> away = bends ? reflect_bent(hit, notes.flat) : reflect(hit);

@@ -262,7 +262,7 @@ class GridSum {
           visibility(visibility),
           known(std::size_t(light.columns) * light.rows),
           shares(known.size()) {
-        // What is divided in any case is the same for all hits. Its points are traced together: fuller packs.
+        // Divides what is divided for every hit. Its points are traced together, so that packs are fuller.
         parts.assign(1, {0, 0, light.columns - 1, light.rows - 1});
         want_corners();
         for (int level = 0; level < light.adaptive && !parts.empty(); ++level)

@@ -324,7 +324,7 @@ TEST_CASE("pictures as patterns: grey is of three equal colours, and what no pat
         CHECK(says(said, why));
     };
     CHECK(opaque.opacity.empty());
-    // What a .png says of its gamma stands in chunks before its pixels: a length, a name, numbers and a checksum.
+    // Puts chunks with a gamma before the pixels: a length, a name, numbers and a checksum.
     const auto with_chunk = [&](const std::string& chunk) {
         std::string bytes = bytes_of(folder / "grey.png");
         for (const auto& [name, size] : {std::pair("sRGB", 13), std::pair("gAMA", 16)})

@@ -63,7 +63,7 @@ TEST_CASE("POV-Ray: lights and the camera are beside the surfaces that they lie 
     CHECK(scene.lights.at(0).position.y < 4);
     CHECK(scene.lights.at(0).position.y > 4 - 1e-5);
     CHECK(scene.lights.at(1).position == DVec3(0, 2, 0));
-    // What covers a light by less than POV-Ray's tolerance does not cover it.
+    // Covers a light by less than POV-Ray's tolerance, for which that is nothing.
     const Scene covered = whole(room + "light_source { <0, 4.0005, 0> rgb 1 }", false);
     CHECK(covered.lights.at(0).position.y < 4);
 }
