@@ -11,6 +11,7 @@ text='"textDocument":{"uri":"file://'$work'/new%20\u00e4.rt"'
 
 # Both ways are open, as an editor has them: each answer is awaited before the session goes on.
 coproc server { "$strahl" lsp --stdio 2>errors; }
+session=$server_PID # the shell forgets this variable when the session has ended
 await() { # TEXT
     local header length
     read -r -t 60 header <&"${server[0]}" || { fault "no answer with '$1': $(<errors)"; return; }
@@ -35,7 +36,7 @@ await "radius: the radius"
 ask 4 shutdown >&"$to"
 await '"id":4'
 tell exit >&"$to"
-wait "$server_PID" || fault "the session ends with status $?: $(<errors)"
+wait "$session" || fault "the session ends with status $?: $(<errors)"
 [[ ! -s errors ]] || fault "it says $(<errors)"
 exec {to}>&-
 
