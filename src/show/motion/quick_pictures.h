@@ -29,6 +29,7 @@ class QuickPictures {
 
   private:
     Resolution resolution;
+    double aspect = 1;  // of the next picture's steps
     Sharpener sharpener;
     ScreenImage coarse;  // the traced pixels of a level
 };

@@ -10,7 +10,6 @@ namespace {
 
 constexpr int least_contrast = 12;             // in steps of 1/255; what differs less is smooth
 constexpr double first_rays = 4096;            // of a picture when nothing is known yet
-constexpr double share_between = .75;          // of the rays between traced pixels; the others smooth edges
 constexpr float aside_x = .3f, aside_y = .2f;  // of two rays from the middle of a pixel, to opposite sides
 constexpr int block = 8;                       // pixels whose rays are neighbours in packs
 
@@ -37,7 +36,34 @@ void measure(const std::uint32_t* __restrict low, const std::uint32_t* __restric
     }
 }
 
+/// Computes 3/4 of each pixel of a row and 1/16 of its four neighbours; the first and the last stay as they are.
+void smooth(const std::uint32_t* above, const std::uint32_t* row, const std::uint32_t* below, int width,
+            std::uint32_t* __restrict out) {
+    const auto bytes = [](const std::uint32_t* pixels) { return reinterpret_cast<const std::uint8_t*>(pixels); };
+    const std::uint8_t *const up = bytes(above), *const at = bytes(row), *const down = bytes(below);
+    auto* const to = reinterpret_cast<std::uint8_t*>(out);
+    for (int i = 4; i < 4 * (width - 1); ++i) {
+        const auto around = static_cast<std::uint16_t>(up[i] + down[i] + at[i - 4] + at[i + 4]);
+        to[i] = static_cast<std::uint8_t>(static_cast<std::uint16_t>(12 * at[i] + around + 8) >> 4);
+    }
+    out[0] = row[0], out[width - 1] = row[width - 1];
+}
+
 }  // namespace
+
+/// Smooths edges, which one ray in the middle of each pixel makes steps of: the RMS of pictures with one ray in each
+/// pixel falls to .79 in demo.rt, .74 in flythrough.rt and .95 in mirror_ball.rt.
+void Sharpener::smooth_edges(ScreenImage& image, ThreadPool& pool) {
+    smoothed.resize(image.width, image.height);
+    const auto row = [&](int y) {
+        return &image.pixels[std::size_t(std::clamp(y, 0, image.height - 1)) * image.width];
+    };
+    share_out(pool, image.height, 16, [&](int first, int last) {
+        for (int y = first; y < last; ++y)
+            smooth(row(y - 1), row(y), row(y + 1), image.width, &smoothed.pixels[std::size_t(y) * image.width]);
+    });
+    std::swap(image.pixels, smoothed.pixels);
+}
 
 /// Finds for each pixel by how much those at these offsets from it differ. Beyond the border are no pixels.
 void Sharpener::compare(const ScreenImage& image, std::span<const Offset> offsets, ThreadPool& pool) {
@@ -119,13 +145,14 @@ Counts Sharpener::sharpen(Tracer& tracer, const Job& job, const TransferTable& t
                     to.push_back({static_cast<float>(column), static_cast<float>(row)});
             }
         };
-        choose(traced, share_between * fitting / others, between, job.pool);
+        choose(traced, fitting / others, between, job.pool);
         trace_all(1, [&](int i) {
             const double value[]{rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]};
             pixel(points[i]) = table.pixel(value);
         });
         if (job.stopped()) return rays;
     }
+    smooth_edges(whole, job.pool);
     compare(whole, cross, job.pool);
     const auto aside = [](int x, int y, std::vector<PicturePoint>& to) {
         const auto column = static_cast<float>(x), row = static_cast<float>(y);

@@ -15,8 +15,8 @@ namespace strahl {
 
 /// Sharpens pictures whose traced pixels have equal distances. Most of what these are off is in few places: at edges of
 /// bodies, shadows and patterns, where colours of neighbours differ. First all pixels are traced between traced ones
-/// that differ most. Then pixels that differ most from their neighbours get two more rays, whose mean with the first
-/// smooths edges. How many is learnt from the times of the last pictures.
+/// that differ most, and edges are smoothed. If there is time left, pixels that differ most from their neighbours get
+/// the mean with two more rays. How many is learnt from the times of the last pictures.
 class Sharpener {
   public:
     /// The share of a picture's time after which the rest serves sharpening better than more traced pixels would.
@@ -38,9 +38,11 @@ class Sharpener {
     void compare(const ScreenImage& image, std::span<const Offset> offsets, ThreadPool& pool);
     void choose(const ScreenImage& image, double most, const Place& place, ThreadPool& pool);
     Counts trace(Tracer& tracer, const Job& job);
+    void smooth_edges(ScreenImage& image, ThreadPool& pool);
 
     RecentCosts costs, choices;          // seconds for a ray, and for the choice of rays for each pixel of a picture
     std::vector<std::uint8_t> contrast;  // of each pixel of a picture, see compare()
+    ScreenImage smoothed;
     std::vector<std::vector<PicturePoint>> rows;
     std::vector<PicturePoint> points;
     std::vector<float> rgb;  // of the points

@@ -45,12 +45,29 @@ TEST_CASE("every level has more pixels than the one before, at most twice as man
     }
 }
 
+TEST_CASE("steps are as long in one direction as a picture is smooth in it, for about as many traced pixels") {
+    CHECK(steps_of(ninth_level, 2) == Steps{4, 2});
+    CHECK(steps_of(ninth_level, .5) == Steps{2, 4});
+    CHECK(steps_of(sixteenth_level, 4) == Steps{8, 2});
+    for (int level = 0; level <= finest_level; ++level)
+        for (const double aspect : {.1, .3, .6, .9, 1.1, 1.6, 3.7, 10.}) {
+            CAPTURE(level);
+            CAPTURE(aspect);
+            const Steps steps = steps_of(level, aspect), turned = steps_of(level, 1 / aspect);
+            CHECK(steps == Steps{turned.y, turned.x});
+            CHECK(steps.area() <= level_areas[level]);
+            CHECK(steps.area() >= level_areas[level] * 8 / 9.);
+            CHECK(std::max(steps.x, steps.y) <= 16);
+            CHECK((steps.x >= steps.y) == (aspect > 1 || steps.x == steps.y));
+        }
+}
+
 TEST_CASE("an expanded level is exact at its pixels and between its neighbours elsewhere") {
     ThreadPool pool(2);
     for (const auto& [width, height] : sizes)
         for (int level = 0; level < finest_level; ++level) {
-            const Steps steps = steps_of(level);
-            const Lattice lattice = pixels_of(level, width, height);
+            const Steps steps = steps_of(level, width > height ? 3 : .4);
+            const Lattice lattice = pixels_of(steps, width, height);
             ScreenImage coarse, whole;
             coarse.resize(lattice.columns, lattice.rows), whole.resize(width, height);
             for (int i = 0; i < lattice.columns * lattice.rows; ++i) {
