@@ -12,6 +12,7 @@ constexpr int least_contrast = 12;             // in steps of 1/255; what differ
 constexpr double first_rays = 4096;            // of a picture when nothing is known yet
 constexpr float aside_x = .3f, aside_y = .2f;  // of two rays from the middle of a pixel, to opposite sides
 constexpr int block = 8;                       // pixels whose rays are neighbours in packs
+constexpr double worth = .05;                  // share of the rays for which it pays to look for edges of single pixels
 
 /// Extends ranges of colours, from `low` to `high`, by these colours. Compilers make SIMD code of this loop and the
 /// next one, as their arrays do not overlap.
@@ -33,6 +34,21 @@ void measure(const std::uint32_t* __restrict low, const std::uint32_t* __restric
         const std::uint32_t green = (high[i] >> 8 & 255) - (low[i] >> 8 & 255);
         const std::uint32_t red = (high[i] >> 16 & 255) - (low[i] >> 16 & 255);
         out[i] = static_cast<std::uint8_t>(std::max(std::max(blue, green), red));
+    }
+}
+
+/// Calls `use` with the number of each contrast from `first` to `last` that is at least so large. Most are not: eight
+/// are compared at a time.
+template <class Use>
+void each_at_least(const std::vector<std::uint8_t>& contrast, int least, std::size_t first, std::size_t last,
+                   const Use& use) {
+    for (std::size_t i = first; i < last; i += block) {
+        const std::size_t end = std::min(i + block, last);
+        bool any = i + block > last;
+        if (!any)
+            for (int k = 0; k < block; ++k) any |= contrast[i + k] >= least;
+        for (std::size_t k = i; any && k < end; ++k)
+            if (contrast[k] >= least) use(k);
     }
 }
 
@@ -88,8 +104,7 @@ void Sharpener::compare(const ScreenImage& image, std::span<const Offset> offset
 /// points that it adds.
 void Sharpener::choose(const ScreenImage& image, double most, const Place& place, ThreadPool& pool) {
     std::array<int, 256> pixels{};
-    for (const std::uint8_t c : contrast)
-        if (c >= least_contrast) ++pixels[c];
+    each_at_least(contrast, least_contrast, 0, contrast.size(), [&](std::size_t i) { ++pixels[contrast[i]]; });
     int least = 256;
     for (double sum = 0; least > least_contrast && (sum += pixels[least - 1]) <= most;) --least;
     rows.resize((image.height + block - 1) / block);
@@ -98,9 +113,11 @@ void Sharpener::choose(const ScreenImage& image, double most, const Place& place
             rows[row].clear();
             const int bottom = std::min((row + 1) * block, image.height);
             for (int left = 0; left < image.width; left += block)
-                for (int y = row * block; y < bottom; ++y)
-                    for (int x = left; x < std::min(left + block, image.width); ++x)
-                        if (contrast[std::size_t(y) * image.width + x] >= least) place(x, y, rows[row]);
+                for (int y = row * block; y < bottom; ++y) {
+                    const std::size_t begin = std::size_t(y) * image.width;
+                    each_at_least(contrast, least, begin + left, begin + std::min(left + block, image.width),
+                                  [&](std::size_t i) { place(int(i - begin), y, rows[row]); });
+                }
         }
     });
     points.clear();
@@ -136,6 +153,11 @@ Counts Sharpener::sharpen(Tracer& tracer, const Job& job, const TransferTable& t
         tracing += clock() - before, count += static_cast<double>(points.size());
     };
 
+    const auto note_costs = [&] {
+        choices.add((clock() - start - tracing) / all);
+        if (count > 0) costs.add(tracing / count);
+    };
+
     if (const int others = steps.area() - 1; others > 0) {
         compare(traced, square, job.pool);
         const auto between = [&](int x, int y, std::vector<PicturePoint>& to) {
@@ -153,12 +175,14 @@ Counts Sharpener::sharpen(Tracer& tracer, const Job& job, const TransferTable& t
         if (job.stopped()) return rays;
     }
     smooth_edges(whole, job.pool);
+    const double left = fitting - count;
+    if (left < worth * fitting) return note_costs(), rays;
     compare(whole, cross, job.pool);
     const auto aside = [](int x, int y, std::vector<PicturePoint>& to) {
         const auto column = static_cast<float>(x), row = static_cast<float>(y);
         to.push_back({column - aside_x, row - aside_y}), to.push_back({column + aside_x, row + aside_y});
     };
-    choose(whole, (fitting - count) / 2, aside, job.pool);
+    choose(whole, left / 2, aside, job.pool);
     trace_all(2, [&](int i) {
         std::uint32_t& color = pixel(points[i]);
         double mean[3];
@@ -166,9 +190,7 @@ Counts Sharpener::sharpen(Tracer& tracer, const Job& job, const TransferTable& t
             mean[c] = (table.light(color >> 8 * (2 - c) & 255) + rgb[3 * i + c] + rgb[3 * i + 3 + c]) / 3;
         color = table.pixel(mean);
     });
-    if (job.stopped()) return rays;
-    choices.add((clock() - start - tracing) / all);
-    if (count > 0) costs.add(tracing / count);
+    if (!job.stopped()) note_costs();
     return rays;
 }
 

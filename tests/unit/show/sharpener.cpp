@@ -44,9 +44,9 @@ struct Pictures {
         const Job job{view, pool, {}, stop};
         const Counts before = sharpener.sharpen(tracer, job, table, traced, steps_of(level), 1, clock, first);
         CHECK(before.camera <= 4096);
-        const double traced_twice = level == finest_level ? 0 : 1, choices = calls - 2 - traced_twice;
+        const double traced_times = (calls - 2) / 2., choices = calls - 1 - traced_times;
         CHECK(sharpener.sharpen(tracer, job, table, traced, steps_of(level), .9 * choices, clock, first).camera == 0);
-        const double seconds = before.camera > 0 ? (1 + traced_twice) * rays / static_cast<double>(before.camera) : 1;
+        const double seconds = before.camera > 0 ? traced_times * rays / static_cast<double>(before.camera) : 1;
         taken = sharpener.sharpen(tracer, job, table, traced, steps_of(level), choices + seconds, clock, whole);
         return whole;
     }
