@@ -9,6 +9,7 @@
 
 #include "num/thread_pool.h"
 #include "show/motion/quality.h"
+#include "show/motion/quick_pictures.h"
 #include "tests/unit/scenes.h"
 
 namespace strahl::sharpening {
@@ -84,6 +85,21 @@ TEST_CASE("the more rays sharpen a picture, the better it is, and it soon beats 
         // With less than half of its rays; nearly all pixels of mirror_ball differ from their neighbours.
         CHECK(last < (name == "mirror_ball" ? 1 : .8) * one);
     }
+}
+
+TEST_CASE("the steps of the next picture suit the last one: a floor is seen better with as many pixels") {
+    Pictures pictures("mirror_ball");
+    QuickPictures quick;
+    const auto off = [&] {
+        ScreenImage image;
+        const Job job{pictures.view, pictures.pool, {}};
+        quick.trace(
+            pictures.tracer, job, pictures.table, {}, ninth_level, [] { return 0.; }, true, image);
+        return pictures.rms(image);
+    };
+    const double square = off(), suited = off();
+    CHECK(suited < .9 * square);
+    CHECK(off() == suited);
 }
 
 TEST_CASE("sharpened pictures do not depend on threads, and all levels can be sharpened") {
