@@ -2,7 +2,8 @@
 // surface is where the whole changes between inside and outside.
 #pragma once
 #include "num/uninitialized.h"
-#include "trace/forms/mesh_walk_kernel.h"
+#include "trace/forms/form_kernel.h"
+#include "trace/hierarchy/traverse.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
@@ -323,17 +324,19 @@ class CompositeWalk {
         MeshCrossing next;
         while (true) {
             for (int k = list.most - 1; k >= 0; --k) {
-                const Mask<S> here = lanes & list.odd[k] & (list.t[k] > from);
-                next.t = select(here, list.t[k], next.t);
-                next.triangle = select(here, list.surface[k] - surface, next.triangle);
+                const S t = load_lanes<S>(list.t[k]);
+                const Mask<S> here = lanes & mask_of<S>(list.odd[k]) & (t > from);
+                next.t = select(here, t, next.t);
+                next.triangle = select(here, load_lanes<S>(list.surface[k]) - surface, next.triangle);
             }
             lanes = lanes & !(next.t < S(inf)) & (unlisted < limit);
             if (none(lanes)) return next;
             const S start = start_key - S(static_cast<T>(own.first_key));
             const Mask<S> starts_on_it = (start >= S(0)) & (start < S(static_cast<T>(own.faces)));
             const Ray<S> line{ray.origin, ray.direction, select(starts_on_it, surface + start, ray.source)};
-            list_mesh_crossings(world, own, line, lanes, S(unlisted), limit, Mask<S>(all & lanes), list);
-            unlisted = select(lanes, list.t[list.most - 1], unlisted);
+            list.clear(lanes);
+            calls<S>(own.form).list_crossings(world, own, line, lanes, S(unlisted), limit, Mask<S>(all & lanes), list);
+            unlisted = select(lanes, load_lanes<S>(list.t[list.most - 1]), unlisted);
         }
     }
     /// Returns the distance of a crossing: if the triangle lies in a plane that other faces share, that of the plane.
@@ -369,8 +372,7 @@ class CompositeWalk {
         stretch.low = select(lanes, max(stretch.low, enters), S(inf));
         if (none(lanes)) return;
         end.list = std::min(list_count++, most_lists - 1);
-        lists[end.list] = MeshCrossings<S>{};
-        lists[end.list].clear(first_lanes<S>(width<S>));
+        lists[end.list].clear();
         end.pairs = 1;
         end.near[0] = end.far[0] = S(inf), end.far[1] = S(0);
         // A triangle in a plane of other faces may be crossed a little further on than that.
@@ -383,7 +385,7 @@ class CompositeWalk {
         MeshCrossings<S>& list = lists[end.list];
         if (end.list == most_lists - 1) list.clear(lanes), end.far[1] = select(lanes, end.near[1], end.far[1]);
         const MeshCrossing found = next_of_mesh(own, lanes, end.near[1], all, end.far[1], list);
-        const Mask<S> inside = (lanes & (end.near[0] == S(-inf))) | (all & list.odd_in_all);
+        const Mask<S> inside = (lanes & (end.near[0] == S(-inf))) | (all & mask_of<S>(list.odd_in_all));
         const S place = place_of(own, found);
         end.near[0] = select(lanes, select(inside, S(-inf), place), end.near[0]);
         end.far[0] = select(inside, place, end.far[0]);

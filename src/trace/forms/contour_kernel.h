@@ -1,5 +1,7 @@
 // Ray queries on bodies with contours, which have faces for each of their pieces.
 #pragma once
+#include <bit>
+
 #include "trace/forms/form_kernel.h"
 
 namespace strahl::inline STRAHL_LEVEL {
@@ -46,13 +48,14 @@ struct FormFunctions<OwnForm, S> : SingleByPack<FormFunctions<OwnForm, S>, S> {
         hit = {own.shape.at(pieces_of(world.contour_pieces, first, faces), ray, t, faces), own.surface + faces,
                own.surface};
     }
-    static void cross_beyond(const World<T>& world, int first, int count, const Ray<S>& ray, Mask<S> mask,
-                             const S& place, MeshCrossings<S>& found) {
-        for (int i = first; i < first + count; ++i)
-            each_crossing(world, i, ray, mask, [&](Mask<S> lanes, const S& t, const S& surface) {
-                lanes = lanes & (t > place);
-                if (any(lanes)) found.add(lanes, t, surface);
-            });
+    static void list_crossings(const World<T>& world, const CompositeLeaf& leaf, const Ray<S>& ray, Mask<S> mask,
+                               const S& place, const S&, Mask<S>, MeshCrossings<S>& found) {
+        each_crossing(world, leaf.item, ray, mask, [&](Mask<S> lanes, const S& t, const S& surface) {
+            for (unsigned left = bits(lanes & (t > place)); left; left &= left - 1) {
+                const int k = std::countr_zero(left);
+                found.add(k, lane(t, k), lane(surface, k));
+            }
+        });
     }
 
   private:
@@ -100,7 +103,7 @@ requires has_contours<Kind>
 const std::array<FormCalls<S>, 1> KindCalls<Kind, S>::calls = [] {
     using Own = FormFunctions<Form<Kind, 0>, S>;
     FormCalls<S> calls{&Own::intersect, &Own::intersect_single, &Own::occlude, &Own::occlude_single};
-    calls.surfaces_at = &Own::surfaces_at, calls.cross_beyond = &Own::cross_beyond;
+    calls.surfaces_at = &Own::surfaces_at, calls.list_crossings = &Own::list_crossings;
     return std::array{calls};
 }();
 

@@ -1,6 +1,8 @@
 // The interface of a form's items, called through a table: compiled once per form, precision and SIMD level.
 #pragma once
+#include <algorithm>
 #include <array>
+#include <utility>
 
 #include "trace/forms/items_kernel.h"
 
@@ -30,33 +32,41 @@ struct LeafEnds {
 /// ascending, at infinity if there are fewer, each with the least number of the surfaces there.
 template <class S>
 struct MeshCrossings {
+    using T = Element<S>;
     static constexpr int most = 8;
-    S t[most], surface[most];
-    Mask<S> odd[most];   // whether the number of triangles there is odd
-    Mask<S> odd_in_all;  // and of all triangles looked at, also those further off
+    alignas(64) T t[most][width<S>], surface[most][width<S>];
+    unsigned odd[most];   // by lane, whether the number of triangles there is odd
+    unsigned odd_in_all;  // and of all triangles looked at, also those further off
 
+    /// Forgets all.
+    void clear() {
+        for (int k = 0; k < most; ++k) store_lanes(t[k], S(std::numeric_limits<T>::infinity())), odd[k] = 0;
+        odd_in_all = 0;
+    }
     /// Forgets what the lanes of the mask hold.
     void clear(Mask<S> lanes) {
         for (int k = 0; k < most; ++k) {
-            t[k] = select(lanes, S(std::numeric_limits<Element<S>>::infinity()), t[k]);
-            odd[k] = odd[k] & !lanes;
+            store_lanes(t[k], select(lanes, S(std::numeric_limits<T>::infinity()), load_lanes<S>(t[k])));
+            odd[k] &= ~bits(lanes);
         }
-        odd_in_all = odd_in_all & !lanes;
+        odd_in_all &= ~bits(lanes);
     }
-    /// Adds a crossing, in the lanes of the mask.
-    [[gnu::noinline]] void add(Mask<S> lanes, S place, S own) {
-        odd_in_all = (lanes & !odd_in_all) | (odd_in_all & !lanes);
-        Mask<S> own_odd = lanes;
-        for (int k = 0; k < most && any(lanes); ++k) {  // what is further off moves on
-            const Mask<S> same = lanes & (place == t[k]), nearer = lanes & (place < t[k]);
-            const S moved = t[k], moved_surface = surface[k];
-            const Mask<S> moved_odd = odd[k];
-            t[k] = select(nearer, place, moved);
-            surface[k] = select(nearer, own, select(same, min(own, moved_surface), moved_surface));
-            odd[k] = (nearer & own_odd) | (same & !moved_odd) | (moved_odd & !(nearer | same));
-            lanes = lanes & !(same | (nearer & !(moved < S(std::numeric_limits<Element<S>>::infinity()))));
-            place = select(nearer, moved, place), own = select(nearer, moved_surface, own);
-            own_odd = (nearer & moved_odd) | (own_odd & !nearer);
+    /// Adds a crossing of the ray of a lane.
+    void add(int lane, T place, T own) {
+        odd_in_all ^= 1u << lane;
+        unsigned own_odd = 1u << lane;
+        for (int k = 0; k < most; ++k) {  // what is further off moves on
+            const T here = t[k][lane];
+            if (here < place) continue;
+            if (here == place) {
+                surface[k][lane] = std::min(own, surface[k][lane]), odd[k] ^= own_odd;
+                return;
+            }
+            const unsigned odd_here = odd[k] & 1u << lane;
+            odd[k] ^= odd_here ^ own_odd, own_odd = odd_here;
+            t[k][lane] = place, place = here;
+            std::swap(surface[k][lane], own);
+            if (!(place < std::numeric_limits<T>::infinity())) return;
         }
     }
 };
@@ -94,12 +104,10 @@ struct FormFunctions {
                             SurfaceHit<S>& hit, int* materials);
     /// Finds the spans of rays in a leaf of a composite.
     static void ends(const World<T>& world, int item, const Ray<S>& ray, LeafEnds<S>& ends);
-    /// Finds where rays cross the items beyond distance `place`, in the lanes of the mask.
-    static void cross_beyond(const World<T>& world, int first, int count, const Ray<S>& ray, Mask<S> mask,
-                             const S& place, MeshCrossings<S>& found);
-    /// Does the same for the ray of lane k, which is in all lanes, with the items of a leaf side by side.
-    static void cross_beyond_single(const World<T>& world, int first, int count, const Ray<S>& one, int k,
-                                    const S& place, MeshCrossings<S>& found);
+    /// Lists the nearest places beyond `place` where rays cross a leaf of a composite whose crossings are listed, up to
+    /// `limit`; further ones may be missing. In the lanes of `all` every crossing beyond `place` is counted.
+    static void list_crossings(const World<T>& world, const CompositeLeaf& leaf, const Ray<S>& ray, Mask<S> lanes,
+                               const S& place, const S& limit, Mask<S> all, MeshCrossings<S>& found);
     // The two below are never called for hot forms: see if_hot(). Only convex forms have the second.
     /// Finds the points at distance `t` where rays first meet an item, the same for all.
     static void surface_at(const World<T>& world, int item, const Ray<S>& ray, const S& t, SurfaceHit<S>& hit);
@@ -153,8 +161,8 @@ struct FormCalls {
     bool (*occlude_single)(const W&, int, int, SingleRay<S>&);
     void (*surfaces_at)(const W&, const int*, const Ray<S>&, const S&, const S&, SurfaceHit<S>&, int*) = nullptr;
     void (*ends)(const W&, int, const Ray<S>&, LeafEnds<S>&) = nullptr;
-    void (*cross_beyond)(const W&, int, int, const Ray<S>&, Mask<S>, const S&, MeshCrossings<S>&) = nullptr;
-    void (*cross_beyond_single)(const W&, int, int, const Ray<S>&, int, const S&, MeshCrossings<S>&) = nullptr;
+    void (*list_crossings)(const W&, const CompositeLeaf&, const Ray<S>&, Mask<S>, const S&, const S&, Mask<S>,
+                           MeshCrossings<S>&) = nullptr;
     void (*surface_at)(const W&, int, const Ray<S>&, const S&, SurfaceHit<S>&) = nullptr;
     Span<S> (*span)(const W&, int, const Ray<S>&) = nullptr;
 };

@@ -2,6 +2,7 @@
 // reading the headers takes half as long as compiling a kind, so each level reads them once.
 #pragma once
 #include "trace/forms/form_kernel.h"
+#include "trace/hierarchy/traverse.h"
 #include "trace/world/triangle_of.h"
 
 namespace strahl::inline STRAHL_LEVEL {
@@ -229,32 +230,33 @@ void FormFunctions<Form, S>::ends(const World<T>& world, int item, const Ray<S>&
 }
 
 template <class Form, class S>
-void FormFunctions<Form, S>::cross_beyond(const World<T>& world, int first, int count, const Ray<S>& ray, Mask<S> mask,
-                                          const S& place, MeshCrossings<S>& found) {
-    for (int i = first; i < first + count; ++i) {
-        const auto& item = world.groups.template get<Form>().items[i];
-        auto crossed = cross<Form>(item, ray, cross_one);
-        settle_start(world, i, 0, item, ray, mask, crossed);
-        const Mask<S> beyond = mask & crossed.hit & (crossed.far > place);
-        if (any(beyond)) found.add(beyond, crossed.far, S(item.surface));
-    }
-}
-
-template <class Form, class S>
-void FormFunctions<Form, S>::cross_beyond_single(const World<T>& world, int first, int count, const Ray<S>& one, int k,
-                                                 const S& place, MeshCrossings<S>& found) {
+void FormFunctions<Form, S>::list_crossings(const World<T>& world, const CompositeLeaf& mesh, const Ray<S>& ray,
+                                            Mask<S> lanes, const S& place, const S& limit, Mask<S> all,
+                                            MeshCrossings<S>& found) {
     const auto& group = world.groups.template get<Form>();
-    const Mask<S> own = first_lanes<S>(k + 1) & !first_lanes<S>(k);
-    for (int i = first; i < first + count; i += width<S>) {
-        const auto item = load_of_leaf<S>(group, first, count, i);
-        const S surface = item.surface;
-        const Mask<S> items = first_lanes<S>(first + count - i);
-        auto crossed = cross<Form>(item, one, cross_each);
-        settle_start(world, i, 1, item, one, items, crossed);
-        for (unsigned hits = bits(items & crossed.hit & (crossed.far > S(lane(place, k)))); hits; hits &= hits - 1) {
-            const int n = std::countr_zero(hits);
-            found.add(own, S(lane(crossed.far, n)), S(lane(surface, n)));
-        }
+    const TraversalRay<S> line = traversal_ray(ray);
+    for (unsigned left = bits(lanes); left; left &= left - 1) {
+        const int k = std::countr_zero(left);
+        const bool every = bits(all) >> k & 1;
+        const T most = every ? std::numeric_limits<T>::infinity() : lane(limit, k);
+        T end = most;
+        const Ray<S> one = lane_of(ray, k);
+        const S from(lane(place, k));
+        visit_leaves(mesh.nodes, lane_of(line, k), end, [&](int first, int count) {
+            for (int i = first; i < first + count; i += width<S>) {
+                const auto item = load_of_leaf<S>(group, first, count, i);
+                const Mask<S> items = first_lanes<S>(first + count - i);
+                auto crossed = cross<Form>(item, one, cross_each);
+                settle_start(world, i, 1, item, one, items, crossed);
+                unsigned hits = bits(items & crossed.hit & (crossed.far > from));
+                if (!hits) continue;
+                for (; hits; hits &= hits - 1) {
+                    const int n = std::countr_zero(hits);
+                    found.add(k, lane(crossed.far, n), lane(S(item.surface), n));
+                }
+                if (!every) end = std::min(most, found.t[found.most - 1][k]);
+            }
+        });
     }
 }
 
@@ -265,7 +267,7 @@ constexpr FormCalls<S> calls_of() {
     calls.surfaces_at = &Own::surfaces_at;
     if constexpr (Form::Kind::closed && Form::Kind::bounded) calls.ends = &Own::ends;
     if constexpr (Form::compact && !Form::hot)  // the forms of meshes
-        calls.cross_beyond = &Own::cross_beyond, calls.cross_beyond_single = &Own::cross_beyond_single;
+        calls.list_crossings = &Own::list_crossings;
     if constexpr (!Form::hot) calls.surface_at = &Own::surface_at;
     if constexpr (!Form::hot && Form::Kind::convex) calls.span = &Own::span;
     return calls;
