@@ -5,7 +5,8 @@ target_link_libraries(strahl_referee PUBLIC strahl_scene)
 
 strahl_tests(test_trace unit/trace "strahl_text;strahl_image;strahl_trace;strahl_referee" referee kernel
              light_culling hierarchy bound accuracy hashes tracing sampling footprints pattern_means lattice_cells area_light thin
-             motion tracks patterns images reliefs split_unions composites)
+             motion tracks patterns images reliefs split_unions composites
+             finishes)
 strahl_tests(test_trace unit/scene "" prisms lathes superellipsoids)
 strahl_tests(test_trace unit "" structure)
 # It makes a kernel of its own.

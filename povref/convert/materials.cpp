@@ -83,7 +83,8 @@ std::string seen_through(const Material& m, const std::string& weight, const std
 
 /// Returns a layer of POV-Ray's finish.
 std::vector<std::string> layer_finish(const Material& m) {
-    std::vector<std::string> terms{"ambient rgb " + text_of(m.ambient * m.glow), "diffuse " + text_of(m.diffuse)};
+    std::vector<std::string> terms{"ambient rgb " + text_of(m.ambient * m.glow),
+                                   "diffuse " + text_of(m.diffuse) + (m.behind > 0 ? ", " + text_of(m.behind) : "")};
     const auto add = [&](bool applies, const std::string& term) {
         if (applies) terms.push_back(term);
     };
@@ -110,8 +111,12 @@ std::string layers_of(const Material& m, const std::string& indent) {
     lowest.rgb.transmit += m.refraction;
     std::string text = texture(pigment_text(lowest.rgb), layer_finish(m), indent, m.coats.empty() ? m.bump : Bump{});
     for (const Material& coat : m.coats)
-        text += "\n" + indent + texture(pigment_text(coat.rgb), layer_finish(coat), indent,
-                                        &coat == &m.coats.back() ? m.bump : Bump{});
+        if (coat.shares())
+            break;
+        else
+            text +=
+                "\n" + indent +
+                texture(pigment_text(coat.rgb), layer_finish(coat), indent, &coat == &m.coats.back() ? m.bump : Bump{});
     return text;
 }
 
@@ -120,6 +125,7 @@ PovMaterial describe(const Material& m, const std::string& name, const Circumsta
     pov.patterned = m.patterned();
     pov.transparent = m.transmits();
     if (m.shadow == 0) pov.hides.push_back("no_shadow");
+    if (m.both_sides > 0) pov.hides.push_back("double_illuminate");
     if (m.seen == 0) pov.hides.push_back("no_image");
     if (m.mirrored == 0) pov.hides.push_back("no_reflection");
     if (!m.plain()) {

@@ -224,6 +224,9 @@ std::string light_section(const Scene& scene, const std::vector<Camera>& cameras
         if (light.direction)
             items.insert(items.end(),
                          {"parallel", "point_at " + (light.from ? placed(*light.from + *light.direction) : "0")});
+        if (light.beam > 0)
+            items.push_back("cylinder radius " + scaled(text_of(light.core), plan) + " falloff " +
+                            scaled(text_of(light.beam), plan) + " tightness " + text_of(light.tightness));
         if (light.area) {
             const auto [u, v, columns, rows] = *light.area;
             const std::string size = columns == 0 ? "16, 16" : std::to_string(columns) + ", " + std::to_string(rows);

@@ -44,12 +44,17 @@ void follow(Camera& camera, const std::vector<Follow>& follows, const TrackValue
 void follow(Light& light, const TrackValues& values) {
     const Light declared = light;
     set_followed(light.follows, values, [&](const std::string& name) {
-        return name == "position"    ? target(light.position)
-               : name == "direction" ? target(light.direction)
-               : name == "color"     ? target(light.color)
-               : name == "look_at"   ? (light.spot ? target(light.spot->look_at) : FollowTarget{})
-               : light.spot          ? field_of(*light.spot, name)
-                                     : FollowTarget{};
+        return name == "position"                   ? target(light.position)
+               : name == "direction"                ? target(light.direction)
+               : name == "color"                    ? target(light.color)
+               : name == "beam"                     ? target(light.beam)
+               : name == "core"                     ? target(light.core)
+               : name == "fade_distance"            ? target(light.fade_distance)
+               : name == "fade_power"               ? target(light.fade_power)
+               : name == "tightness" && !light.spot ? target(light.tightness)
+               : name == "look_at"                  ? (light.spot ? target(light.spot->look_at) : FollowTarget{})
+               : light.spot                         ? field_of(*light.spot, name)
+                                                    : FollowTarget{};
     });
     light.follows.clear();
     if (light.direction && *light.direction == DVec3(0)) light.direction = declared.direction;

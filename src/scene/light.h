@@ -27,7 +27,7 @@ struct Spot {
 /// A rectangle that shines from all its points, each in all directions, and is not seen itself. With a grid it is that
 /// many points instead, the outer ones on its edges.
 struct Area {
-    DVec3 u{0}, v{0};          // its edges, perpendicular to each other
+    DVec3 u{0}, v{0};           // its edges, perpendicular to each other
     int columns = 0, rows = 0;  // of the grid; 0 if there is none
     bool operator==(const Area&) const = default;
 };
@@ -49,6 +49,10 @@ struct Light {
     bool soft = false, circular = false, orient = false;
     double adaptive = 100;
     std::optional<DVec3> from{};
+    /// With `beam` above 0, parallel light from that plane shines only around the axis through `from`: at a distance d
+    /// from it, with s = 1 - d / beam, it is multiplied by s^tightness and, beyond a `core` above 0, by
+    /// u^2 (3 - 2 u), where u falls from 1 to 0 as s does, as that of POV-Ray's cylinders.
+    double beam = 0, core = 0, tightness = 0;
     /// With both above 0 its light is multiplied by 2 / (1 + (distance / fade_distance)^fade_power), as in POV-Ray.
     double fade_distance = 0, fade_power = 0;
     std::optional<Motion> motion{};  // of its position, direction, edges, and the point that its spot looks at

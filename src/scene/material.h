@@ -1,7 +1,9 @@
 // The material of a body: the coefficients of the article's illumination equation, and what POV-Ray has besides.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "scene/pattern.h"
@@ -28,7 +30,9 @@ struct Material {
     // incidence)^falloff, or with fresnel the reflectance by `ior`. `gilding` is what `metallic` is for highlights.
     Color mirror{1};
     double facing = 1, falloff = 1, fresnel = 0, gilding = 0;
-    double shadow = 1;  // 0: the body casts none
+    double shadow = 1;              // 0: the body casts none
+    double behind = 0;              // diffuse light of lights behind the surface
+    double both_sides = 0;          // 1: lights behind the surface light it as those before it do
     double conserve = 0;            // 1: what comes through is multiplied by 1 less what is reflected
     double seen = 1, mirrored = 1;  // 0: rays go through it that come from the eye, or from mirrors
     // With fade_distance > 0 light is multiplied by c + (1 - c) / (1 + (d / fade_distance)^fade_power), of the colour
@@ -40,15 +44,39 @@ struct Material {
     Bump bump{};                    // bends the normals that `normal` has bent
     std::vector<Follow> follows{};  // numbers of it that follow tracks
     /// Layers above this one, the lowest first: each lights, mirrors and lets through light by its own colour and
-    /// finish. Their refraction, ior, normal and bump do not count, nor what is said of the body as a whole.
+    /// finish. Their refraction, ior, normal and bump do not count, nor what is said of the body as a whole. A coat
+    /// with a share other than 1 begins another stack of layers, with its own share: the light of all stacks is added.
     std::vector<Material> coats{};
+    Pigment share{Color(1)};
 
     bool operator==(const Material&) const = default;
     /// Is the body transparent?
     bool transmits() const {
-        bool all = refraction > 0 || rgb.clear();
-        for (const Material& coat : coats) all = all && coat.rgb.clear();
+        bool any = false, all = refraction > 0 || rgb.clear();
+        for (const Material& coat : coats) {
+            if (coat.shares()) any |= std::exchange(all, true);
+            all = all && coat.rgb.clear();
+        }
+        return any || all;
+    }
+    /// Does it begin a stack of layers whose light is multiplied by its share?
+    bool shares() const { return !(share == Pigment(Color(1))); }
+    /// Returns the largest of its shares, and at least 1.
+    double most_share() const {
+        const auto most = [](const Color& c) { return std::max({1., c.x, c.y, c.z}); };
+        double all = most(share.color);
+        for (const Material& coat : coats) all = std::max(all, most(coat.share.color));
         return all;
+    }
+    /// Returns the light that comes through all layers, or the most of it: by the colours, and so much besides by
+    /// `refraction`.
+    Color passed(const Color& refracted) const {
+        Color sum(0), own = rgb.color * rgb.filter + Color(rgb.transmit) + refracted, factor = share.color;
+        for (const Material& coat : coats) {
+            if (coat.shares()) sum = sum + std::exchange(factor, coat.share.color) * std::exchange(own, Color(1));
+            own = own * (coat.rgb.color * coat.rgb.filter + Color(coat.rgb.transmit));
+        }
+        return sum + factor * own;
     }
     /// Is it, or could a track make it so?
     bool may_transmit() const { return transmits() || any_follows(follows, "refraction"); }
@@ -56,15 +84,16 @@ struct Material {
     bool plain() const {
         return blinn == 0 && metallic == 0 && brilliance == 1 && glow == Color(1) && mirror == Color(1) &&
                facing == 1 && fresnel == 0 && gilding == 0 && shadow == 1 && conserve == 0 && seen == 1 &&
-               mirrored == 1 && fade_distance == 0 && coats.empty() && !rgb.clear();
+               mirrored == 1 && behind == 0 && both_sides == 0 && fade_distance == 0 && coats.empty() && !rgb.clear() &&
+               !shares();
     }
     /// Does light fade inside the body?
     bool fades() const { return fade_distance > 0 && transmits(); }
     bool bends() const { return normal.pattern || bump.pattern; }
     /// Does it vary across the body?
     bool patterned() const {
-        bool any = rgb.pattern || bends();
-        for (const Material& coat : coats) any = any || coat.rgb.pattern;
+        bool any = false;
+        each_pattern([&](const Pattern&) { any = true; });
         return any;
     }
     /// Does it have a pattern that is mapped by uv?
@@ -77,10 +106,11 @@ struct Material {
     /// Calls visit(pattern) for each of its patterns.
     template <class Visit>
     void each_pattern(const Visit& visit) const {
-        for (const Pattern* const own : {rgb.pattern.get(), normal.pattern.get(), bump.pattern.get()})
+        const auto look = [&](const std::shared_ptr<const Pattern>& own) {
             if (own) visit(*own);
-        for (const Material& coat : coats)
-            if (coat.rgb.pattern) visit(*coat.rgb.pattern);
+        };
+        look(rgb.pattern), look(share.pattern), look(normal.pattern), look(bump.pattern);
+        for (const Material& coat : coats) look(coat.rgb.pattern), look(coat.share.pattern);
     }
 
     static constexpr auto fields = std::make_tuple(
@@ -110,6 +140,14 @@ struct Material {
               Range::zero_to_one},
         Field{"gilding", &Material::gilding, "how much mirror images have the colour of the body", Range::zero_or_more},
         Field{"shadow", &Material::shadow, "0: the body casts no shadow", Range::zero_to_one},
+        Field{"behind", &Material::behind, "share of the light from behind that is scattered diffusely",
+              Range::zero_or_more},
+        Field{"both_sides", &Material::both_sides, "1: lights behind the surface light it as those before it do",
+              Range::zero_to_one},
+        Field{"share", &Material::share,
+              "factors of its light; a coat that has some begins other layers, whose light is added to that of those "
+              "before, so that with a pattern and its reverse two materials are mixed",
+              Range::zero_or_more},
         Field{"conserve", &Material::conserve, "1: light that comes through is dimmed by the share that is reflected",
               Range::zero_to_one},
         Field{"seen", &Material::seen, "0: the eye looks through the body, and only mirrors show it",

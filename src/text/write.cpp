@@ -166,6 +166,9 @@ std::string light_text(const Light& light) {
     if (light.adaptive != Light{}.adaptive) text += "  adaptive " + text_of(light.adaptive);
     if (light.circular) text += "  circular";
     if (light.orient) text += "  orient";
+    if (light.beam != 0) text += "  beam " + text_of(light.beam, follows, "beam");
+    if (light.core != 0) text += "  core " + text_of(light.core, follows, "core");
+    if (light.tightness != 0) text += "  tightness " + text_of(light.tightness, follows, "tightness");
     if (light.fade_distance != 0) text += "  fade_distance " + text_of(light.fade_distance, follows, "fade_distance");
     if (light.fade_power != 0) text += "  fade_power " + text_of(light.fade_power, follows, "fade_power");
     if (light.motion) return text + "\n  " + text_of(*light.motion, "\n  ") + "\n}\n";

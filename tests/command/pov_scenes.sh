@@ -9,13 +9,13 @@ cat >ball.pov <<'POV'
 #include "blue.inc"
 camera { location -6*z look_at 0 angle 40 }
 light_source { <-5, 5, -9> rgb 1 }
-sphere { <clock, 0, 0>, 1 pigment { Blue } finish { diffuse .6, .2 } }
+sphere { <clock, 0, 0>, 1 pigment { Blue } finish { diffuse .6 reflection { .1 exponent 2 } } }
 sphere { 0, 1 pigment { Blue } interior { media { emission .1 } } hollow }
 POV
-sed -e 's|, .2 }| }|' -e '/media/d' ball.pov >whole.pov
+sed -e 's| reflection { .1 exponent 2 }||' -e '/media/d' ball.pov >whole.pov
 
 expect 3 "cannot find 'blue.inc'" check ball.pov
-expect 0 "ball.pov:4: approximated: light from behind" check ball.pov --library shared
+expect 0 "ball.pov:4: approximated: 'exponent' of a reflection" check ball.pov --library shared
 expect 0 "ball.pov:5: left out: media" check ball.pov --library shared
 expect 0 "approximated in 1 place, left out in 1 place" check ball.pov --library shared
 expect 0 "opens whole" check whole.pov --library shared

@@ -141,6 +141,8 @@ void SceneMaker::take_over(const ObjectThing& object, Looks& own) {
     own.no_shadow |= object.no_shadow.value_or(false);
     own.no_image |= object.no_image.value_or(false);
     own.no_reflection |= object.no_reflection.value_or(false);
+    own.both_sides |= object.both_sides.value_or(false);
+    if (object.both_sides) own.shared = nullptr;
 }
 
 /// Returns the steps from an object's own space into that of its texture.
@@ -168,8 +170,10 @@ int SceneMaker::number_of(Shared& shared) {
 /// Returns the number of a material; `way()` leads from its texture's space into that where it holds.
 template <class Way>
 int SceneMaker::number_of(const Looks& own, bool mapped, const Way& way) {
-    const MaterialUse use{
-        .mapped = mapped, .shadow_only = own.no_image && own.no_reflection, .no_shadow = own.no_shadow};
+    const MaterialUse use{.mapped = mapped,
+                          .shadow_only = own.no_image && own.no_reflection,
+                          .no_shadow = own.no_shadow,
+                          .both_sides = own.both_sides};
     return materials.number(own.texture, own.interior, use, way);
 }
 

@@ -1,7 +1,6 @@
 // Makes a scene's lights of POV-Ray's.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <type_traits>
 #include <utility>
 
@@ -62,18 +61,15 @@ void SceneMaker::add_light(const ObjectThing& object, const Around& around) {
     if (own.parallel && target != light.position) {
         light.direction = target - light.position;
         light.from = std::exchange(light.position, DVec3(0));
-        approximated(own.sort != LightThing::Sort::point, "a parallel light shines everywhere");
+        if (own.sort == LightThing::Sort::cylinder) {
+            light.beam = own.falloff.value_or(1), light.core = std::max(own.radius.value_or(.75), 0.);
+            light.tightness = std::clamp(own.tightness.value_or(0), 0., 1e9);
+            if (!(light.beam > 0)) return;
+        }
     } else if (own.sort != LightThing::Sort::point && target != light.position) {
         Spot spot{.look_at = target};
-        const double angle = 180 / std::numbers::pi, distance = length(target - light.position);
-        if (own.sort == LightThing::Sort::cylinder) {
-            spot.radius = std::atan(own.radius.value_or(.75) / distance) * angle;
-            spot.falloff = std::atan(own.falloff.value_or(1) / distance) * angle;
-            approximated(true, "a cylinder light is a spotlight");
-        } else {
-            spot.radius = own.radius.value_or(30), spot.falloff = own.falloff.value_or(45);
-            spot.tightness = std::clamp(own.tightness.value_or(0), 0., 1e9);
-        }
+        spot.radius = own.radius.value_or(30), spot.falloff = own.falloff.value_or(45);
+        spot.tightness = std::clamp(own.tightness.value_or(0), 0., 1e9);
         approximated(std::max(spot.radius, spot.falloff) > 90, "a spotlight shines at most 90 degrees off its axis");
         spot.radius = std::clamp(spot.radius, 0., 90.);
         spot.falloff = std::clamp(spot.falloff, spot.radius, 90.);  // light ends at a radius beyond the falloff
@@ -102,7 +98,8 @@ void SceneMaker::add_light(const ObjectThing& object, const Around& around) {
     const double reach =
         std::max({std::fabs(light.position.x), std::fabs(light.position.y), std::fabs(light.position.z)});
     if (!(reach <= 1e9)) {
-        light.direction = -light.position, light.position = DVec3(0), light.spot.reset(), light.area.reset();
+        light.direction = -light.position, light.position = DVec3(0), light.spot.reset(), light.area.reset(),
+        light.beam = 0;
         light.from.reset(), light.soft = light.circular = light.orient = false, light.adaptive = Light{}.adaptive;
         approximated(true, "a light further away than 1e9 is parallel light");
     }

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace strahl::pov {
 namespace {
+
+constexpr std::size_t most_layers = 8;
 
 /// Limits a value to a range that scene text allows.
 double share(double v) { return std::isfinite(v) ? std::clamp(tidy(v), 0., 1.) : 0; }
@@ -16,12 +19,35 @@ bool same_finish(const LayerValues& a, const LayerValues& b) {
     return own == other && !a.normal.blend && !b.normal.blend;
 }
 
+/// Returns the pattern of a texture whose pattern shows textures, or null.
+const Blend* blend_of(const TextureThing& texture) {
+    const Blend& blend = texture.layers.back().blend;
+    const auto is_texture = [](const MapEntry& entry) {
+        return dynamic_cast<const TextureThing*>(entry.thing.get()) != nullptr;
+    };
+    const bool any = blend && blend.map && !blend.map->entries.empty();
+    return any && std::ranges::all_of(blend.map->entries, is_texture) ? &blend : nullptr;
+}
+
+/// Are there more textures than this in a pattern of textures, and in those within it? Takes them from `left`.
+bool holds_more(const Blend& blend, int& left) {
+    if (!blend.map) return false;
+    return std::ranges::any_of(blend.map->entries, [&](const MapEntry& entry) {
+        const auto* const texture = dynamic_cast<const TextureThing*>(entry.thing.get());
+        return left-- == 0 || (texture && holds_more(texture->layers.back().blend, left));
+    });
+}
+
 /// Returns a texture for a pattern of textures: their pigments in the pattern, with the finish and the normal of the
 /// one that it shows most. That is the same if they differ in their pigments only.
 std::shared_ptr<const LayerValues> without_blend(const LayerValues& layer, const NoteTaker& notes) {
     const std::shared_ptr<const LayerValues> itself(std::shared_ptr<void>(), &layer);
     if (layer.blend.ignored == word("material_map"))
         notes.left_out(layer.place, "all textures of a material_map but the first");
+    if (int left = 4096; holds_more(layer.blend, left)) {
+        notes.approximated(layer.blend.place, "of thousands of textures in a pattern none is shown");
+        return itself;
+    }
     if (!layer.blend || !layer.blend.map || layer.blend.map->entries.empty()) return itself;
     std::vector<std::shared_ptr<const LayerValues>> parts;
     auto pigments = std::make_shared<MapThing>(*layer.blend.map);
@@ -48,6 +74,83 @@ std::shared_ptr<const LayerValues> without_blend(const LayerValues& layer, const
     return own;
 }
 
+/// A texture that patterns of textures show: its layers, the lowest first, in the space of the outermost pattern.
+using Shown = std::vector<LayerValues>;
+
+/// Moves a layer from the space of a pattern that shows it into the space around this.
+void move_out(LayerValues& layer, const Blend& around) {
+    if (around.uv) set_by_uv(layer);
+    PigmentThing& own = layer.pigment;
+    const bool moves = !around.warps.empty() || around.turbulence != DVec3(0);
+    append(layer.normal.blend.steps, around.steps);
+    if (!own.blend || !moves) return append(own.blend.steps, around.steps);
+    // A mean of one is in the space that warps and turbulence lead to.
+    PigmentThing whole;
+    whole.blend = around;
+    if (around.word == word("marble") || around.word == word("wood")) whole.blend.turbulence = DVec3(0);
+    whole.blend.word = word("average"), whole.blend.values = nullptr, whole.blend.image = nullptr;
+    whole.blend.function = nullptr, whole.blend.pigment = nullptr, whole.blend.slopes = nullptr;
+    auto map = std::make_shared<MapThing>();
+    map->entries.push_back({.at = 1, .thing = std::make_shared<PigmentThing>(std::move(own))});
+    whole.blend.map = std::move(map);
+    own = std::move(whole);
+}
+
+/// Collects the textures that patterns of textures show, those within each other in the order of their maps. Returns
+/// false if there are too many.
+bool collect(const TextureThing& texture, std::vector<const Blend*>& around, std::vector<Shown>& all) {
+    constexpr std::size_t most = 64, deepest = 4;
+    const Blend* const blend = blend_of(texture);
+    if (all.size() == most || around.size() > deepest) return false;
+    if (!blend) {
+        all.push_back(texture.layers);
+        for (LayerValues& layer : all.back())
+            for (std::size_t i = around.size(); i-- > 0;) move_out(layer, *around[i]);
+        return true;
+    }
+    around.push_back(blend);
+    const bool fits = std::ranges::all_of(blend->map->entries, [&](const MapEntry& entry) {
+        return collect(*static_cast<const TextureThing*>(entry.thing.get()), around, all);
+    });
+    around.pop_back();
+    return fits;
+}
+
+/// Returns the share of textures that are shown: a pigment that is white where they are, and black elsewhere. `next`
+/// is the number of the first texture of `texture` among all that were collected.
+PigmentThing share_of(const TextureThing& texture, const std::vector<std::size_t>& stacks, std::size_t stack,
+                      std::size_t& next) {
+    const Blend* const blend = blend_of(texture);
+    const float white = !blend && stacks[next++] == stack ? 1.f : 0.f;
+    PigmentThing own;
+    own.color = {white, white, white};
+    if (!blend) return own;
+    own.blend = *blend;
+    auto map = std::make_shared<MapThing>(*blend->map);
+    for (MapEntry& entry : map->entries) {
+        const PigmentThing part = share_of(*static_cast<const TextureThing*>(entry.thing.get()), stacks, stack, next);
+        entry.color = part.color;
+        entry.thing = part.blend ? std::make_shared<PigmentThing>(part) : nullptr;
+    }
+    own.blend.map = std::move(map);
+    return own;
+}
+
+/// Returns the share of some of the textures at a triangle's corners: 1 at their corners, 0 at others. As in POV-Ray
+/// a texture of less than `least` does not count.
+Pigment share_of_corners(const std::vector<std::size_t>& stacks, std::size_t stack, double least) {
+    const auto own = [&](std::size_t corner) { return double(stacks[corner] == stack); };
+    const bool falls = own(0) > 0;
+    const double x = falls ? 1 - own(1) : own(1), y = falls ? 1 - own(2) : own(2);
+    // A ramp from 0 to 1/2 across the triangle.
+    Pattern ramp{.kind = Gradient{{x, y, 0}}, .colors = {}, .transformations = {Scale{DVec3(2 / std::hypot(x, y))}}};
+    ramp.by_uv = true;
+    for (const auto& [at, share] : {std::pair(0., 0.), {least, 0.}, {least, least}, {1., 1.}})
+        ramp.colors.push_back({falls ? .5 - at / 2 : at / 2, Color(share)});
+    if (falls) std::ranges::reverse(ramp.colors);
+    return Pigment(std::move(ramp));
+}
+
 /// Is the object a light, or does it hold one?
 bool shines(const ObjectThing& object) {
     return object.light || std::ranges::any_of(object.parts, [](const auto& part) { return shines(*part); });
@@ -62,6 +165,8 @@ bool MaterialMaker::lit() {
 }
 
 bool MaterialMaker::has_pattern(const TextureThing& texture) {
+    for (const auto& corner : texture.corners)
+        if (has_pattern(*corner)) return true;
     return std::ranges::any_of(texture.layers, [](const LayerValues& layer) {
         return layer.blend || layer.pigment.blend || layer.normal.blend;
     });
@@ -69,7 +174,7 @@ bool MaterialMaker::has_pattern(const TextureThing& texture) {
 
 int MaterialMaker::without_patterns(int number) {
     Material own = (*this)[number];
-    own.rgb = Pigment(own.rgb.color);
+    own.rgb = Pigment(own.rgb.color), own.share = Pigment(Color(1));
     own.bump = {};
     own.coats.clear();
     return materials.number(own);
@@ -89,6 +194,7 @@ int MaterialMaker::apart(int number) {
         return marked;
     };
     if (own.rgb.pattern) own.rgb = Pigment(mark(own.rgb.pattern));
+    if (own.share.pattern) own.share = Pigment(mark(own.share.pattern));
     if (own.bump.pattern) own.bump.pattern = std::make_shared<const Pattern>(mark(own.bump.pattern));
     return materials.number(own);
 }
@@ -156,43 +262,112 @@ void MaterialMaker::set_layer(Material& layer, const FinishThing& finish) {
                      "the two colours of a reflection are of one colour");
         approximated(reflection.exponent != 1, "'exponent' of a reflection is 1");
     }
-    approximated(finish.diffuse_behind > 0, "light from behind does not shine through");
+    layer.behind = coefficient(finish.diffuse_behind);
     if (finish.crand != 0) notes.left_out(finish.place, "'crand'");
     if (finish.irid) notes.left_out(finish.place, "'irid'");
     if (finish.subsurface) notes.left_out(finish.place, "'subsurface'");
 }
 
-Material MaterialMaker::layered_material_of(const TextureThing& texture, const InteriorThing* interior,
-                                            const MaterialUse& use, const Steps& way) {
+/// Returns a layer of a surface by its pigment and its finish.
+Material MaterialMaker::layer_of(const LayerValues& values, const Steps& way, bool mapped) {
+    Look look = pigments.look_of(values.pigment, way, mapped);
+    if (look.pigment.pattern && std::holds_alternative<ImagePattern>(look.pigment.pattern->kind) &&
+        look.filter + look.transmit > 0)
+        notes.approximated(values.place, "a picture that lets light through is opaque");
+    Material layer{.rgb = look.clear(), .reflection = 0, .specular = 0, .pow = 40};
+    set_layer(layer, values.finish);
+    if (values.finish.refraction.value_or(1) != 1)
+        notes.approximated(values.finish.place, "'refraction' of a finish is 1");
+    approximate_opacity(layer, values);
+    if (values.finish.conserve_energy && layer.reflection > 0 && layer.rgb.clear()) layer.conserve = 1;
+    return layer;
+}
+
+/// Returns the layers of a texture, the lowest with the others as its coats.
+Material MaterialMaker::layers_of(std::span<const LayerValues> layers, const Steps& way, bool mapped) {
     Material whole;
-    bool lowest = true;
-    const std::size_t count = std::min<std::size_t>(texture.layers.size(), 8);
-    if (count < texture.layers.size())
-        notes.approximated(texture.layers[0].place, "of the layers of a texture the upper eight are shown");
-    for (std::size_t i = texture.layers.size() - count; i < texture.layers.size(); ++i) {
-        const auto shown = without_blend(texture.layers[i], notes);
-        const LayerValues& values = *shown;
-        Look look = pigments.look_of(values.pigment, way, use.mapped);
-        if (look.pigment.pattern && std::holds_alternative<ImagePattern>(look.pigment.pattern->kind) &&
-            look.filter + look.transmit > 0)
-            notes.approximated(values.place, "a picture that lets light through is opaque");
-        Material layer{.rgb = look.clear(), .reflection = 0, .specular = 0, .pow = 40};
-        set_layer(layer, values.finish);
-        if (values.finish.refraction.value_or(1) != 1)
-            notes.approximated(values.finish.place, "'refraction' of a finish is 1");
-        approximate_opacity(layer, values);
-        if (values.finish.conserve_energy && layer.reflection > 0 && layer.rgb.clear()) layer.conserve = 1;
-        if (values.normal.blend && values.normal.amount != 0 && texture.layers.size() > 1)
-            notes.approximated(values.normal.blend.place, i + 1 < texture.layers.size()
+    for (const LayerValues& each : layers) {
+        const auto shown = without_blend(each, notes);
+        Material layer = layer_of(*shown, way, mapped);
+        if (shown->normal.blend && shown->normal.amount != 0 && layers.size() > 1)
+            notes.approximated(shown->normal.blend.place, &each != &layers.back()
                                                               ? "only the uppermost layer has bumps"
                                                               : "bumps of the uppermost layer bend all layers");
-        if (lowest)
+        if (&each == &layers.front())
             whole = std::move(layer);
         else
             whole.coats.push_back(std::move(layer));
-        lowest = false;
     }
-    whole.bump = pigments.bump_of(texture.layers.back().normal, way, use.mapped);
+    return whole;
+}
+
+/// Returns the layers of all textures that a pattern of textures shows, each with its share, unless there is no such
+/// pattern, or there are more than the scene can have. If all have one finish and are opaque, a pattern of their
+/// pigments is the same.
+std::optional<Material> MaterialMaker::mixed_layers_of(const TextureThing& texture, const Steps& way, bool mapped) {
+    const Blend* const blend = blend_of(texture);
+    std::vector<const Blend*> around;
+    std::vector<Shown> textures;
+    for (const auto& corner : texture.corners) textures.push_back(corner->layers);
+    if (textures.empty() && (!blend || texture.layers.size() > 1 || !collect(texture, around, textures)))
+        return std::nullopt;
+    const bool simple = texture.corners.empty() && std::ranges::all_of(textures, [&](const Shown& layers) {
+                            return layers.size() == 1 && same_finish(layers[0], textures[0][0]) &&
+                                   !pigments.look_of(layers[0].pigment, way, mapped).clear().clear();
+                        });
+    if (simple) return std::nullopt;
+    std::vector<Material> stacks;
+    std::vector<std::size_t> numbers;
+    std::size_t layers = 0;
+    for (const Shown& each : textures) {
+        Material own = layers_of(each, way, mapped);
+        const auto known = std::ranges::find(stacks, own);
+        numbers.push_back(std::size_t(known - stacks.begin()));
+        if (known != stacks.end()) continue;
+        layers += 1 + own.coats.size();
+        stacks.push_back(std::move(own));
+    }
+    if (layers > most_layers) return std::nullopt;
+    Material whole;
+    for (std::size_t i = 0; i < stacks.size(); ++i) {
+        std::size_t next = 0;
+        Material& own = stacks[i];
+        if (stacks.size() > 1)
+            own.share = texture.corners.empty()
+                            ? pigments.look_of(share_of(texture, numbers, i, next), way, mapped).pigment
+                            : share_of_corners(numbers, i, contents.adc_bailout);
+        const std::vector<Material> coats = std::exchange(own.coats, {});
+        if (i == 0)
+            whole = own;
+        else
+            whole.coats.push_back(own);
+        whole.coats.insert(whole.coats.end(), coats.begin(), coats.end());
+    }
+    NormalThing normal = textures[0].back().normal;
+    const bool bends = std::ranges::any_of(
+        textures, [](const Shown& each) { return each.back().normal.blend && each.back().normal.amount != 0; });
+    if (bends) {
+        notes.approximated(texture.layers[0].place, "bumps of textures in a pattern are one of them");
+    }
+    whole.bump = pigments.bump_of(normal, way, mapped);
+    return whole;
+}
+
+Material MaterialMaker::layered_material_of(const TextureThing& texture, const InteriorThing* interior,
+                                            const MaterialUse& use, const Steps& way) {
+    std::optional<Material> mixed = mixed_layers_of(texture, way, use.mapped);
+    Material whole;
+    if (mixed) {
+        whole = std::move(*mixed);
+    } else {
+        std::span<const LayerValues> layers = texture.layers;
+        if (layers.size() > most_layers) {
+            notes.approximated(layers[0].place, "of the layers of a texture the upper eight are shown");
+            layers = layers.last(most_layers);
+        }
+        whole = layers_of(layers, way, use.mapped);
+        whole.bump = pigments.bump_of(texture.layers.back().normal, way, use.mapped);
+    }
     if (interior) whole.ior = std::clamp(decimal(static_cast<float>(interior->ior)), 1e-9, 1e9);
     if (interior && std::fabs(interior->ior - 1) < 1.5e-7) whole.ior = 1;
     if (interior && whole.transmits()) {
@@ -232,8 +407,10 @@ Material MaterialMaker::material_of(const TextureThing& texture, const InteriorT
     notes.only_asked = &differs;
     Material plain = plain_material_of(texture, interior, use, way);
     notes.only_asked = nullptr;
-    if (differs) return layered_material_of(texture, interior, use, way);
-    return plain;
+    if (!differs && !use.both_sides && texture.corners.empty()) return plain;
+    Material layered = layered_material_of(texture, interior, use, way);
+    layered.both_sides = use.both_sides ? 1 : 0;
+    return layered;
 }
 
 Material MaterialMaker::plain_material_of(const TextureThing& texture, const InteriorThing* interior,

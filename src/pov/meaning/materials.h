@@ -1,7 +1,9 @@
 // Makes a scene's materials of POV-Ray's textures and interiors.
 #pragma once
+#include <compare>
 #include <map>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "pov/meaning/pigments.h"
@@ -15,6 +17,8 @@ struct MaterialUse {
     bool mapped = false;       // it is a mesh with uv_vectors
     bool shadow_only = false;  // no_image and no_reflection
     bool no_shadow = false;
+    bool both_sides = false;  // double_illuminate
+    auto operator<=>(const MaterialUse&) const = default;
 };
 
 class MaterialMaker {
@@ -26,7 +30,7 @@ class MaterialMaker {
     template <class Way>
     int number(const std::shared_ptr<const TextureThing>& texture, const std::shared_ptr<const InteriorThing>& interior,
                const MaterialUse& use, const Way& way) {
-        const auto key = std::make_tuple(texture, interior, use.shadow_only, use.no_shadow);
+        const auto key = std::make_tuple(texture, interior, use);
         if (const auto known = plain.find(key); known != plain.end()) return known->second;
         const bool moves = has_pattern(*texture);
         const int own = materials.number(material_of(*texture, interior.get(), use, moves ? way() : Steps()));
@@ -52,6 +56,9 @@ class MaterialMaker {
 
   private:
     void set_layer(Material& layer, const FinishThing& finish);
+    Material layer_of(const LayerValues& values, const Steps& way, bool mapped);
+    Material layers_of(std::span<const LayerValues> layers, const Steps& way, bool mapped);
+    std::optional<Material> mixed_layers_of(const TextureThing& texture, const Steps& way, bool mapped);
     void approximate_opacity(Material& layer, const LayerValues& values);
     Material plain_material_of(const TextureThing& texture, const InteriorThing* interior, const MaterialUse& use,
                                const Steps& way);
@@ -68,7 +75,7 @@ class MaterialMaker {
     PigmentMaker pigments;
     const PovContents& contents;
     std::optional<bool> any_light;
-    std::map<std::tuple<std::shared_ptr<const TextureThing>, std::shared_ptr<const InteriorThing>, bool, bool>, int>
+    std::map<std::tuple<std::shared_ptr<const TextureThing>, std::shared_ptr<const InteriorThing>, MaterialUse>, int>
         plain;  // materials without patterns
 };
 

@@ -46,15 +46,15 @@ class SceneMaker {
     struct Looks {
         std::shared_ptr<const TextureThing> texture;
         std::shared_ptr<const InteriorThing> interior;
-        bool no_shadow = false, no_image = false, no_reflection = false;
+        bool no_shadow = false, no_image = false, no_reflection = false, both_sides = false;
         Shared* shared = nullptr;  // of the outermost composite from which it has its texture
     };
     /// Holds the properties that an object takes over from the objects around it.
     struct Around : Looks {
-        Steps after;         // transformations of these, the innermost one's first
+        Steps after;                          // transformations of these, the innermost one's first
         std::vector<Transformation> moves{};  // the same as the scene has them
-        Steps to_owner;      // from the space around the object into that of the texture
-        bool clips = false;  // it clips another object, and is not seen itself
+        Steps to_owner;                       // from the space around the object into that of the texture
+        bool clips = false;                   // it clips another object, and is not seen itself
     };
     struct Part {
         Primitive primitive;

@@ -225,7 +225,7 @@ std::vector<Primitive> SceneMaker::bodies_of(const ObjectThing& object) {
 void SceneMaker::set_planes() {
     constexpr double reach = 1e7;
     for (Light& light : scene.lights) {
-        if (!light.from) continue;
+        if (!light.from || light.beam > 0) continue;
         const auto is_behind = [&](const Primitive& body) {
             const Box box = world_bounds(body);
             if (!box.finite()) return true;

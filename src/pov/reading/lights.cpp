@@ -37,7 +37,7 @@ std::shared_ptr<const ObjectThing> PovReader::read_light(Interpreter& in) {
                 light.sort = LightThing::Sort::spot;
                 break;
             case word("cylinder"):
-                light.sort = LightThing::Sort::cylinder;
+                light.sort = LightThing::Sort::cylinder, light.parallel = true;
                 break;
             case word("parallel"):
                 light.parallel = true;

@@ -147,6 +147,9 @@ bool PovReader::read_object_modifier(Interpreter& in, ObjectThing& object) {
             object.hollow = in.read_flag();
             return true;
         case word("double_illuminate"):
+            in.skip();
+            object.both_sides = in.read_flag();
+            return true;
         case word("no_radiosity"):
         case word("hierarchy"):
         case word("split_union"):
@@ -154,7 +157,6 @@ bool PovReader::read_object_modifier(Interpreter& in, ObjectThing& object) {
         case word("cutaway_textures"):
             in.skip();
             in.read_flag();
-            if (code == word("double_illuminate")) object.approximated("double_illuminate: a body is dark from behind");
             if (code == word("cutaway_textures"))
                 object.approximated("cutaway_textures: cut faces have the default texture");
             return true;

@@ -197,6 +197,42 @@ void add_triangle(MeshPart& part, const DVec3 (&points)[3], const DVec3 (&normal
     part.data.corner_normals.push_back(corners);
 }
 
+/// The numbers of the textures of a triangle's corners, from 1 on; 0 for that of the mesh.
+using TextureNumbers = std::array<std::size_t, 3>;
+
+/// Returns a texture that blends from corner to corner, or null if one of them is by uv.
+std::shared_ptr<const TextureThing> blended(std::vector<std::shared_ptr<const TextureThing>> corners) {
+    auto all = std::make_shared<TextureThing>(*corners[0]);
+    for (const auto& corner : corners)
+        for (const LayerValues& layer : corner->layers)
+            for (const Blend* const own : {&layer.pigment.blend, &layer.normal.blend, &layer.blend})
+                if (own->uv) return nullptr;
+    all->corners = std::move(corners);
+    return all;
+}
+
+/// Returns the number of the first texture that is like each one, from 1 on, behind the 0 of none. Only textures of one
+/// colour are compared.
+std::vector<std::size_t> alike(const std::vector<std::shared_ptr<const TextureThing>>& textures) {
+    std::map<std::array<float, 5>, std::vector<std::size_t>> known;
+    std::vector<std::size_t> numbers{0};
+    for (std::size_t i = 0; i < textures.size(); ++i) {
+        numbers.push_back(i + 1);
+        const LayerValues& own = textures[i]->layers[0];
+        const FilterColor& c = own.pigment.color;
+        if (textures[i]->layers.size() > 1 || own.blend || own.pigment.blend || own.normal.blend) continue;
+        auto& same = known[{c.red, c.green, c.blue, c.filter, c.transmit}];
+        const auto first = std::ranges::find_if(same, [&](std::size_t number) {
+            return static_cast<const FinishValues&>(textures[number - 1]->layers[0].finish) == own.finish;
+        });
+        if (first != same.end())
+            numbers.back() = *first;
+        else
+            same.push_back(i + 1);
+    }
+    return numbers;
+}
+
 DVec3 flat_normal(const DVec3 (&p)[3]) { return cross_product(p[1] - p[0], p[2] - p[0]); }
 
 bool is_flat(const DVec3 (&p)[3]) { return !Triangle{p[0], p[1], p[2]}.fault(); }
@@ -249,7 +285,7 @@ void PovReader::read_mesh2(Interpreter& in, ObjectThing& object) {
     MeshData all;
     std::vector<MeshData::Place> places;
     std::vector<MeshData::Corners> normal_indices, place_indices, faces;
-    std::vector<std::size_t> face_textures;
+    std::vector<TextureNumbers> face_textures;
     std::vector<std::shared_ptr<const TextureThing>> textures;
     bool solid = false;
     const auto read_corners = [&](std::vector<MeshData::Corners>& list) {
@@ -260,17 +296,14 @@ void PovReader::read_mesh2(Interpreter& in, ObjectThing& object) {
             const DVec3 v = in.read_vector();
             list.push_back(
                 {static_cast<std::int32_t>(v.x), static_cast<std::int32_t>(v.y), static_cast<std::int32_t>(v.z)});
-            std::size_t texture = 0;
             in.skip_comma();
-            bool blends = false;
-            for (int k = 0; k < 3 && &list == &faces && at_texture_number(in); ++k) {
-                const std::size_t number = static_cast<std::size_t>(std::max(in.read_integer(), 0)) + 1;
-                if (k == 0) texture = number;
-                blends |= number != texture;
+            if (&list != &faces) continue;
+            TextureNumbers& own = face_textures.emplace_back();
+            for (std::size_t k = 0; k < 3 && at_texture_number(in); ++k) {
+                const auto number = static_cast<std::size_t>(std::max(in.read_integer(), 0));
+                for (std::size_t later = k; later < 3; ++later) own[later] = number + 1;
                 in.skip_comma();
             }
-            if (blends) object.approximated("textures that blend across a triangle: that of its first corner");
-            if (&list == &faces) face_textures.push_back(texture);
         }
         in.end_block();
     };
@@ -309,10 +342,13 @@ void PovReader::read_mesh2(Interpreter& in, ObjectThing& object) {
     const auto& normal_of = normal_indices.empty() && all.normals.size() == all.points.size() ? faces : normal_indices;
     const auto& place_of = place_indices.empty() && places.size() == all.points.size() ? faces : place_indices;
     std::vector<MeshPart> parts(textures.size() + 1);
+    const std::vector<std::size_t> first_alike = alike(textures);
+    std::map<TextureNumbers, std::size_t> blends;  // the parts of triangles across which textures blend
     for (std::size_t i = 0; i < faces.size(); ++i) {
         DVec3 points[3], normals[3];
         std::array<double, 2> own[3]{};
-        const bool smooth = i < normal_of.size(), mapped = i < place_of.size();
+        const bool smooth = i < normal_of.size();
+        bool mapped = i < place_of.size();
         for (int k = 0; k < 3; ++k) {
             const auto item = [&](const auto& list, std::int32_t n) {
                 if (n < 0 || static_cast<std::size_t>(n) >= list.size())
@@ -324,8 +360,25 @@ void PovReader::read_mesh2(Interpreter& in, ObjectThing& object) {
             if (mapped) own[k] = item(places, place_of[i][k]);
         }
         if (!is_flat(points)) continue;
-        if (face_textures[i] >= parts.size()) in.fail("mesh2: a number of a texture is too large");
-        MeshPart& part = parts[face_textures[i]];
+        TextureNumbers numbers = face_textures[i];
+        for (std::size_t& number : numbers) {
+            if (number >= first_alike.size()) in.fail("mesh2: a number of a texture is too large");
+            number = first_alike[number];
+        }
+        std::size_t which = numbers[0];
+        if (numbers[1] != which || numbers[2] != which) {
+            const auto [known, is_new] = blends.try_emplace(numbers, parts.size());
+            if (is_new) {
+                textures.push_back(
+                    blended({textures[numbers[0] - 1], textures[numbers[1] - 1], textures[numbers[2] - 1]}));
+                parts.emplace_back();
+            }
+            if (textures[known->second - 1])
+                which = known->second, own[0] = {0, 0}, own[1] = {1, 0}, own[2] = {0, 1}, mapped = true;
+            else
+                object.approximated("textures by uv that blend across a triangle: that of its first corner");
+        }
+        MeshPart& part = parts[which];
         bool whole = smooth;
         for (const DVec3& normal : normals) whole &= normal != DVec3(0);
         if (!whole) std::fill(normals, normals + 3, flat_normal(points));

@@ -288,6 +288,7 @@ void PovReader::read_tiles(Interpreter& in, Blend& blend) {
     while (in.accept("texture") || in.accept("tile2"))
         if (in.at('{')) map->entries.push_back({.at = double(map->entries.size()), .thing = read_texture(in)});
     in.end_block();
+    std::ranges::reverse(map->entries);  // unlike those of a checker
     blend.map = std::move(map);
 }
 

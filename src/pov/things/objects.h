@@ -63,7 +63,7 @@ struct ObjectThing : Thing {
     Steps steps;
     std::optional<PlacedTexture> texture;
     std::shared_ptr<const InteriorThing> interior;
-    std::optional<bool> no_shadow, no_image, no_reflection;
+    std::optional<bool> no_shadow, no_image, no_reflection, both_sides;
     bool inverse = false, hollow = false;
     bool uv = false;                                          // textures that come after are by uv
     std::vector<std::pair<Remark::Kind, std::string>> notes;  // to be told where the object is shown

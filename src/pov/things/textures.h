@@ -98,7 +98,7 @@ struct Blend {
     DVec3 axis{1, 0, 0};       // of gradient
     DVec3 brick_size{8, 3, 4.5};
     double mortar = .5;
-    double arms = 0;  // of a spiral
+    double arms = 0;                       // of a spiral
     std::array<double, 2> controls{1, 1};  // of quilted
     bool uv = false;
     std::optional<int> noise_generator;  // if it is not the scene's
@@ -166,6 +166,9 @@ struct LayerValues {
 };
 struct TextureThing : Thing {
     std::vector<LayerValues> layers = std::vector<LayerValues>(1);  // the last one is on top
+    /// If not empty, the textures of a triangle's corners, which blend across it. Its layers are those of the first,
+    /// and the corners are at (0, 0), (1, 0) and (0, 1) by uv.
+    std::vector<std::shared_ptr<const TextureThing>> corners;
 };
 
 struct MaterialThing : Thing {

@@ -133,28 +133,35 @@ inline std::array<Parameter, 6> motion_parameters(MotionKeyText& key) {
     return joined(joined(time_parameters(key.when, "the time of the key in seconds"), place), ease_parameter(key.ease));
 }
 
-inline std::array<Parameter, 11> light_parameters(Light& light) {
-    return {{{"position", &light.position, coordinates, "where the light is", required, "direction"},
-             {"direction", &light.direction, directions, "the direction in which parallel light shines"},
-             {"from", &light.from, coordinates,
-              "a point of the plane from which parallel light comes: bodies behind it cast no shadow",
-              "infinitely far away"},
-             {"color", &light.color, not_negative, "its colour and strength", required},
-             {"shadowless", &light.shadowless, {}, "it shines through all bodies, without highlights", "shadows"},
-             {"soft",
-              &light.soft,
-              {},
-              "it shines from its middle, and its `edges` only soften its shadows",
-              "hard shadows"},
-             {"adaptive", &light.adaptive, grid_levels,
-              "how often the `grid` of a `soft` light is quartered before only quarters with shadow edges are",
-              "all its points shine"},
-             {"circular", &light.circular, {}, "makes that grid round", "it is square"},
-             {"orient", &light.orient, {}, "turns that grid towards each point that it lights", "it stays as it is"},
-             {"fade_distance", &light.fade_distance, not_negative,
-              "the distance at which it is as strong as `color`; 0: it does not fade"},
-             {"fade_power", &light.fade_power, not_negative,
-              "light is multiplied by 2 / (1 + (distance / `fade_distance`)^`fade_power`)"}}};
+inline std::array<Parameter, 14> light_parameters(Light& light) {
+    return {
+        {{"position", &light.position, coordinates, "where the light is", required, "direction"},
+         {"direction", &light.direction, directions, "the direction in which parallel light shines"},
+         {"from", &light.from, coordinates,
+          "a point of the plane from which parallel light comes: bodies behind it cast no shadow",
+          "infinitely far away"},
+         {"color", &light.color, not_negative, "its colour and strength", required},
+         {"shadowless", &light.shadowless, {}, "it shines through all bodies, without highlights", "shadows"},
+         {"soft",
+          &light.soft,
+          {},
+          "it shines from its middle, and its `edges` only soften its shadows",
+          "hard shadows"},
+         {"adaptive", &light.adaptive, grid_levels,
+          "how often the `grid` of a `soft` light is quartered before only quarters with shadow edges are",
+          "all its points shine"},
+         {"circular", &light.circular, {}, "makes that grid round", "it is square"},
+         {"orient", &light.orient, {}, "turns that grid towards each point that it lights", "it stays as it is"},
+         {"beam", &light.beam, lengths,
+          "the distance from its axis, through `from`, beyond which parallel light does not shine",
+          "it is as wide as the plane"},
+         {"core", &light.core, lengths, "the distance from that axis at which it begins to fade", "it does not fade"},
+         {"tightness", &light.tightness, not_negative, "exponent by which the light of a `beam` fades off its axis",
+          "`0`"},
+         {"fade_distance", &light.fade_distance, not_negative,
+          "the distance at which it is as strong as `color`; 0: it does not fade"},
+         {"fade_power", &light.fade_power, not_negative,
+          "light is multiplied by 2 / (1 + (distance / `fade_distance`)^`fade_power`)"}}};
 }
 inline constexpr std::array<std::string_view, 4> light_words{"spot", "edges", "grid", "motion"};
 inline std::array<Parameter, 4> spot_parameters(Spot& spot) {

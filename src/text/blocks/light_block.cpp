@@ -20,8 +20,9 @@ Spot read_spot(BlockReader& reader, std::string_view word, Block& outer) {
     reader.block(block, parameters);
     reader.require(block, parameters);
     if (block.good() && spot.falloff < spot.radius)
-        reader.fault(block, word, "invalid spot: its falloff, " + text_of(spot.falloff) + ", is below its radius, " +
-                                      text_of(spot.radius));
+        reader.fault(
+            block, word,
+            "invalid spot: its falloff, " + text_of(spot.falloff) + ", is below its radius, " + text_of(spot.radius));
     outer.absorb(block);
     return spot;
 }
@@ -103,9 +104,12 @@ Light read_light(BlockReader& reader, const TextLimits& limits, std::string_view
                 fault(own.at, "this needs a grid of at least 2 by 2 points");
         } else if (own.given() && own.name == "from" && !light.direction) {
             fault(own.at, "only parallel light has 'from'; give it a 'direction'");
+        } else if (own.given() && own.name == "beam" && !light.from) {
+            fault(own.at, "only parallel light has a beam; give it a 'direction' and 'from'");
+        } else if (own.given() && (own.name == "core" || own.name == "tightness") && light.beam == 0) {
+            fault(own.at, "this is for parallel light with a 'beam'");
         }
-    if (light.direction && *light.direction == DVec3(0))
-        fault(parameters[1].at, "invalid light: its 'direction' is 0");
+    if (light.direction && *light.direction == DVec3(0)) fault(parameters[1].at, "invalid light: its 'direction' is 0");
     if (light.spot && light.direction)
         fault(spot_at, "parallel light cannot have a spot; give it a 'position'");
     else if (light.spot && light.spot->look_at == light.position)

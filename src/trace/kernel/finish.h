@@ -42,15 +42,16 @@ void look_at_layers(const Shading<S, P>& shading, const Hit<S>& hit, const int* 
     note_colors(shading, filtering, color_of(layers), hit.pixel, pick(from.weight), pick.lanes);
 }
 
-/// Returns the share of light that is left of an area light, whose shadows alone are soft.
+/// Returns the share of light that is left of an area light, whose shadows alone are soft. Its rays go to the side of
+/// `normal` and `flat`, and outside the bodies or inside.
 template <class S, class P>
 Vec3<S> soft_share(const Shading<S, P>& shading, const Hit<S>& hit, int number, Mask<S> lanes, const S& strength,
-                   const Vec3<S>& reflected, const HitNotes<S, P>& notes, Visibility<S> visible) {
+                   const Vec3<S>& reflected, const Vec3<S>& normal, const Vec3<S>& flat, Mask<S> outside,
+                   Visibility<S> visible) {
     using T = Element<S>;
     const auto& world = shading.world;
     constexpr T error = T(1) / 510;
-    const Vec3<S>& flat = world.patterns.bends ? notes.flat : hit.normal;
-    const LitHits<S> hits{lanes,     hit.outside, hit.position, hit.normal, flat,
+    const LitHits<S> hits{lanes,     outside,     hit.position, normal,     flat,
                           reflected, hit.surface, hit.weight,   S(1),       S(0),
                           S(1),      S(1),        hit.bin,      hit.medium, &mediums(shading.workspace)};
     const AreaMeans<S> means = world.lights[number].columns > 0
@@ -67,8 +68,10 @@ void add_lights(const Shading<S, P>& shading, const Hit<S>& hit, const int* numb
     using T = Element<S>;
     const auto& world = shading.world;
     const S zero(0);
+    const Vec3<S>& flat = world.patterns.bends ? notes.flat : hit.normal;
     const Vec3<S> reflected = reflect(hit), nothing = splat<S>(Vec3<T>(0));
     const Visibility<S> visible = world.finishes.fades ? faded_visibility<S> : visibility<S>;
+    const Mask<S> both = world.finishes.behind ? FinishCalls<S>::lit_behind(world, numbers) : first_lanes<S>(0);
     for (int i = 0; i < world.light_count; ++i) {
         const LightKernel<T>& light = world.lights[i];
         const Vec3<S> to_light = fma(S(-light.finite), hit.position, splat<S>(light.position));
@@ -82,13 +85,17 @@ void add_lights(const Shading<S, P>& shading, const Hit<S>& hit, const int* numb
             way.distance = select(lost, near.distance, way.distance);
         }
         if (light.starts) way.distance = S(light.start) - dot(hit.position, way.l);
+        const Mask<S> behind = both & (way.cosine < zero), inwards = both & (dot(flat, way.l) < zero);
+        const Mask<S> outside = (hit.outside & !inwards) | (inwards & !hit.outside);
+        way.cosine = select(behind, -way.cosine, way.cosine);
         Mask<S> faces = hit.active & (way.cosine > zero);
         // As in POV-Ray a light without shadows also lights bent normals on the side away from it, and so do those
         // points of a grid that face the surface.
         if (world.patterns.bends && !light.shadowless && light.columns == 0)
-            faces = faces & (dot(notes.flat, way.l) > zero);
+            faces = faces & (both | (dot(flat, way.l) > zero));
         S strength(1);
         if (light.spot) strength = spot_share(light, way.l);
+        if (light.beam > 0) strength = FinishCalls<S>::in_beam(light, hit.position, way.l, way.distance);
         if (light.fade_per > 0) strength = strength * FinishCalls<S>::faded(light, max(way.distance, zero));
         faces = faces & (strength > zero);
         if (none(faces)) continue;
@@ -97,9 +104,10 @@ void add_lights(const Shading<S, P>& shading, const Hit<S>& hit, const int* numb
         Mask<S> shaded = light.shadowless ? first_lanes<S>(0) : faces;
         if (light.starts) shaded = shaded & (way.distance > zero);
         if (any(shaded) && light.area) {
-            share = soft_share(shading, hit, i, faces, strength, reflected, notes, visible);
+            share = soft_share(shading, hit, i, faces, strength, reflected, select(behind, -hit.normal, hit.normal),
+                               select(inwards, -flat, flat), outside, visible);
         } else if (any(shaded)) {
-            const Start<S> start{i, hit.bin, hit.outside, ~BodySet(0), hit.medium, &mediums(shading.workspace)};
+            const Start<S> start{i, hit.bin, outside, ~BodySet(0), hit.medium, &mediums(shading.workspace)};
             const Ray<S> ray{hit.position, way.l, hit.surface};
             share = select(shaded, visible(world, ray, way.distance, shaded, start), share);
             shading.counts.shadow += count(faces);
@@ -108,7 +116,7 @@ void add_lights(const Shading<S, P>& shading, const Hit<S>& hit, const int* numb
         Vec3<S> arriving;
         for (int c = 0; c < 3; ++c) arriving[c] = strength * share[c] * S(light.color[c]);
         arriving = select(faces, arriving, nothing);
-        const LitSurface<S> lit{hit.direction, hit.normal, reflected, way.l, way.cosine, !light.shadowless};
+        const LitSurface<S> lit{hit.direction, hit.normal, reflected, way.l, way.cosine, !light.shadowless, behind};
         Vec3<S> lighted = sum;
         FinishCalls<S>::scatter(world, numbers, layers, lit, arriving, lighted);
         sum = select(faces, lighted, sum);

@@ -18,8 +18,9 @@ struct SeenSurface {
 template <class S>
 struct LitSurface {
     const Vec3<S>&direction, &normal, &reflected, &l;
-    const S& cosine;
+    const S& cosine;  // that of the angle with the normal, without its sign
     bool highlights;
+    Mask<S> behind;  // the light is behind the surface
 };
 
 /// Most layers of a surface.
@@ -43,12 +44,16 @@ struct FinishCalls {
     static Filtering<S> look(const World<T>& world, const int* materials, const SeenSurface<S>& seen,
                              const Footprint<S>* footprint, LayeredHit<S>& hit);
     /// Adds the light that these layers send back to `sum`, of light that arrives.
-    static void scatter(const World<T>& world, const int* materials, const LayeredHit<S>& hit,
-                        const LitSurface<S>& lit, const Vec3<S>& arriving, Vec3<S>& sum);
+    static void scatter(const World<T>& world, const int* materials, const LayeredHit<S>& hit, const LitSurface<S>& lit,
+                        const Vec3<S>& arriving, Vec3<S>& sum);
     /// Returns the share of light that comes through a surface on its way to another one.
     static Vec3<S> through(const World<T>& world, int material, const Vec3<S>& position, const S& surface);
     /// Returns the share of a light that is left after a distance.
     static S faded(const LightKernel<T>& light, const S& distance);
+    /// Returns the share of a light with a beam at points, in the direction `l` to it and so far from its plane.
+    static S in_beam(const LightKernel<T>& light, const Vec3<S>& position, const Vec3<S>& l, const S& distance);
+    /// Returns the lanes whose surfaces are lit from behind.
+    static Mask<S> lit_behind(const World<T>& world, const int* materials);
     /// Returns the share of light that is left after a way through a body of this material, in the lanes of the mask.
     static Vec3<S> faded_inside(const World<T>& world, int material, const S& way, Mask<S> lanes);
     /// Returns the same for the materials of a pack, one in each lane; 1 in lanes not `inside`.

@@ -76,22 +76,27 @@ Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, c
     for (int i = 0; i < most_layers; ++i) hit.color[i] = hit.above[i] = none, hit.opacity[i] = S(0);
     const S one(1), zero(0), cosine = min(max(-dot(seen.direction, seen.normal), zero), one);
     each_finish<S>(world, materials, [&](const FinishKernel<T>& finish, Mask<S> lanes) {
-        Vec3<S> through = splat<S>(Vec3<T>(1)), ambient = splat<S>(Vec3<T>(0)), mirrored = ambient;
+        Vec3<S> through = splat<S>(Vec3<T>(1)), factor = through, passed = none, ambient = none, mirrored = none;
         S most(0);
         const int layers = std::min(finish.layers, most_layers);
         for (int i = layers; i-- > 0;) {
             const LayerKernel<T>& layer = world.finishes.layers[finish.first_layer + i];
-            ClearColor<S> own;
-            if (footprint) {
+            const auto color_at = [&](const PatternKernel<T>& pattern) {
+                ClearColor<S> own;
+                if (!footprint) return clear_color_at<true>(world, pattern, seen.position, seen.surface);
                 const Filtering<S> filtering =
-                    filtered_at(world, layer.pattern, seen.position, seen.surface, *footprint, lanes, own);
+                    filtered_at(world, pattern, seen.position, seen.surface, *footprint, lanes, own);
                 const Mask<S> known = lanes & (filtering.length > zero);
                 all.length = select(known, max(all.length, filtering.length), all.length);
                 all.loose = select(known, max(all.loose, filtering.loose), all.loose);
                 all.doubt = select(known, max(all.doubt, filtering.doubt), all.doubt);
-            } else {
-                own = clear_color_at<true>(world, layer.pattern, seen.position, seen.surface);
+                return own;
+            };
+            if (layer.share >= 0) {
+                if (i + 1 < finish.layers) passed = passed + through;
+                through = factor = color_at(world.finishes.shares[layer.share]).color;
             }
+            const ClearColor<S> own = color_at(layer.pattern);
             const S opacity = one - own.filter - own.transmit;
             for (int c = 0; c < 3; ++c) {
                 hit.color[i][c] = select(lanes, own.color[c], hit.color[i][c]);
@@ -111,7 +116,7 @@ Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, c
                 if (layer.gilding != 0) tint = tint_of(own.color, layer.gilding, cosine);
                 for (int c = 0; c < 3; ++c) {
                     const S gray = share * S(layer.mirror[c]);
-                    mirrored[c] = fma(gray, tint[c], mirrored[c]);
+                    mirrored[c] = fma(factor[c] * gray, tint[c], mirrored[c]);
                     if (layer.conserves) through[c] = through[c] * max(one - gray * tint[c], zero);
                 }
             }
@@ -119,7 +124,7 @@ Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, c
             for (int c = 0; c < 3; ++c) through[c] = through[c] * fma(own.filter, own.color[c], more);
         }
         hit.ambient = select(lanes, ambient, hit.ambient);
-        hit.through = select(lanes, through, hit.through);
+        hit.through = select(lanes, passed + through, hit.through);
         hit.mirrored = select(lanes, mirrored, hit.mirrored);
         hit.most_mirrored = select(lanes, most, hit.most_mirrored);
         hit.total = select(lanes, S(finish.total), hit.total);
@@ -133,17 +138,19 @@ void FinishCalls<S>::scatter(const World<T>& world, const int* materials, const 
                              const LitSurface<S>& lit, const Vec3<S>& arriving, Vec3<S>& sum) {
     const S shine = dot(lit.reflected, lit.l);
     const Vec3<S> between = lit.l - lit.direction;
-    const S half = dot(between, lit.normal) / sqrt(dot(between, between));
+    const S half = dot(between, lit.normal) / sqrt(dot(between, between)), zero(0);
     each_finish<S>(world, materials, [&](const FinishKernel<T>& finish, Mask<S> lanes) {
         for (int i = 0; i < std::min(finish.layers, most_layers); ++i) {
             const LayerKernel<T>& layer = world.finishes.layers[finish.first_layer + i];
-            const S diffuse = S(layer.diffuse) * hit.opacity[i] *
+            S coefficient(layer.diffuse), highlight(0);
+            if (world.finishes.behind && !finish.both_sides)
+                coefficient = select(lit.behind, S(layer.behind), coefficient);
+            const S diffuse = coefficient * hit.opacity[i] *
                               (layer.brilliance == 1 ? lit.cosine : power_or_zero(lit.cosine, layer.brilliance));
-            S highlight(0);
-            if (lit.highlights && layer.phong > 0)
-                highlight = S(layer.phong) * power_or_zero(shine, layer.phong_size);
+            if (lit.highlights && layer.phong > 0) highlight = S(layer.phong) * power_or_zero(shine, layer.phong_size);
             if (lit.highlights && layer.blinn > 0)
                 highlight = fma(S(layer.blinn), power_or_zero(half, layer.blinn_size), highlight);
+            if (world.finishes.behind && !finish.both_sides) highlight = select(lit.behind, zero, highlight);
             Vec3<S> tint = splat<S>(Vec3<T>(1));
             if (layer.metallic != 0) tint = tint_of(hit.color[i], layer.metallic, lit.cosine);
             for (int c = 0; c < 3; ++c) {
@@ -157,15 +164,19 @@ void FinishCalls<S>::scatter(const World<T>& world, const int* materials, const 
 template <class S>
 Vec3<S> FinishCalls<S>::through(const World<T>& world, int material, const Vec3<S>& position, const S& surface) {
     const FinishKernel<T>& finish = world.finishes.list[material];
-    Vec3<S> through = splat<S>(Vec3<T>(1));
+    Vec3<S> through = splat<S>(Vec3<T>(1)), passed = splat<S>(Vec3<T>(0));
     if (!finish.shadow) return through;
     for (int i = 0; i < finish.layers; ++i) {
         const LayerKernel<T>& layer = world.finishes.layers[finish.first_layer + i];
         const ClearColor<S> own = clear_color_at<true>(world, layer.pattern, position, surface);
         const S filter = own.filter + S(i == 0 ? finish.refraction : T(0));
         for (int c = 0; c < 3; ++c) through[c] = through[c] * fma(filter, own.color[c], own.transmit);
+        if (layer.share < 0) continue;
+        const Vec3<S> share = color_at(world, world.finishes.shares[layer.share], position, surface);
+        passed = passed + through * share;
+        through = splat<S>(Vec3<T>(i + 1 < finish.layers ? 1 : 0));
     }
-    return through;
+    return passed + through;
 }
 
 template <class S>
@@ -202,6 +213,27 @@ Vec3<S> FinishCalls<S>::faded_inside(const World<T>& world, const int* materials
         share = select(own, faded_inside(world, static_cast<int>(&finish - world.finishes.list), way, own), share);
     });
     return share;
+}
+
+template <class S>
+S FinishCalls<S>::in_beam(const LightKernel<T>& light, const Vec3<S>& position, const Vec3<S>& l, const S& distance) {
+    const Vec3<S> off = fma(distance, l, position - splat<S>(light.axis));
+    const S s = S(1) - sqrt(dot(off, off)) * S(1 / light.beam), zero(0);
+    S share = select((s > zero) & (distance > zero), S(1), zero);
+    if (light.core > 0 && light.core < light.beam) {
+        const S u = min(max(s * S(light.beam / (light.beam - light.core)), zero), S(1));
+        share = share * u * u * fma(S(-2), u, S(3));
+    }
+    return light.tightness == 0 ? share : share * power_or_zero(s, light.tightness);
+}
+
+template <class S>
+Mask<S> FinishCalls<S>::lit_behind(const World<T>& world, const int* materials) {
+    Mask<S> all = first_lanes<S>(0);
+    each_finish<S>(world, materials, [&](const FinishKernel<T>& finish, Mask<S> lanes) {
+        if (finish.both_sides || finish.behind) all = all | lanes;
+    });
+    return all;
 }
 
 template <class S>

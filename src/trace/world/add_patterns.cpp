@@ -162,40 +162,56 @@ template void WorldArrays<float>::add_patterns(const Scene&, const Placement&, b
 template void WorldArrays<double>::add_patterns(const Scene&, const Placement&, bool);
 template void WorldArrays<long double>::add_patterns(const Scene&, const Placement&, bool);
 
-
 /// Adds the finish of a material whose body has the matrix `to_world`.
 template <class T>
 void WorldArrays<T>::add_finish(const Material& material, const Scene& scene, const glm::dmat4& to_world,
                                 const Placement& placement, const PlacesKernel& places) {
     using M = Made<T>;
     const auto number = [](double v) { return static_cast<T>(v); };
+    const auto set_pattern = [&](const Pigment& pigment, double gamma, PatternKernel<T>& pattern) {
+        pattern.form = PatternForm::constant;
+        if (pigment.pattern) pattern = kernel_of<T>(*pigment.pattern, to_world, placement);
+        pattern.places = places;
+        add_colors(pigment, pattern, gamma, to_world, placement);
+    };
     const auto add_layer = [&](const Material& own) {
         LayerKernel<T> layer{};
-        layer.pattern.form = PatternForm::constant;
-        if (own.rgb.pattern) layer.pattern = kernel_of<T>(*own.rgb.pattern, to_world, placement);
-        layer.pattern.places = places;
-        add_colors(own.rgb, layer.pattern, scene.settings.assumed_gamma, to_world, placement);
+        set_pattern(own.rgb, scene.settings.assumed_gamma, layer.pattern);
         layer.ambient = Vec3<T>(cast<M>(scene.settings.ambient_light * own.glow) * M(own.ambient));
-        layer.diffuse = number(own.diffuse), layer.brilliance = number(own.brilliance);
+        layer.diffuse = number(own.diffuse), layer.behind = number(own.behind);
+        layer.brilliance = number(own.brilliance);
         layer.phong = number(own.specular), layer.phong_size = number(own.pow);
         layer.blinn = number(own.blinn), layer.blinn_size = number(1 / own.roughness);
         layer.metallic = number(own.metallic), layer.gilding = number(own.gilding);
         layer.mirror = cast<T>(own.reflection * own.mirror);
         layer.facing = number(own.facing), layer.falloff = number(own.falloff), layer.fresnel = own.fresnel > 0;
         layer.conserves = own.conserve > 0;
+        layer.share = -1;
         finishes.layers.push_back(layer);
     };
+    const auto end_stack = [&](const Pigment& share) {
+        finishes.layers.back().share = static_cast<std::int32_t>(finishes.shares.size());
+        set_pattern(share, 0, finishes.shares.emplace_back());
+    };
+    const auto scatters = [](double diffuse) { return diffuse > 0; };
     const bool clear = material.transmits() && material.rgb.clear();
     finishes.list.push_back({static_cast<std::int32_t>(finishes.layers.size()),
                              static_cast<std::int32_t>(1 + material.coats.size()), number(material.refraction),
                              number(material.ior), number(clear ? 1 : material.reflection + material.refraction), clear,
-                             material.shadow > 0, material.seen > 0, material.mirrored > 0,
+                             material.shadow > 0, material.seen > 0, material.mirrored > 0, material.both_sides > 0,
+                             material.behind > 0 || std::ranges::any_of(material.coats, scatters, &Material::behind),
                              number(material.fades() ? 1 / (material.fade_distance * placement.scale) : 0),
                              number(material.fade_power), cast<T>(material.fade_color)});
     world.finishes.fades |= material.fades();
     world.finishes.hides |= !(material.seen > 0 && material.mirrored > 0);
+    world.finishes.behind |= finishes.list.back().both_sides || finishes.list.back().behind;
+    const Pigment* share = &material.share;
     add_layer(material);
-    for (const Material& coat : material.coats) add_layer(coat);
+    for (const Material& coat : material.coats) {
+        if (coat.shares()) end_stack(*std::exchange(share, &coat.share));
+        add_layer(coat);
+    }
+    if (share != &material.share || material.shares()) end_stack(*share);
 }
 
 /// Adds the finishes of the scene's materials, if it has any of POV-Ray's. Those of patterned ones follow later, for
@@ -208,19 +224,18 @@ void WorldArrays<T>::add_finishes(const Scene& scene, const Placement& placement
         MaterialKernel<T>& kernel = materials[i++];
         // Shadow rays multiply light by `filter`. Bodies without a shadow count as transparent to them alone.
         constexpr T hardly = std::numeric_limits<T>::min();
-        Color through(1), reflected(0);
+        Color reflected(0);
         double shine = 0;
         const auto add = [&](const Material& layer) {
-            through = through * (layer.rgb.color * layer.rgb.filter + Color(layer.rgb.transmit));
             reflected = reflected + layer.reflection * layer.mirror;
             shine += layer.specular + layer.blinn;
         };
         add(own);
-        through = through + own.refraction * own.rgb.color;
+        const Color through = own.passed(own.refraction * own.rgb.color);
         for (const Material& coat : own.coats) add(coat);
         const auto most = [](const Color& c) { return std::max({c.x, c.y, c.z}); };
         kernel.filter = own.shadow > 0 ? cast<T>(through) : Vec3<T>(1);
-        kernel.refraction = own.transmits() ? static_cast<T>(std::max(most(through), own.refraction))
+        kernel.refraction = own.transmits()  ? static_cast<T>(std::max(most(through), own.refraction))
                             : own.shadow > 0 ? T(0)
                                              : hardly;
         kernel.reflection = static_cast<T>(most(reflected));

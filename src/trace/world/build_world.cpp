@@ -73,6 +73,9 @@ LightKernel<T> light_kernel(const Light& light, const Placement& placement) {
         kernel.starts = true;
         const DVec3 start = (*light.from - placement.origin) * placement.scale;
         kernel.start = static_cast<T>(-dot_product(normalize(*light.direction), start));
+        kernel.beam = static_cast<T>(light.beam * placement.scale);
+        kernel.core = static_cast<T>(light.core * placement.scale);
+        kernel.axis = cast<T>(start), kernel.tightness = static_cast<T>(light.tightness);
     }
     if (light.spot) {
         const auto less_cosine = [](double degrees) {  // than 1, by how much
@@ -209,15 +212,16 @@ WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, Thre
     add_patterns(scene, placement, proves);
     if (scene.finished()) {
         world.finishes.list = finishes.list.data(), world.finishes.layers = finishes.layers.data();
+        world.finishes.shares = finishes.shares.data();
         world.patterns.stops = patterns.stops.data();
         if (!world.patterns.list) world.patterns.list = &patterns.sky;  // kernels then keep the numbers of materials
     }
     world.patterns.nested = patterns.nested.data();
     const auto averaged = [](const PatternKernel<T>& pattern) { return has_quick_mean(pattern.form); };
-    world.patterns.has_quick_means = std::ranges::any_of(patterns.list, averaged) ||
-                                     std::ranges::any_of(patterns.nested, averaged) ||
-                                     std::ranges::any_of(finishes.layers, averaged, &LayerKernel<T>::pattern) ||
-                                     (world.patterns.sky && averaged(*world.patterns.sky));
+    world.patterns.has_quick_means =
+        std::ranges::any_of(patterns.list, averaged) || std::ranges::any_of(patterns.nested, averaged) ||
+        std::ranges::any_of(finishes.layers, averaged, &LayerKernel<T>::pattern) ||
+        std::ranges::any_of(finishes.shares, averaged) || (world.patterns.sky && averaged(*world.patterns.sky));
     for (const Light& light : points_of(scene.lights)) lights.push_back(light_kernel<T>(light, placement));
     if (scene.fog) {
         const long double per = 1 / (scene.fog->distance * placement.scale);

@@ -27,26 +27,18 @@ double most_crossings(const Shape& shape) {
         shape);
 }
 
-/// Returns the share of light that colours of filter and transmit let through at most.
-double passed(const Material& m) { return m.rgb.filter * largest(m.rgb.color) + m.rgb.transmit; }
 /// Returns the share that a surface sends on at most: reflected, or refracted, or reflected totally.
 double sent_on(const Material& m) {
     double reflected = m.reflection * largest(m.mirror) * std::max(1., m.gilding * largest(m.rgb.color));
-    double through = m.refraction + passed(m);
-    for (const Material& coat : m.coats) {
+    for (const Material& coat : m.coats)
         reflected += coat.reflection * largest(coat.mirror) * std::max(1., coat.gilding * largest(coat.rgb.color));
-        through *= passed(coat);
-    }
-    return reflected + (m.transmits() && m.rgb.clear() ? std::max(1., through) : through);
+    const double through = std::max(m.refraction, largest(m.passed(Color(m.refraction))));
+    return reflected * m.most_share() + (m.transmits() && m.rgb.clear() ? std::max(1., through) : through);
 }
 
 /// Returns by how much the bodies on its way can multiply a light at most: glass of a colour above 1 brightens it.
 double gain(const Scene& scene) {
-    const auto filter = [](const Material& m) {
-        double all = m.refraction * largest(m.rgb.color) + passed(m);
-        for (const Material& coat : m.coats) all *= passed(coat);
-        return all;
-    };
+    const auto filter = [](const Material& m) { return largest(m.passed(m.refraction * m.rgb.color)); };
     double product = 1;
     if (std::any_of(scene.materials.begin(), scene.materials.end(), [&](const auto& m) { return filter(m) > 1; }))
         for (const Primitive& primitive : scene.primitives)
@@ -64,10 +56,10 @@ double own_light(const Scene& scene, const Material& m, double gain) {
     for (const Light& light : scene.lights)
         for (int c = 0; c < 3; ++c)
             sum[c] += gain * (light.fades() ? 2 : 1) * std::abs(light.color[c]) *
-                      (m.diffuse * m.rgb.color[c] + (m.specular + m.blinn) * tint);
+                      (std::max(m.diffuse, m.behind) * m.rgb.color[c] + (m.specular + m.blinn) * tint);
     double all = largest(sum);
     for (const Material& coat : m.coats) all += own_light(scene, coat, gain);
-    return all;
+    return all * m.most_share();
 }
 
 /// Returns the scene with bounds that hold for its pictures as values of an assumed_gamma above 1: the root of a pixel

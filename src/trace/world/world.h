@@ -51,17 +51,19 @@ struct LightKernel {
     Vec3<T> position, color;
     T finite = 1, far = 1;  // of parallel light 0 and infinity
     bool spot = false;
-    Vec3<T> axis{0};  // of the spot. The next two are 1 less the cosines of its radius and its falloff
+    Vec3<T> axis{0};  // of the spot, or a point of the axis of a beam. Of a spot the next two are 1 less the cosines of
+                      // its radius and its falloff
     T radius = 0, falloff = 0, per = 0;  // per: 1 over their difference
     T tightness = 0;
     bool shadowless = false;
     T fade_per = 0, fade_power = 0;  // fade_per: 1 over the distance; 0 if the light does not fade
     bool area = false;
-    Vec3<T> u{0}, v{0};  // edges of a rectangle around its position
+    Vec3<T> u{0}, v{0};                                // edges of a rectangle around its position
     std::int32_t columns = 0, rows = 0, adaptive = 0;  // of a soft light with a grid, see Light
     bool circular = false, orient = false;
     bool starts = false;  // parallel light from the plane of the points p with position . p = start
     T start = 0;
+    T beam = 0, core = 0;  // of parallel light around an axis, see Light; 0: it shines everywhere
 };
 
 /// A body as seen from a point: around the direction `axis`, no further off than an angle with this cosine, and no
@@ -122,12 +124,12 @@ struct CompositeBall {
 /// A simple body of a composite: an item of its form, beyond those that are looked at by themselves.
 struct CompositeLeaf {
     std::int32_t form, item, material;
-    std::int32_t surface, faces;  // the number of its first face, and how many it has
-    std::int32_t half_space;      // of a half-space 1 if it is behind its plane's normal, -1 if before it; else 0
-    bool listed = false;          // rays cross it any number of times, as a mesh, and these crossings are listed
-    const Node* nodes = nullptr;  // of a mesh: the hierarchy of its triangles, which are the items from `item` on
-    std::int32_t first_key = 0;   // of its first face; if listed, if that has one of its own
-    bool in_planes = false;       // if listed: some of its faces have the keys of planes
+    std::int32_t surface, faces;      // the number of its first face, and how many it has
+    std::int32_t half_space;          // of a half-space 1 if it is behind its plane's normal, -1 if before it; else 0
+    bool listed = false;              // rays cross it any number of times, as a mesh, and these crossings are listed
+    const Node* nodes = nullptr;      // of a mesh: the hierarchy of its triangles, which are the items from `item` on
+    std::int32_t first_key = 0;       // of its first face; if listed, if that has one of its own
+    bool in_planes = false;           // if listed: some of its faces have the keys of planes
     float low[3] = {}, high[3] = {};  // if listed: the box around it, as the hierarchy's are
     // Say, at the first leaf of what an intersection is made with or a difference takes away, which step does so, and
     // how many leaves there are up to it. Where no body comes before that leaf, nothing is left by the step either, so
@@ -202,10 +204,10 @@ struct PatternTables {
     const PatternKernel<T>* list = nullptr;       // of the materials from there on; null if there are none
     const BendKernel<T>* bends = nullptr;         // likewise; null if no normals are bent
     const ColorStopKernel<T>* stops = nullptr;
-    const MipMapKernel* mip_maps = nullptr;  // by the numbers of images; null where these are not filtered
-    bool has_quick_means = false;            // some patterns have
-    bool quick = false;                      // filters are approximate, and note nothing
-    const PatternKernel<T>* sky = nullptr;   // of the background, by direction; null if it has none
+    const MipMapKernel* mip_maps = nullptr;    // by the numbers of images; null where these are not filtered
+    bool has_quick_means = false;              // some patterns have
+    bool quick = false;                        // filters are approximate, and note nothing
+    const PatternKernel<T>* sky = nullptr;     // of the background, by direction; null if it has none
     const PatternKernel<T>* nested = nullptr;  // those in the colours of others
     const PatternKernel<T>* coats = nullptr;   // before the background, the lowest first
     int coat_count = 0;
@@ -217,9 +219,11 @@ template <class T>
 struct FinishTables {
     const FinishKernel<T>* list = nullptr;
     const LayerKernel<T>* layers = nullptr;
-    T bailout = 0;  // rays of less weight are black
-    bool fades = false;  // light fades inside some body
-    bool hides = false;  // some body is not seen by all rays
+    const PatternKernel<T>* shares = nullptr;
+    T bailout = 0;        // rays of less weight are black
+    bool fades = false;   // light fades inside some body
+    bool hides = false;   // some body is not seen by all rays
+    bool behind = false;  // some surface is lit from behind
 };
 
 /// Transparent bodies of nested worlds, by surface. Null in other worlds.

@@ -129,6 +129,7 @@ template <class T>
 struct FinishArrays {
     std::vector<FinishKernel<T>> list;
     std::vector<LayerKernel<T>> layers;
+    std::vector<PatternKernel<T>> shares;
 };
 template <class T>
 struct MediumArrays {

@@ -111,10 +111,11 @@ template <class T>
 struct LayerKernel {
     PatternKernel<T> pattern;
     Vec3<T> ambient;  // Ia Ka glow
-    T diffuse, phong, phong_size, blinn, blinn_size, metallic, brilliance;
+    T diffuse, behind, phong, phong_size, blinn, blinn_size, metallic, brilliance;
     Vec3<T> mirror;  // Kr mirror
     T facing, falloff, gilding;
     bool fresnel, conserves;
+    std::int32_t share;  // of the uppermost layer of a stack: the pattern of its share among the world's; else -1
 };
 /// The layers of a material, the lowest first, and what they share.
 template <class T>
@@ -124,7 +125,8 @@ struct FinishKernel {
     T total;            // the share of light that is reflected totally
     bool clear;         // light comes through by the colours: it goes straight on without a new generation
     bool shadow, seen, mirrored;
-    T fade_per, fade_power;  // fade_per: 1 over the distance; 0 if light does not fade inside
+    bool both_sides, behind;  // lights behind the surface light it as those before, or by its layers' `behind`
+    T fade_per, fade_power;   // fade_per: 1 over the distance; 0 if light does not fade inside
     Vec3<T> fade_color;
 };
 

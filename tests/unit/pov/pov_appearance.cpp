@@ -95,9 +95,9 @@ TEST_CASE("POV-Ray: finishes and pigments") {
 
 TEST_CASE("POV-Ray: what only its finishes have") {
     const auto of = [](const std::string& text) { return material(whole("sphere { 0, 1 " + text + " }")); };
-    const Material brass = of(
-        "pigment { rgb <.8, .6, .2> } finish { ambient rgb <.1, .05, 0> diffuse .4 brilliance 3 specular .8 "
-        "roughness .02 metallic reflection { .1, .5 falloff 2 metallic .7 } }");
+    const Material brass =
+        of("pigment { rgb <.8, .6, .2> } finish { ambient rgb <.1, .05, 0> diffuse .4 brilliance 3 specular .8 "
+           "roughness .02 metallic reflection { .1, .5 falloff 2 metallic .7 } }");
     CHECK(brass.ambient == .1);
     CHECK(brass.glow == Color(1, .5, 0));
     CHECK(brass.brilliance == 3);
@@ -132,6 +132,53 @@ TEST_CASE("POV-Ray: what only its finishes have") {
     CHECK(whole("sphere { 0, 1 finish { phong 1 } }").settings.adc_bailout == 0);
     const Light fill = whole("light_source { 0 rgb 1 shadowless fade_distance 2 fade_power 3 }").lights.at(0);
     CHECK((fill.shadowless && fill.fade_distance == 2 && fill.fade_power == 3));
+}
+
+TEST_CASE("POV-Ray: textures that differ in their finishes are mixed by their shares") {
+    const std::string a = "#declare A = texture { pigment { rgb x } finish { phong 1 } } ";
+    const std::string b = "#declare B = texture { pigment { rgb y } finish { reflection .5 } } ";
+    const auto of = [&](const std::string& texture) {
+        return material(whole(a + b + "sphere { 0, 1 texture { " + texture + " } }"));
+    };
+    const Material mixed = of("gradient y texture_map { [.2 A] [.6 B] [.6 A] [1 B] }");
+    REQUIRE(mixed.coats.size() == 1);
+    CHECK((mixed.rgb == Pigment(Color(1, 0, 0)) && mixed.specular == 1 && mixed.reflection == 0));
+    CHECK((mixed.coats[0].rgb == Pigment(Color(0, 1, 0)) && mixed.coats[0].reflection == .5));
+    REQUIRE((mixed.share.pattern && mixed.coats[0].share.pattern));
+    CHECK(mixed.share.pattern->colors ==
+          std::vector<ColorStop>{{.2, Color(1)}, {.6, Color(0)}, {.6, Color(1)}, {1, Color(0)}});
+    CHECK(mixed.coats[0].share.pattern->colors ==
+          std::vector<ColorStop>{{.2, Color(0)}, {.6, Color(1)}, {.6, Color(0)}, {1, Color(1)}});
+    // Tiles begin with the second, and textures of one finish remain one pattern of pigments.
+    CHECK(of("tiles { texture { A } tile2 texture { B } }").rgb == Pigment(Color(0, 1, 0)));
+    CHECK(of("checker texture { A } texture { A pigment { rgb z } }").coats.empty());
+    CHECK(of("checker texture { A } texture { A pigment { rgbt <0, 0, 1, .5> } }").coats.size() == 1);
+    CHECK(of("average texture_map { [1 A] [1 A] }").coats.empty());
+    const Scene corners = whole(a + b +
+                                "mesh2 { vertex_vectors { 4, 0, x, y, x + y } texture_list { 3, texture { A } texture "
+                                "{ B } texture { B } } face_indices { 2, <0, 1, 2>, 0, 1, 2, <1, 2, 3>, 1, 2, 1 } }");
+    REQUIRE(corners.primitives.size() == 2);
+    CHECK(corners.materials[0].coats.empty());
+    CHECK((corners.materials[1].coats.size() == 1 && corners.materials[1].share.pattern->by_uv));
+    // Many textures, and textures that hold each other many times, are told.
+    std::string many = a + b + "#declare T0 = texture { checker texture { A } texture { B } } ";
+    for (int i = 0; i < 30; ++i) {
+        const std::string inner = "texture { T" + std::to_string(i) + " } ";
+        many += "#declare T" + std::to_string(i + 1) + " = texture { checker " + inner + inner + "} ";
+    }
+    const auto told = opened(many + "sphere { 0, 1 texture { T30 } }");
+    CHECK(!told.notes.empty());
+}
+
+TEST_CASE("POV-Ray: lights of cylinders and lights behind surfaces") {
+    const Light beam =
+        whole("light_source { <1, 2, 3> rgb 1 cylinder point_at <1, 0, 3> radius 2 falloff 3 }").lights[0];
+    CHECK((beam.beam == 3 && beam.core == 2 && beam.tightness == 0));
+    CHECK((beam.from == DVec3(1, 2, 3) && normalize(*beam.direction) == DVec3(0, -1, 0)));
+    CHECK(whole("light_source { y rgb 1 cylinder }").lights[0].beam == 1);
+    CHECK(whole("light_source { y rgb 1 cylinder falloff 0 }").lights.empty());
+    const Material both = material(whole("disc { 0, y, 1 finish { diffuse .5, .25 } double_illuminate }"));
+    CHECK((both.both_sides == 1 && both.behind == .25 && both.diffuse == .5));
 }
 
 TEST_CASE("POV-Ray: patterns that scenes have are exact") {

@@ -66,6 +66,12 @@ TEST_CASE("fog") {
 }
 
 TEST_CASE("mistakes in lights") {
+    const Light beam = light("direction <0,0,1> from <1,2,3> beam 2 core 1 tightness 3");
+    CHECK((beam.beam == 2 && beam.core == 1 && beam.tightness == 3));
+    check_light("direction <0,0,1> beam 2", "3:19", "only parallel light has a beam; give it a 'direction' and 'from'");
+    check_light("direction <0,0,1> from <1,2,3> core 2", "3:32", "this is for parallel light with a 'beam'");
+    check_light("direction <0,0,1> from <1,2,3> beam 0", "3:37",
+                "'beam' of 'light' must be greater than 0 (at least 2.3e-308) and at most 1e9, not '0'");
     CHECK(light("direction <0,0,1> from <1,2,3>").from == DVec3(1, 2, 3));
     check_light("position <1,2,3> from <1,2,3>", "3:18", "only parallel light has 'from'; give it a 'direction'");
     check_fault("light { color <1,1,1> }", "2:1: 'light' lacks 'position' (or 'direction')");

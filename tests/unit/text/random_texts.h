@@ -74,6 +74,7 @@ class RandomScenes {
             own.direction = position(), own.position = DVec3(0);
             if (*own.direction == DVec3(0)) own.direction = DVec3(0, 0, -1);
             if (chance(2)) own.from = position();
+            if (own.from && chance(2)) own.beam = length(), own.core = length(), own.tightness = not_negative();
         }
         if (chance(4)) own.motion = motion();
         own.shadowless = chance(6);

@@ -1,0 +1,95 @@
+// Materials that are mixed by shares, light from behind, and beams.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+
+#include "tests/unit/scenes.h"
+#include "text/parse.h"
+#include "trace/tracer.h"
+
+using namespace strahl;
+
+namespace {
+
+const std::string stage = R"(
+camera { position <0, -9, 4>  look_at <0, 0, 0.8>  up <0, 0, -1>  fov 22 }
+background { color <.1, .2, .3> }
+defaultmaterial { rgb <0.8, 0.3, 0.2>  reflection 0  diffuse 0.8  ambient 0.05  specular 0  pow 40 }
+)";
+const std::string lamp = "light { position <-1, -1, 4>  color <1, .9, .8> }\n";
+
+Frame picture(const std::string& text) {
+    const Scene scene = parse_scene(stage + text, "x");
+    return render(scene, {.camera = scene.camera, .width = 40, .height = 30, .depth = 5}, Precision::float64, 1);
+}
+/// Returns the largest difference between a picture and sums of others with these weights.
+double off(const Frame& mixed, const Frame& a, double share, const Frame& b, double other) {
+    double most = 0;
+    for (std::size_t i = 0; i < mixed.rgb.size(); ++i)
+        most = std::max(most, std::abs(mixed.rgb[i] - (share * a.rgb[i] + other * b.rgb[i])));
+    return most;
+}
+
+}  // namespace
+
+TEST_CASE("a picture of mixed materials is the mean of their pictures") {
+    const auto scene = [&](const std::string& material) {
+        return picture(lamp + "box { <-3, -3, -.2>, <3, 3, 0> }  sphere { <0, 0, 1>, 1 material { " + material +
+                       " } }");
+    };
+    const std::string matt = "rgb <.8, .3, .2>  blinn .7  roughness .1 ", rest = " ambient .05  diffuse .7 ";
+    const std::string mirror = "rgb <0, .5, 1>  reflection .6  blinn .5  metallic 1  gilding 1 " + rest;
+    const std::string layered = "rgb <0, .5, 1> " + rest, coat = "coat { rgb <1, 0, 0, 0, .5>  diffuse .3 } ";
+    const Frame one = scene(matt);
+    const auto check = [&](const std::string& lowest, const std::string& coats) {
+        const Frame two = scene(lowest + coats);
+        const Frame mixed =
+            scene(matt + "share <.25, .25, .25>  coat { share <.75, .75, .75> " + lowest + " } " + coats);
+        CHECK(off(mixed, one, .25, two, .75) < 1e-9);
+        CHECK(off(one, two, 1, two, 0) > .1);
+    };
+    check(mirror, "");
+    check(layered, coat);
+}
+
+TEST_CASE("light goes through mixed glass, and its shadows, as the mean of what goes through both") {
+    const auto scene = [&](const std::string& material) {
+        return picture(
+            lamp +
+            "box { <-3, -3, -.2>, <3, 3, 0> }  triangle { <-2, -1, 1>, <2, -1, 1>, <0, 2, 2>  material { diffuse "
+            "0  ambient 0 " +
+            material + " } }");
+    };
+    const Frame mixed =
+        scene("rgb <1, 0, 0, 1, 0>  share <.5, .5, .5>  coat { rgb <0, 1, 0, 1, 0>  share <.5, .5, .5> }");
+    CHECK(off(mixed, scene("rgb <.5, .5, 0, 1, 0>"), 1, mixed, 0) < 1e-12);
+    CHECK(off(mixed, scene("rgb <0, 0, 0>"), 1, mixed, 0) > .1);
+}
+
+TEST_CASE("a beam fades around its axis, and surfaces are lit from behind") {
+    const auto red = [](const std::string& text, double x) {
+        const Scene scene = parse_scene(
+            "camera { position <0, 0, 9>  look_at <" + std::to_string(x) + ", 0, 0>  up <0, -1, 0>  fov 1 } " + text,
+            "x");
+        return render(scene, {.camera = scene.camera, .width = 1, .height = 1}, Precision::float64, 1).rgb[0];
+    };
+    const std::string white = "material { rgb <1, 1, 1>  diffuse 1  ambient 0  reflection 0  specular 0 ";
+    const std::string floor = "plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0> " + white + "} }  sphere { <1, 0, 12>, 1 } ";
+    const std::string light = "light { direction <0, 0, -1>  from <0, 0, 3>  color <1, 1, 1>  beam 2 ";
+    for (const double d : {.1, .4, .8, 1.3, 1.9}) {
+        CAPTURE(d);
+        const double s = 1 - d / 2, u = std::min(s / .75, 1.), faded = u * u * (3 - 2 * u);
+        CHECK(red(light + "core .5  tightness 1.5 } " + floor, d) == doctest::Approx(std::pow(s, 1.5) * faded));
+        CHECK(red(light + "} " + floor, d) == doctest::Approx(1));
+    }
+    CHECK(red(light + "} " + floor, 2.1) == 0);
+    const std::string below = "light { position <0, 0, -5>  color <1, 1, 1> } ";
+    const auto disc = [&](const std::string& how) { return "disc { <0, 0, 0>, <0, 0, 1>, 2 " + white + how + " } } "; };
+    CHECK(red(below + disc(""), 0) == 0);
+    CHECK(red(below + disc("behind .25"), 0) == doctest::Approx(.25));
+    CHECK(red(below + disc("both_sides 1  behind .25"), 0) == doctest::Approx(1));
+    CHECK(red(below + disc("both_sides 1") + "sphere { <0, 0, -3>, 1 }", 0) == 0);
+    // The far side of a ball keeps the light from its near side.
+    CHECK(red(below + "sphere { <0, 0, 0>, 1 " + white + "both_sides 1 } }", 0) == 0);
+}
