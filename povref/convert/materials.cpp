@@ -111,13 +111,66 @@ std::string layers_of(const Material& m, const std::string& indent) {
     lowest.rgb.transmit += m.refraction;
     std::string text = texture(pigment_text(lowest.rgb), layer_finish(m), indent, m.coats.empty() ? m.bump : Bump{});
     for (const Material& coat : m.coats)
-        if (coat.shares())
-            break;
-        else
-            text +=
-                "\n" + indent +
+        text += "\n" + indent +
                 texture(pigment_text(coat.rgb), layer_finish(coat), indent, &coat == &m.coats.back() ? m.bump : Bump{});
     return text;
+}
+
+/// Returns the stacks of layers of a material that mixes some, as materials of their own.
+std::vector<Material> stacks_of(const Material& m) {
+    std::vector<Material> stacks{m};
+    stacks[0].coats.clear();
+    for (const Material& coat : m.coats)
+        if (coat.shares())
+            stacks.push_back(coat), stacks.back().bump = m.bump;
+        else
+            stacks.back().coats.push_back(coat);
+    return stacks;
+}
+
+/// Returns a pattern of textures with these names that has these shares: patterns that differ in their colours, which
+/// are black where the texture is not shown. Of shares of several patterns the first one is shown.
+std::string mixed_text(const std::vector<std::pair<std::string, Pigment>>& shares) {
+    std::vector<std::pair<std::string, Pigment>> some;
+    for (const auto& own : shares)
+        if (own.second.pattern || own.second.color != Color(0)) some.push_back(own);
+    if (some.size() < 2) return some.empty() ? shares[0].first : some[0].first;
+    const auto alike = [&](const auto& own) {
+        const Pattern *const first = some[0].second.pattern.get(), *const other = own.second.pattern.get();
+        return !first == !other &&
+               (!first || (first->kind == other->kind && first->by_uv == other->by_uv &&
+                           first->transformations == other->transformations &&
+                           std::ranges::equal(first->colors, other->colors, {}, &ColorStop::at, &ColorStop::at)));
+    };
+    if (!std::ranges::all_of(some, alike)) return some[0].first;
+    if (!some[0].second.pattern) {
+        std::string text = "average texture_map {";
+        for (const auto& [name, share] : some) text += " [" + text_of(share.color.x) + " " + name + "]";
+        return text + " }";
+    }
+    if (std::holds_alternative<ImagePattern>(some[0].second.pattern->kind)) return some[0].first;
+    const std::vector<ColorStop>& stops = some[0].second.pattern->colors;
+    return pattern_text(*some[0].second.pattern, "texture_map", "texture", [&](const ColorStop& stop) {
+        std::vector<std::pair<std::string, Pigment>> parts;
+        for (const auto& [name, share] : some) {
+            const ColorStop& own = share.pattern->colors[std::size_t(&stop - stops.data())];
+            parts.emplace_back(name, own.pattern ? Pigment(*own.pattern) : Pigment(own.color));
+        }
+        return mixed_text(parts);
+    });
+}
+
+/// Returns the texture of a material with POV-Ray's finish, and before it, in `declared`, those that it mixes.
+std::string finished_texture(const Material& m, const std::string& name, const std::string& indent,
+                             std::string& declared) {
+    const std::vector<Material> stacks = stacks_of(m);
+    if (stacks.size() == 1) return layers_of(m, indent);
+    std::vector<std::pair<std::string, Pigment>> shares;
+    for (const Material& own : stacks) {
+        shares.emplace_back(name + "_" + std::to_string(1 + shares.size()), own.share);
+        declared += "#declare " + shares.back().first + " = " + layers_of(own, "") + "\n";
+    }
+    return "texture { " + mixed_text(shares) + " }";
 }
 
 PovMaterial describe(const Material& m, const std::string& name, const Circumstances& scene, bool scaled) {
@@ -134,11 +187,12 @@ PovMaterial describe(const Material& m, const std::string& name, const Circumsta
         if (m.fade_distance > 0)
             pov.ior += " fade_distance " + text_of(m.fade_distance) + (scaled ? " * Unit" : "") + " fade_power " +
                        text_of(m.fade_power) + " fade_color rgb " + text_of(m.fade_color);
-        pov.declaration = "#declare " + name + " = ";
+        const std::string texture = finished_texture(m, name, pov.transparent ? "  " : "", pov.declaration);
+        pov.declaration += "#declare " + name + " = ";
         if (pov.transparent)
-            pov.declaration += "material {\n  " + layers_of(m, "  ") + "\n  interior { ior " + pov.ior + " }\n}\n";
+            pov.declaration += "material {\n  " + texture + "\n  interior { ior " + pov.ior + " }\n}\n";
         else
-            pov.declaration += layers_of(m, "") + "\n";
+            pov.declaration += texture + "\n";
         return pov;
     }
     if (!pov.transparent) {
@@ -161,7 +215,7 @@ PovMaterial describe(const Material& m, const std::string& name, const Circumsta
 }  // namespace
 
 std::string part_texture(const Material& m, const std::string& weight, const std::string& indent) {
-    if (!m.plain()) return layers_of(m, indent);
+    if (!m.plain()) return layers_of(stacks_of(m)[0], indent);
     if (m.refraction > 0) return seen_through(m, weight, indent);
     return texture(pigment_text(m.rgb), finish(m, "", weight), indent, m.bump);
 }

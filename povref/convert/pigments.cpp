@@ -64,34 +64,44 @@ struct ValueText {
 
 }  // namespace
 
+std::string pattern_text(const Pattern& pattern, const std::string& map, const std::string& item,
+                         const std::function<std::string(const ColorStop&)>& own) {
+    const auto& [kind, colors, transformations, by_uv] = pattern;
+    std::string text;
+    if (const std::string value = std::visit(ValueText{}, kind); !value.empty()) {
+        text = (std::holds_alternative<SolidPattern>(kind) ? value : "function { " + value + " }") + " " + map + " {";
+        for (const ColorStop& stop : colors) text += " [" + text_of(stop.at) + " " + own(stop) + "]";
+        text += " }";
+    } else {
+        const Brick* const brick = std::get_if<Brick>(&kind);
+        const auto part = [&](const ColorStop& stop) {
+            return item.empty() ? own(stop) : item + " { " + own(stop) + " }";
+        };
+        text = std::string(brick ? "brick " : "checker ") + part(colors[0]) + ", " + part(colors[1]);
+        if (brick) text += " brick_size " + text_of(brick->size) + " mortar " + text_of(brick->mortar);
+    }
+    for (const Transformation& step : transformations) text += " " + step_text(step);
+    return (by_uv ? "uv_mapping " : "") + text;
+}
+
 std::string pigment_text(const Pigment& pigment, const std::string& more) {
     const auto color = [&](const Color& c, double filter = 0, double transmit = 0) {
         return "rgb " + text_of(c) + (filter > 0 ? " filter " + text_of(filter) : "") +
                (transmit > 0 ? " transmit " + text_of(transmit) : "") + more;
     };
     if (!pigment.pattern) return color(pigment.color, pigment.filter, pigment.transmit);
-    const auto& [kind, colors, transformations, by_uv] = *pigment.pattern;
-    const bool nests = pigment.pattern->nests();
+    const Pattern& pattern = *pigment.pattern;
+    if (const auto* const image = std::get_if<ImagePattern>(&pattern.kind)) {
+        std::string text = image_text(*image, more);
+        for (const Transformation& step : pattern.transformations) text += " " + step_text(step);
+        return (pattern.by_uv ? "uv_mapping " : "") + text;
+    }
     const auto own = [&](const ColorStop& stop) {
         return stop.pattern ? pigment_text(Pigment(*stop.pattern), more)
                             : color(stop.color, stop.filter, stop.transmit);
     };
-    std::string text;
-    if (const std::string value = std::visit(ValueText{}, kind); !value.empty()) {
-        text = (std::holds_alternative<SolidPattern>(kind) ? value : "function { " + value + " }") +
-               (nests ? " pigment_map {" : " color_map {");
-        for (const ColorStop& stop : colors) text += " [" + text_of(stop.at) + " " + own(stop) + "]";
-        text += " }";
-    } else if (const auto* const image = std::get_if<ImagePattern>(&kind)) {
-        text = image_text(*image, more);
-    } else {
-        const Brick* const brick = std::get_if<Brick>(&kind);
-        const auto part = [&](const ColorStop& stop) { return nests ? "pigment { " + own(stop) + " }" : own(stop); };
-        text = std::string(brick ? "brick " : "checker ") + part(colors[0]) + ", " + part(colors[1]);
-        if (brick) text += " brick_size " + text_of(brick->size) + " mortar " + text_of(brick->mortar);
-    }
-    for (const Transformation& step : transformations) text += " " + step_text(step);
-    return (by_uv ? "uv_mapping " : "") + text;
+    return pattern.nests() ? pattern_text(pattern, "pigment_map", "pigment", own)
+                           : pattern_text(pattern, "color_map", "", own);
 }
 
 std::string normal_text(const Bump& bump) {
@@ -102,25 +112,29 @@ std::string normal_text(const Bump& bump) {
     const SolidPattern* const solid = std::get_if<SolidPattern>(&bump.pattern->kind);
     // Behind the words of a solid pattern its amount needs a word as well.
     std::string text = std::string(bump.pattern->by_uv ? "normal { uv_mapping " : "normal { ") +
-                       (image ? "pigment_pattern { " + image_text(*image, "", true) + " } "
-                       : solid ? solid_text(*solid) + " bump_size "
-                               : "function { " + std::visit(ValueText{}, bump.pattern->kind) + " } ") +
-                       text_of(solid ? bump.height : size_of_height * bump.height) +
-                       " accuracy " + text_of(bump.step());
+                       (image   ? "pigment_pattern { " + image_text(*image, "", true) + " } "
+                        : solid ? solid_text(*solid) + " bump_size "
+                                : "function { " + std::visit(ValueText{}, bump.pattern->kind) + " } ") +
+                       text_of(solid ? bump.height : size_of_height * bump.height) + " accuracy " +
+                       text_of(bump.step());
     for (const Transformation& step : bump.pattern->transformations) text += " " + step_text(step);
     return text + " }";
 }
 
 std::string function_section(const Scene& scene) {
     const auto any = [&](const auto& test) {
-        const auto is = [&](const auto& own) {
-            bool found = false;
-            if (own.pattern) each_nested(*own.pattern, [&](const Pattern& p) { found |= std::visit(test, p.kind); });
-            return found;
+        bool found = false;
+        const auto look = [&](const Pattern& own) {
+            each_nested(own, [&](const Pattern& p) { found |= std::visit(test, p.kind); });
         };
-        return is(scene.background) || std::ranges::any_of(scene.background_coats, is) ||
-               std::ranges::any_of(scene.materials, is, &Material::rgb) ||
-               std::ranges::any_of(scene.materials, is, &Material::bump);
+        if (scene.background.pattern) look(*scene.background.pattern);
+        for (const Pigment& coat : scene.background_coats)
+            if (coat.pattern) look(*coat.pattern);
+        for (const Material& material : scene.materials)
+            material.each_pattern([&](const Pattern& own) {
+                if (&own != material.normal.pattern.get()) look(own);  // POV-Ray has no such images
+            });
+        return found;
     };
     const bool images = any([]<class Kind>(const Kind&) { return std::is_same_v<Kind, ImagePattern>; });
     const bool maps = any([]<class Kind>(const Kind&) { return has_map<Kind> && !std::is_same_v<Kind, SolidPattern>; });
@@ -131,7 +145,8 @@ std::string function_section(const Scene& scene) {
         "#declare Fraction = function(a) { a - floor(a) };\n"
         "#declare Wave = function(a) { 1 - abs(2*Fraction(a) - 1) };\n";
     if (!any([](const auto& kind) {
-            return requires { kind.octaves; } && !requires { kind.solid; };
+            return requires { kind.octaves; }
+            &&!requires { kind.solid; };
         }))
         return text;
     text += comment(

@@ -132,7 +132,11 @@ PigmentThing share_of(const TextureThing& texture, const std::vector<std::size_t
         entry.color = part.color;
         entry.thing = part.blend ? std::make_shared<PigmentThing>(part) : nullptr;
     }
-    own.blend.map = std::move(map);
+    const auto same = [&](const MapEntry& entry) { return !entry.thing && entry.color == map->entries[0].color; };
+    if (std::ranges::all_of(map->entries, same))
+        own.color = map->entries[0].color, own.blend = {};
+    else
+        own.blend.map = std::move(map);
     return own;
 }
 

@@ -15,6 +15,7 @@
 #include "tests/referee/random_scene.h"
 #include "tests/unit/povref/agreement.h"
 #include "tests/unit/scratch.h"
+#include "text/parse.h"
 
 using namespace strahl;
 
@@ -179,4 +180,38 @@ TEST_CASE("scenes survive the way to POV-Ray's text and back") {
     for (std::uint64_t seed = 1; seed <= 200; ++seed)
         check("random scene " + std::to_string(seed), random_scene(seed, {.any_kind = .5, .levels = 2}), true);
     CHECK(checked > 240);
+}
+
+TEST_CASE("mixed materials, beams and light from behind survive that way as well") {
+    const Scene scene = parse_scene(R"(
+camera { position <0, -5, 3>  look_at <0, 0, 1>  sky <0, 0, 1>  angle 40 }
+light { direction <0, 0, -1>  from <0, 0, 9>  color <1, 1, 1>  beam 4  core 3  tightness .5 }
+defaultmaterial { specular 0  reflection 0 }
+sphere { <0, 0, 1>, 1  material { rgb <.75, .5, .25>  share checker { <1, 1, 1>, <0, 0, 0> }  blinn .5
+    coat { rgb <0, 1, 0>  reflection .5  share checker { <0, 0, 0>, checker { <1, 1, 1>, <0, 0, 0>  scale .5 } } }
+    coat { rgb <1, 0, 0, 0, .5>  diffuse .25 }
+    coat { rgb <0, 0, 1>  ambient 1  share checker { <0, 0, 0>, checker { <0, 0, 0>, <1, 1, 1>  scale .5 } } } } }
+disc { <3, 0, 1>, <0, 0, 1>, 1  material { rgb <1, 1, 1>  diffuse .5  behind .25 } }
+disc { <6, 0, 1>, <0, 0, 1>, 1  material { rgb <1, 1, 1>  both_sides 1 } }
+)",
+                                    "x");
+    const PovFiles files = write_pov(scene, {.pov_path = "x.pov", .picture_path = "x.png", .cameras = {scene.camera}});
+    const Scratch folder;
+    const Scene again = open_scene(files.pov, folder / "x.pov", {}, read_pixels).scene;
+    const auto material = [](const Scene& of, std::size_t i) {
+        return of.materials[std::size_t(of.primitives.at(i).material)];
+    };
+    const Material mixed = material(scene, 0), back = material(again, 0);
+    REQUIRE((mixed.coats.size() == 3 && back.coats.size() == 3));
+    CHECK(back.share == mixed.share);
+    for (std::size_t i = 0; i < 3; ++i) {
+        CHECK(back.coats[i].share == mixed.coats[i].share);
+        CHECK(back.coats[i].rgb == mixed.coats[i].rgb);
+        CHECK(back.coats[i].reflection == mixed.coats[i].reflection);
+    }
+    CHECK((material(again, 1).behind == .25 && material(again, 2).both_sides == 1));
+    REQUIRE(again.lights.size() == 1);
+    const Light& beam = again.lights[0];
+    REQUIRE(beam.from);
+    CHECK((beam.core == .75 * beam.beam && beam.from->z == 2.25 * beam.beam && beam.tightness == .5));
 }
