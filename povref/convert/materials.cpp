@@ -93,6 +93,8 @@ std::vector<std::string> layer_finish(const Material& m) {
     add(m.blinn > 0, "specular " + text_of(m.blinn) + " roughness " + text_of(m.roughness));
     add(m.metallic > 0, "metallic " + text_of(m.metallic));
     add(m.conserve > 0, "conserve_energy");
+    add(m.clarity != 1, "refraction " + text_of(m.clarity));
+    add(m.irid > 0, "irid { " + text_of(m.irid) + " thickness " + text_of(m.film) + " }");
     if (m.reflection > 0) {
         const Color most = m.reflection * m.mirror;
         std::string text = "reflection { rgb " + text_of(m.facing * most) + ", rgb " + text_of(most);

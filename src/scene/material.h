@@ -30,9 +30,13 @@ struct Material {
     // incidence)^falloff, or with fresnel the reflectance by `ior`. `gilding` is what `metallic` is for highlights.
     Color mirror{1};
     double facing = 1, falloff = 1, fresnel = 0, gilding = 0;
-    double shadow = 1;              // 0: the body casts none
-    double behind = 0;              // diffuse light of lights behind the surface
-    double both_sides = 0;          // 1: lights behind the surface light it as those before it do
+    double shadow = 1;      // 0: the body casts none
+    double behind = 0;      // diffuse light of lights behind the surface
+    double both_sides = 0;  // 1: lights behind the surface light it as those before it do
+    double clarity = 1;     // factor of what is seen through the body and reflected totally, not of shadows
+    // The light of each light is multiplied by 1 + irid cos(2 pi film (n.l + n.e) / w), e towards the eye, w the
+    // wavelengths .7, .52 and .48 of red, green and blue.
+    double irid = 0, film = 0;
     double conserve = 0;            // 1: what comes through is multiplied by 1 less what is reflected
     double seen = 1, mirrored = 1;  // 0: rays go through it that come from the eye, or from mirrors
     // With fade_distance > 0 light is multiplied by c + (1 - c) / (1 + (d / fade_distance)^fade_power), of the colour
@@ -84,8 +88,8 @@ struct Material {
     bool plain() const {
         return blinn == 0 && metallic == 0 && brilliance == 1 && glow == Color(1) && mirror == Color(1) &&
                facing == 1 && fresnel == 0 && gilding == 0 && shadow == 1 && conserve == 0 && seen == 1 &&
-               mirrored == 1 && behind == 0 && both_sides == 0 && fade_distance == 0 && coats.empty() && !rgb.clear() &&
-               !shares();
+               mirrored == 1 && behind == 0 && both_sides == 0 && clarity == 1 && irid == 0 && fade_distance == 0 &&
+               coats.empty() && !rgb.clear() && !shares();
     }
     /// Does light fade inside the body?
     bool fades() const { return fade_distance > 0 && transmits(); }
@@ -148,6 +152,11 @@ struct Material {
               "factors of its light; a coat that has some begins other layers, whose light is added to that of those "
               "before, so that with a pattern and its reverse two materials are mixed",
               Range::zero_or_more},
+        Field{"clarity", &Material::clarity, "factor of what is seen through the body, its shadow stays as it is",
+              Range::zero_or_more},
+        Field{"irid", &Material::irid,
+              "strength of colours as of a thin film; they vary with the angles of eye and light", Range::zero_or_more},
+        Field{"film", &Material::film, "thickness of that film, in thousandths of a millimetre", Range::zero_or_more},
         Field{"conserve", &Material::conserve, "1: light that comes through is dimmed by the share that is reflected",
               Range::zero_to_one},
         Field{"seen", &Material::seen, "0: the eye looks through the body, and only mirrors show it",

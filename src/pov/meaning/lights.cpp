@@ -65,6 +65,8 @@ void SceneMaker::add_light(const ObjectThing& object, const Around& around) {
             light.beam = own.falloff.value_or(1), light.core = std::max(own.radius.value_or(.75), 0.);
             light.tightness = std::clamp(own.tightness.value_or(0), 0., 1e9);
             if (!(light.beam > 0)) return;
+        } else if (own.sort == LightThing::Sort::spot) {
+            light.beam = 1e9;  // it has no cone, but does not shine behind its plane
         }
     } else if (own.sort != LightThing::Sort::point && target != light.position) {
         Spot spot{.look_at = target};

@@ -232,7 +232,7 @@ void MaterialMaker::set_finish(Material& material, const FinishThing& finish, co
     approximated(finish.conserve_energy && material.refraction > 0, "'conserve_energy' changes nothing");
     if (use.shadow_only) return;
     if (finish.crand != 0) notes.left_out(finish.place, "'crand'");
-    if (finish.irid) notes.left_out(finish.place, "'irid'");
+    if (finish.irid > 0) notes.approximated(finish.place, "'irid' has no effect");
     if (finish.subsurface) notes.left_out(finish.place, "'subsurface'");
 }
 
@@ -268,7 +268,8 @@ void MaterialMaker::set_layer(Material& layer, const FinishThing& finish) {
     }
     layer.behind = coefficient(finish.diffuse_behind);
     if (finish.crand != 0) notes.left_out(finish.place, "'crand'");
-    if (finish.irid) notes.left_out(finish.place, "'irid'");
+    layer.irid = coefficient(finish.irid), layer.film = coefficient(finish.film);
+    if (finish.irid > 0) approximated(finish.swirls, "the film of 'irid' is even");
     if (finish.subsurface) notes.left_out(finish.place, "'subsurface'");
 }
 
@@ -280,8 +281,6 @@ Material MaterialMaker::layer_of(const LayerValues& values, const Steps& way, bo
         notes.approximated(values.place, "a picture that lets light through is opaque");
     Material layer{.rgb = look.clear(), .reflection = 0, .specular = 0, .pow = 40};
     set_layer(layer, values.finish);
-    if (values.finish.refraction.value_or(1) != 1)
-        notes.approximated(values.finish.place, "'refraction' of a finish is 1");
     approximate_opacity(layer, values);
     if (values.finish.conserve_energy && layer.reflection > 0 && layer.rgb.clear()) layer.conserve = 1;
     return layer;
@@ -404,6 +403,13 @@ void MaterialMaker::approximate_opacity(Material& layer, const LayerValues& valu
 /// Returns the material by the article's terms alone, or by POV-Ray's if those do not say all.
 Material MaterialMaker::material_of(const TextureThing& texture, const InteriorThing* interior, const MaterialUse& use,
                                     const Steps& way) {
+    // Old words of a finish belong to the interior.
+    const LayerValues& top = texture.layers.back();
+    std::optional<InteriorThing> old;
+    if (top.finish.ior && !top.blend) {
+        old = interior ? *interior : InteriorThing();
+        old->ior = *top.finish.ior, interior = &*old;
+    }
     if (use.shadow_only)
         return interior && interior->fades() ? layered_material_of(texture, interior, use, way)
                                              : plain_material_of(texture, interior, use, way);
@@ -414,6 +420,7 @@ Material MaterialMaker::material_of(const TextureThing& texture, const InteriorT
     if (!differs && !use.both_sides && texture.corners.empty()) return plain;
     Material layered = layered_material_of(texture, interior, use, way);
     layered.both_sides = use.both_sides ? 1 : 0;
+    if (!top.blend) layered.clarity = coefficient(top.finish.refraction.value_or(1));
     return layered;
 }
 

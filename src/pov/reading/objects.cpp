@@ -100,13 +100,7 @@ bool PovReader::read_object_modifier(Interpreter& in, ObjectThing& object) {
             return change([&](LayerValues& layer) { read_normal(in, layer.normal); });
         case word("finish"):
             in.skip();
-            return change([&](LayerValues& layer) {
-                read_finish(in, layer.finish);
-                if (!layer.finish.ior) return;
-                auto interior = std::make_shared<InteriorThing>(object.interior ? *object.interior : InteriorThing());
-                interior->ior = *layer.finish.ior;
-                object.interior = std::move(interior);
-            });
+            return change([&](LayerValues& layer) { read_finish(in, layer.finish); });
         case word("material"): {
             in.skip();
             const auto material = read_material(in);

@@ -42,6 +42,7 @@ void PovReader::read_settings(Interpreter& in) {
                 in.skip();
                 break;
             case word("irid_wavelength"):
+                in.remark(Remark::Kind::approximated, in.last_place(), "irid_wavelength is the usual one");
                 in.read_color();
                 break;
             case word("hf_gray_16"):

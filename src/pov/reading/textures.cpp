@@ -156,8 +156,19 @@ void PovReader::read_finish(Interpreter& in, FinishThing& finish) {
                 finish.conserve_energy = in.read_flag();
                 break;
             case word("irid"):
+                in.begin_block();
+                finish.irid = in.read_number();
+                while (!in.at('}'))
+                    if (in.accept("thickness"))
+                        finish.film = in.read_number();
+                    else if (in.accept("turbulence"))
+                        finish.swirls = in.read_vector().x != 0;
+                    else
+                        in.expected("'thickness', 'turbulence' or '}'");
+                in.end_block();
+                break;
             case word("subsurface"):
-                (code == word("irid") ? finish.irid : finish.subsurface) = true;
+                finish.subsurface = true;
                 in.skip_block();
                 break;
             case word("ior"):

@@ -139,7 +139,8 @@ struct FinishValues {
     DVec3 ambient{.1}, emission{0};
     double diffuse = .6, brilliance = 1, phong = 0, phong_size = 40, specular = 0, roughness = .05, metallic = 0;
     double diffuse_behind = 0, crand = 0;
-    bool irid = false, conserve_energy = false, subsurface = false;
+    double irid = 0, film = 0;
+    bool conserve_energy = false, subsurface = false, swirls = false;  // swirls: the film of irid does
     ReflectionValues reflection;
     std::optional<double> ior, refraction;  // old words, which belong to the interior
     bool operator==(const FinishValues&) const = default;

@@ -124,13 +124,25 @@ Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, c
             for (int c = 0; c < 3; ++c) through[c] = through[c] * fma(own.filter, own.color[c], more);
         }
         hit.ambient = select(lanes, ambient, hit.ambient);
-        hit.through = select(lanes, passed + through, hit.through);
+        hit.through = select(lanes, scale(S(finish.clarity), passed + through), hit.through);
         hit.mirrored = select(lanes, mirrored, hit.mirrored);
         hit.most_mirrored = select(lanes, most, hit.most_mirrored);
         hit.total = select(lanes, S(finish.total), hit.total);
         hit.clear = select(lanes, S(finish.clear ? 1 : 0), hit.clear);
     });
     return all;
+}
+
+/// Returns the colours that a thin film gives light, see Material.
+template <class S>
+[[gnu::noinline]] Vec3<S> film_colors(const LayerKernel<Element<S>>& layer, const LitSurface<S>& lit) {
+    using T = Element<S>;
+    constexpr T waves[3] = {T(.7), T(.52), T(.48)};
+    alignas(64) T ways[width<S>], colors[3][width<S>];
+    store_lanes(ways, S(layer.film) * (lit.cosine + abs(dot(lit.direction, lit.normal))));
+    for (int k = 0; k < width<S>; ++k)
+        for (int c = 0; c < 3; ++c) colors[c][k] = 1 + layer.irid * std::cos(ways[k] / waves[c]);
+    return {load_lanes<S>(colors[0]), load_lanes<S>(colors[1]), load_lanes<S>(colors[2])};
 }
 
 template <class S>
@@ -153,8 +165,10 @@ void FinishCalls<S>::scatter(const World<T>& world, const int* materials, const 
             if (world.finishes.behind && !finish.both_sides) highlight = select(lit.behind, zero, highlight);
             Vec3<S> tint = splat<S>(Vec3<T>(1));
             if (layer.metallic != 0) tint = tint_of(hit.color[i], layer.metallic, lit.cosine);
+            Vec3<S> film = splat<S>(Vec3<T>(1));
+            if (layer.irid > 0) film = film_colors(layer, lit);
             for (int c = 0; c < 3; ++c) {
-                const S sent = fma(diffuse, hit.color[i][c], highlight * tint[c]);
+                const S sent = film[c] * fma(diffuse, hit.color[i][c], highlight * tint[c]);
                 sum[c] = select(lanes, fma(arriving[c] * hit.above[i][c], sent, sum[c]), sum[c]);
             }
         }

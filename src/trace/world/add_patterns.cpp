@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <numbers>
 #include <tuple>
 
 #include "scene/error.h"
@@ -179,6 +180,7 @@ void WorldArrays<T>::add_finish(const Material& material, const Scene& scene, co
         set_pattern(own.rgb, scene.settings.assumed_gamma, layer.pattern);
         layer.ambient = Vec3<T>(cast<M>(scene.settings.ambient_light * own.glow) * M(own.ambient));
         layer.diffuse = number(own.diffuse), layer.behind = number(own.behind);
+        layer.irid = number(own.irid), layer.film = number(2 * std::numbers::pi * own.film);
         layer.brilliance = number(own.brilliance);
         layer.phong = number(own.specular), layer.phong_size = number(own.pow);
         layer.blinn = number(own.blinn), layer.blinn_size = number(1 / own.roughness);
@@ -195,13 +197,14 @@ void WorldArrays<T>::add_finish(const Material& material, const Scene& scene, co
     };
     const auto scatters = [](double diffuse) { return diffuse > 0; };
     const bool clear = material.transmits() && material.rgb.clear();
-    finishes.list.push_back({static_cast<std::int32_t>(finishes.layers.size()),
-                             static_cast<std::int32_t>(1 + material.coats.size()), number(material.refraction),
-                             number(material.ior), number(clear ? 1 : material.reflection + material.refraction), clear,
-                             material.shadow > 0, material.seen > 0, material.mirrored > 0, material.both_sides > 0,
-                             material.behind > 0 || std::ranges::any_of(material.coats, scatters, &Material::behind),
-                             number(material.fades() ? 1 / (material.fade_distance * placement.scale) : 0),
-                             number(material.fade_power), cast<T>(material.fade_color)});
+    finishes.list.push_back(
+        {static_cast<std::int32_t>(finishes.layers.size()), static_cast<std::int32_t>(1 + material.coats.size()),
+         number(material.refraction), number(material.ior),
+         number(clear ? material.clarity : material.reflection + material.refraction), number(material.clarity), clear,
+         material.shadow > 0, material.seen > 0, material.mirrored > 0, material.both_sides > 0,
+         material.behind > 0 || std::ranges::any_of(material.coats, scatters, &Material::behind),
+         number(material.fades() ? 1 / (material.fade_distance * placement.scale) : 0), number(material.fade_power),
+         cast<T>(material.fade_color)});
     world.finishes.fades |= material.fades();
     world.finishes.hides |= !(material.seen > 0 && material.mirrored > 0);
     world.finishes.behind |= finishes.list.back().both_sides || finishes.list.back().behind;

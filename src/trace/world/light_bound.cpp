@@ -32,8 +32,8 @@ double sent_on(const Material& m) {
     double reflected = m.reflection * largest(m.mirror) * std::max(1., m.gilding * largest(m.rgb.color));
     for (const Material& coat : m.coats)
         reflected += coat.reflection * largest(coat.mirror) * std::max(1., coat.gilding * largest(coat.rgb.color));
-    const double through = std::max(m.refraction, largest(m.passed(Color(m.refraction))));
-    return reflected * m.most_share() + (m.transmits() && m.rgb.clear() ? std::max(1., through) : through);
+    const double through = m.clarity * std::max(m.refraction, largest(m.passed(Color(m.refraction))));
+    return reflected * m.most_share() + (m.transmits() && m.rgb.clear() ? std::max(m.clarity, through) : through);
 }
 
 /// Returns by how much the bodies on its way can multiply a light at most: glass of a colour above 1 brightens it.
@@ -59,7 +59,7 @@ double own_light(const Scene& scene, const Material& m, double gain) {
                       (std::max(m.diffuse, m.behind) * m.rgb.color[c] + (m.specular + m.blinn) * tint);
     double all = largest(sum);
     for (const Material& coat : m.coats) all += own_light(scene, coat, gain);
-    return all * m.most_share();
+    return all * m.most_share() * (1 + m.irid);
 }
 
 /// Returns the scene with bounds that hold for its pictures as values of an assumed_gamma above 1: the root of a pixel

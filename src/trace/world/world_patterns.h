@@ -111,6 +111,7 @@ template <class T>
 struct LayerKernel {
     PatternKernel<T> pattern;
     Vec3<T> ambient;  // Ia Ka glow
+    T irid, film;     // film: 2 pi times its thickness
     T diffuse, behind, phong, phong_size, blinn, blinn_size, metallic, brilliance;
     Vec3<T> mirror;  // Kr mirror
     T facing, falloff, gilding;
@@ -123,6 +124,7 @@ struct FinishKernel {
     std::int32_t first_layer, layers;
     T refraction, ior;  // Kt of the lowest layer
     T total;            // the share of light that is reflected totally
+    T clarity;          // factor of what comes through, but for shadows
     bool clear;         // light comes through by the colours: it goes straight on without a new generation
     bool shadow, seen, mirrored;
     bool both_sides, behind;  // lights behind the surface light it as those before, or by its layers' `behind`

@@ -177,6 +177,13 @@ TEST_CASE("POV-Ray: lights of cylinders and lights behind surfaces") {
     CHECK((beam.from == DVec3(1, 2, 3) && normalize(*beam.direction) == DVec3(0, -1, 0)));
     CHECK(whole("light_source { y rgb 1 cylinder }").lights[0].beam == 1);
     CHECK(whole("light_source { y rgb 1 cylinder falloff 0 }").lights.empty());
+    CHECK(whole("light_source { y rgb 1 spotlight parallel }").lights[0].beam == 1e9);
+    // Old words of a finish belong to the interior.
+    const Material glass =
+        material(whole("sphere { 0, 1 texture { pigment { rgbf <1, 0, 0, 1> } finish { refraction "
+                       "1.25 ior 1.5 irid { .25 thickness .5 } } } }"));
+    CHECK((glass.clarity == 1.25 && glass.ior == 1.5 && glass.irid == .25 && glass.film == .5));
+    CHECK(says(notes_of("sphere { 0, 1 finish { irid { .25 turbulence .5 } } }"), "the film of 'irid' is even"));
     const Material both = material(whole("disc { 0, y, 1 finish { diffuse .5, .25 } double_illuminate }"));
     CHECK((both.both_sides == 1 && both.behind == .25 && both.diffuse == .5));
 }

@@ -90,6 +90,14 @@ TEST_CASE("a beam fades around its axis, and surfaces are lit from behind") {
     CHECK(red(below + disc("behind .25"), 0) == doctest::Approx(.25));
     CHECK(red(below + disc("both_sides 1  behind .25"), 0) == doctest::Approx(1));
     CHECK(red(below + disc("both_sides 1") + "sphere { <0, 0, -3>, 1 }", 0) == 0);
+    // A thin film gives light colours.
+    const auto film = [&](double wave) { return 1 + .5 * std::cos(2 * 3.14159265358979 * .3 * 2 / wave); };
+    const std::string above = "light { position <0, 0, 5>  color <1, 1, 1> } ";
+    CHECK(red(above + disc("irid .5  film .3"), 0) == doctest::Approx(film(.7)));
+    CHECK(red(above + "background { color <.5, .5, .5> } " +
+                  "disc { <0, 0, 0>, <0, 0, 1>, 2  material { rgb <0, 0, 0, 0, 1>  clarity .5  reflection 0  specular "
+                  "0 } }",
+              0) == doctest::Approx(.25));
     // The far side of a ball keeps the light from its near side.
     CHECK(red(below + "sphere { <0, 0, 0>, 1 " + white + "both_sides 1 } }", 0) == 0);
 }
