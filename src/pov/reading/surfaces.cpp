@@ -435,7 +435,7 @@ void PovReader::read_height_field(Interpreter& in, ObjectThing& object) {
             heights = heights_of(pixels);
         }
         set_mesh(object, height_field(size[0], size[1], heights, water, smooth));
-        if (smooth) object.approximated("a smooth height_field has other normals");
+        if (smooth) object.approximated("normals of a smooth height_field bend between three corners, not four");
     } catch (const FileError& error) {
         object.left_out(std::string("a height_field: ") + error.what());
     }

@@ -229,17 +229,24 @@ MeshData bicubic(const std::array<DVec3, 16>& points, int pieces) {
 
 MeshData height_field(int width, int height, std::span<const double> heights, double water, bool smooth) {
     MeshData mesh;
-    const auto clamped = [](int v, int most) { return std::clamp(v, 0, most - 1); };
-    const auto value = [&](int i, int j) {
-        return heights[std::size_t(clamped(j, height)) * std::size_t(width) + std::size_t(clamped(i, width))];
-    };
+    const auto value = [&](int i, int j) { return heights[std::size_t(j) * std::size_t(width) + std::size_t(i)]; };
     const double dx = 1. / (width - 1), dz = 1. / (height - 1);
+    // Returns the normal of the triangle between three neighbours in a row, one apart, as steep as heights of 0 to
+    // 65536 make it, or 0 outside.
+    const auto steep = [&](int i, int j, int x, int z) {
+        if (std::min(i + x, j + z) < 0 || i + x >= width || j + z >= height) return DVec3(0);
+        const double here = 65536 * value(i, j);
+        return normalize(DVec3(x * (here - 65536 * value(i + x, j)), 1, z * (here - 65536 * value(i, j + z))));
+    };
     for (int j = 0; j < height; ++j)
         for (int i = 0; i < width; ++i) {
             mesh.points.push_back({i * dx, value(i, j), j * dz});
-            if (smooth)
-                mesh.normals.push_back({(value(i - 1, j) - value(i + 1, j)) / (2 * dx), 1,
-                                        (value(i, j - 1) - value(i, j + 1)) / (2 * dz)});
+            if (!smooth) continue;
+            // POV-Ray keeps normals as whole 32767ths, in a space in which cells are 1 wide and 65536 high.
+            DVec3 n =
+                32767. * normalize(steep(i, j, 1, 1) + steep(i, j, -1, 1) + steep(i, j, -1, -1) + steep(i, j, 1, -1));
+            for (int k = 0; k < 3; ++k) n[k] = std::trunc(n[k]);
+            mesh.normals.push_back({n.x / dx, 65536 * n.y, n.z / dz});
         }
     const auto add = [&](std::int32_t a, std::int32_t b, std::int32_t c) {
         const auto above = [&](std::int32_t n) { return mesh.points[std::size_t(n)].y > water; };

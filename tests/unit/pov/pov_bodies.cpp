@@ -460,6 +460,14 @@ TEST_CASE("POV-Ray: height fields of functions") {
         CHECK_MESSAGE(found, row.x, " ", row.z);
     }
     CHECK(says(notes_of("\nheight_field { function 1, 2 { x } }"), "left out: a height_field: it has too few pixels"));
+    // Normals are means of those of the triangles around, in cells of 1 by 65536 by 1, as whole 32767ths.
+    const Scene smooth = opened("height_field { function 3, 3 { x*x*.001 } smooth }").scene;
+    const MeshData& data = *shape<Mesh>(smooth).data;
+    const double first = 16, second = 65 - 16;  // the heights of 16, and 65 less 16, at x = .5 and 1
+    const DVec3 left = normalize(DVec3(-first, 1, 0)), right = normalize(DVec3(-second, 1, 0));
+    const DVec3 mean = 32767. * normalize(left + right);
+    const DVec3 wanted(2 * std::trunc(mean.x), 65536 * std::trunc(mean.y), 0);
+    CHECK(length(data.normals[4] - wanted) < 1e-9);
 }
 
 TEST_CASE("POV-Ray: scenes find the surfaces of meshes") {
