@@ -108,6 +108,21 @@ inline std::string sentence(const Lathe& lathe) {
     return "lathe { " + spline_of(*lathe.data, curved, false, "", point) + " sturm";
 }
 
+/// The same of a blob.
+inline std::string sentence(const Blob& blob) {
+    std::string text = "blob { threshold " + text_of(blob.threshold);
+    for (const Lump& own : blob.data->lumps) {
+        text += own.from == own.to ? "\n  sphere { " : "\n  cylinder { " + text_of(own.to) + ", ";
+        text += text_of(own.from) + ", " + text_of(own.radius) + ", " + text_of(own.strength);
+        std::string rows;
+        for (const DVec3& row : {own.x, own.y, own.z})
+            for (int i = 0; i < 3; ++i) rows += text_of(row[i]) + ", ";
+        text += (own.x == Lump{}.x && own.y == Lump{}.y && own.z == Lump{}.z ? "" : " matrix <" + rows + "0, 0, 0>") +
+                std::string(" }");
+    }
+    return text + "\n  sturm";
+}
+
 /// Returns a simple body without its closing brace, in the shape's own space.
 inline std::string sentence(const Shape& shape) {
     const auto join = [](const char* keyword, const auto& first, const auto&... more) {
@@ -126,7 +141,7 @@ inline std::string sentence(const Shape& shape) {
     };
     return std::visit(
         [&]<class Kind>(const Kind& kind) {
-            if constexpr (std::is_same_v<Kind, Mesh> || has_contours<Kind>)
+            if constexpr (std::is_same_v<Kind, Mesh> || lists_crossings<Kind>)
                 return sentence(kind);
             else if constexpr (is_composite<Kind>)
                 return std::string();

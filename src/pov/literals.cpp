@@ -48,7 +48,8 @@ std::vector<NamedArgument> arguments_of(std::string_view body) {
     if (body == "light_source") return {{"location"}, {"color"}};
     std::vector<NamedArgument> arguments;
     const auto add = [&]<class Kind>(std::type_identity<Kind>) {
-        if (Kind::name == body && body != Torus::name && body != Plane::name && body != Superellipsoid::name)
+        if (Kind::name == body && body != Torus::name && body != Plane::name && body != Superellipsoid::name &&
+            body != Blob::name)
             std::apply(
                 [&](const auto&... field) {
                     (arguments.push_back({std::string(field.name), argument_range(field.range)}), ...);

@@ -31,6 +31,8 @@ template <>
 constexpr auto words_in<Prism> = joined(figure_words, shape_words);
 template <>
 constexpr auto words_in<Lathe> = words_in<Prism>;
+template <>
+constexpr auto words_in<Blob> = joined(blob_words, shape_words);
 template <Operation operation>
 constexpr auto words_in<Composite<operation>> = composite_words;
 
@@ -262,12 +264,15 @@ void Parser::shape(std::string_view word, std::vector<Primitive>& bodies, Block&
     if (is_mesh) mesh.emplace(reader);
     std::vector<Primitive> parts;
     std::vector<Contour> contours;
+    std::vector<Lump> lumps;
     reader.block(
         block, words_in<Kind>, [&] { read_arguments(reader, kind, block); },
         [&](std::string_view inner) {
             if (is_mesh && mesh->part(inner, block)) return true;
             if (has_contours<Kind> && inner == figure_words[0])
                 return contours.push_back(read_contour(reader, inner, block)), true;
+            if (std::is_same_v<Kind, Blob> && inner == blob_words[0])
+                return lumps.push_back(read_lump(reader, inner, block)), true;
             if (is_composite<Kind> && (body(inner, parts, block, depth + 1) || use(inner, parts, block, depth + 1)))
                 return true;
             return finish(inner, primitive, block, ending);
@@ -275,6 +280,7 @@ void Parser::shape(std::string_view word, std::vector<Primitive>& bodies, Block&
     if constexpr (is_mesh) kind = mesh->take(word, block);
     if constexpr (has_contours<Kind>)
         kind.data = std::make_shared<const ContourData>(std::move(contours), std::is_same_v<Kind, Lathe>);
+    if constexpr (std::is_same_v<Kind, Blob>) kind.data = std::make_shared<const BlobData>(std::move(lumps));
     if constexpr (is_composite<Kind>) kind.parts = std::make_shared<const std::vector<Primitive>>(std::move(parts));
     if (block.good()) check(kind, primitive, block, word, ending, depth);
     outer.absorb(block);

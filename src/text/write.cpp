@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "num/decimal.h"
+#include "text/blocks/blocks.h"
 #include "text/blocks/follow_text.h"
 #include "text/blocks/materials.h"
 #include "text/blocks/pigment.h"
@@ -43,16 +45,22 @@ std::string parameters(const Material& material, const Material& base) {
     return text;
 }
 
+/// A word and the arguments after its opening brace. Those that may be left out are, up to the last that is needed.
+template <class Kind>
+std::string arguments_text(std::string_view word, const Kind& shape) {
+    std::string arguments, optional;
+    const auto add = [&](const auto& field) {
+        optional += (arguments.empty() && optional.empty() ? "" : ", ") + text_of(shape.*field.member);
+        if (field.given == Given::optional && shape.*field.member == Kind{}.*field.member) return;
+        arguments += std::exchange(optional, "");
+    };
+    std::apply([&](const auto&... field) { (add(field), ...); }, Kind::fields);
+    return std::string(word) + " { " + arguments;
+}
 /// A body without its closing brace.
 template <class Kind>
 std::string shape_text(const Kind& shape) {
-    std::string arguments;
-    const auto add = [&](const auto& field) {
-        if (field.given == Given::optional && shape.*field.member == Kind{}.*field.member) return;
-        arguments += (arguments.empty() ? "" : ", ") + text_of(shape.*field.member);
-    };
-    std::apply([&](const auto&... field) { (add(field), ...); }, Kind::fields);
-    return std::string(Kind::name) + " { " + arguments;
+    return arguments_text(Kind::name, shape);
 }
 std::string places_text(const MeshData& mesh, std::size_t triangle) {
     const MeshData::Corners* const numbers = mesh.place_numbers();
@@ -82,6 +90,11 @@ std::string shape_text(const Prism& prism) {
            contours_text(*prism.data);
 }
 std::string shape_text(const Lathe& lathe) { return std::string(Lathe::name) + " {" + contours_text(*lathe.data); }
+std::string shape_text(const Blob& blob) {
+    std::string text = std::string(Blob::name) + " { " + text_of(blob.threshold);
+    for (const Lump& own : blob.data->lumps) text += "\n  " + arguments_text(blob_words[0], own) + " }";
+    return text;
+}
 std::string shape_text(const Mesh& mesh) {
     if (!mesh.file.empty()) return std::string(Mesh::name) + " { file \"" + mesh.file + "\"";
     std::string text(Mesh::name);

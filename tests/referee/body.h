@@ -6,6 +6,7 @@
 
 #include "scene/leaves.h"
 #include "tests/referee/basic.h"
+#include "tests/referee/blob.h"
 #include "tests/referee/box.h"
 #include "tests/referee/cone.h"
 #include "tests/referee/disc.h"

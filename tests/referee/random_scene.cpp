@@ -83,13 +83,16 @@ Shape any_kind(Dice& dice, std::type_identity<std::variant<Kinds...>>) {
         };
         do std::apply([&](const auto&... field) { (fill(body.*field.member), ...); }, Kind::fields);
         while (body.fault() || !in_range(body));
+        if constexpr (std::is_same_v<Kind, Superellipsoid>)
+            if (body.e > .5) return random_blob(dice);
         return body;
     };
     Shape shape;
     do {
-        const int wanted = dice.upto(sizeof...(Kinds) - 1);
+        // Blobs take the place of rounder superellipsoids: all other scenes are as they were before there were blobs.
+        const int wanted = dice.upto(sizeof...(Kinds) - 2);
         int number = 0;
-        ((number++ == wanted ? void(shape = make(Kinds{})) : void()), ...);
+        ((!std::is_same_v<Kinds, Blob> && number++ == wanted ? void(shape = make(Kinds{})) : void()), ...);
     } while (!std::visit([](const auto& body) { return body.bounded; }, shape));
     return shape;
 }
@@ -192,6 +195,17 @@ Lathe random_lathe(Dice& dice) {
         if (dice.chance(.3)) last.control = last.end, last.second.reset();
     }
     return {std::make_shared<const ContourData>(std::move(contours), true)};
+}
+
+Blob random_blob(Dice& dice) {
+    std::vector<Lump> lumps(2 + static_cast<std::size_t>(dice.upto(4)));
+    for (Lump& own : lumps) {
+        own.from = own.to = dice.vector(-.7, .7);
+        if (dice.chance(.4)) own.to = dice.vector(-.7, .7);
+        own.radius = dice.in(.4, 1), own.strength = &own != &lumps[0] && dice.chance(.2) ? -.5 : dice.in(.6, 1.2);
+        if (dice.chance(.3)) own.x = dice.in(.6, 1.5) * own.x, own.y = {dice.in(-.4, .4), 1, dice.in(-.4, .4)};
+    }
+    return {dice.in(.3, .6), std::make_shared<const BlobData>(std::move(lumps))};
 }
 
 Scene random_scene(std::uint64_t seed, const RandomScene& what) {

@@ -27,5 +27,7 @@ Scene random_scene(std::uint64_t seed, const RandomScene& what = {});
 Prism random_prism(Dice& dice);
 /// A lathe that is closed, of such contours.
 Lathe random_lathe(Dice& dice);
+/// A blob of balls and lines, some of them stretched, and some that take away.
+Blob random_blob(Dice& dice);
 
 }  // namespace strahl

@@ -34,6 +34,14 @@ struct Mirroring {
         std::ranges::for_each(data->normals, turn);
         own.data = std::move(data);
     }
+    void operator()(Blob& own) const {
+        std::vector<Lump> lumps = own.data->lumps;
+        for (Lump& lump : lumps) {
+            for (DVec3* const v : {&lump.from, &lump.to, &lump.x, &lump.y, &lump.z}) turn(*v);
+            lump.z = -lump.z;
+        }
+        own.data = std::make_shared<const BlobData>(std::move(lumps));
+    }
     template <class Kind>
     void operator()(Kind&) const {}
 };
@@ -214,13 +222,16 @@ std::optional<SceneMaker::Part> SceneMaker::build(const ObjectThing& object, con
         Steps steps = object.steps;
         fold_matrix(shape, steps);
         if (mirrored) {
-            auto* const own = std::get_if<Mesh>(&shape);
-            std::shared_ptr<const MeshData>* const known = own ? &mirrored_meshes[own->data] : nullptr;
-            if (known && *known)
-                own->data = *known;
-            else
+            std::shared_ptr<const void> shared;
+            if (const auto* const own = std::get_if<Mesh>(&shape)) shared = own->data;
+            if (const auto* const own = std::get_if<Blob>(&shape)) shared = own->data;
+            if (!shared) {
                 shape = mirrored_shape(shape);
-            if (known) *known = std::get<Mesh>(shape).data;
+            } else {
+                const auto [known, is_new] = mirrored_shapes.try_emplace(shared);
+                if (is_new) known->second = mirrored_shape(shape);
+                shape = known->second;
+            }
         }
         if (const char* const fault = fault_of(shape)) {
             notes.left_out(object.place, std::string("a body: ") + fault);

@@ -109,8 +109,8 @@ class SceneMaker {
     };
     std::map<const LevelSurface*, SurfaceUse> surface_uses;
     int objects_counted = 0;
-    // By their originals, of which all uses share one.
-    std::map<std::shared_ptr<const MeshData>, std::shared_ptr<const MeshData>> mirrored_meshes;
+    // Meshes and blobs by their data, of which all uses share one.
+    std::map<std::shared_ptr<const void>, Shape> mirrored_shapes;
 };
 
 }  // namespace strahl::pov

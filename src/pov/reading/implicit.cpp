@@ -1,4 +1,4 @@
-// Reads bodies that are defined by functions, and makes them meshes: blobs, polynomials, isosurfaces and parametric
+// Reads blobs, and bodies that other functions define, which become meshes: polynomials, isosurfaces and parametric
 // surfaces.
 #include <algorithm>
 #include <array>
@@ -18,69 +18,6 @@ namespace {
 
 /// Polynomials are shown within this distance from their origin along each axis.
 constexpr double reach = 20;
-
-/// A part of a blob: a ball, or a cylinder with round ends. The matrix takes points into its own space.
-struct BlobPart {
-    DVec3 base, axis;
-    double radius, strength;
-    glm::dmat4 inverse{1};
-
-    double field(const DVec3& point) const {
-        const DVec3 p = transform_point(inverse, point) - base;
-        const double squared = dot_product(axis, axis);
-        const double along = squared > 0 ? std::clamp(dot_product(p, axis) / squared, 0., 1.) : 0;
-        const DVec3 away = p - along * axis;
-        const double share = 1 - dot_product(away, away) / (radius * radius);
-        return share > 0 ? strength * share * share : 0;
-    }
-    void add_to(Box& box) const {
-        const glm::dmat4 m = glm::inverse(inverse);
-        for (int corner = 0; corner < 8; ++corner) {
-            const DVec3 side(corner & 1 ? radius : -radius, corner & 2 ? radius : -radius,
-                             corner & 4 ? radius : -radius);
-            box.add(transform_point(m, base + side)), box.add(transform_point(m, base + axis + side));
-        }
-    }
-};
-
-/// The parts of a blob by the cells of a grid that they reach.
-class BlobField {
-  public:
-    BlobField(const std::vector<BlobPart>& parts, const Box& box) : box(box), near(side * side * side) {
-        for (const BlobPart& part : parts) {
-            Box own;
-            part.add_to(own);
-            const DVec3 margin = 1e-9 * (abs(own.low) + abs(own.high));
-            const std::array<int, 3> from = cell_of(own.low - margin), to = cell_of(own.high + margin);
-            for (int k = from[2]; k <= to[2]; ++k)
-                for (int j = from[1]; j <= to[1]; ++j)
-                    for (int i = from[0]; i <= to[0]; ++i) near[number({i, j, k})].push_back(&part);
-        }
-    }
-    /// Returns the threshold less the fields of all parts, in their order.
-    double value(double threshold, const DVec3& p) const {
-        for (const BlobPart* part : near[number(cell_of(p))]) threshold -= part->field(p);
-        return threshold;
-    }
-
-  private:
-    static constexpr int side = 16;
-
-    std::array<int, 3> cell_of(const DVec3& p) const {
-        std::array<int, 3> cell{};
-        for (int i = 0; i < 3; ++i) {
-            const double at = side * (p[i] - box.low[i]) / (box.high[i] - box.low[i]);
-            cell[std::size_t(i)] = at > 0 ? static_cast<int>(std::min(at, side - 1.)) : 0;
-        }
-        return cell;
-    }
-    static std::size_t number(const std::array<int, 3>& cell) {
-        return std::size_t((cell[2] * side + cell[1]) * side + cell[0]);
-    }
-
-    Box box;
-    std::vector<std::vector<const BlobPart*>> near;
-};
 
 /// The body within which a surface is shown: a box, or a ball.
 struct Container {
@@ -170,31 +107,31 @@ void PovReader::set_surface(ObjectThing& object, const char* name, std::function
 }
 
 void PovReader::read_blob(Interpreter& in, ObjectThing& object) {
-    double threshold = 1;
-    std::vector<BlobPart> parts;
+    Blob blob{1, {}};
+    std::vector<Lump> lumps;
     for (;;) {
-        BlobPart part{};
+        Lump lump;
         if (in.accept("threshold")) {
-            threshold = in.read_number();
+            blob.threshold = in.read_number();
             in.skip_comma();
             continue;
         }
         if (in.accept("component")) {  // the old form
-            part.strength = in.read_number(), part.radius = next_number(in), part.base = next_vector(in);
+            lump.strength = in.read_number(), lump.radius = next_number(in), lump.from = lump.to = next_vector(in);
             in.skip_comma();
-            parts.push_back(part);
+            lumps.push_back(lump);
             continue;
         }
         const bool cylinder = in.at("cylinder");
         if (!cylinder && !in.at("sphere")) break;
         in.skip();
         in.begin_block();
-        part.base = in.read_vector();
-        if (cylinder) part.axis = next_vector(in) - part.base;
-        part.radius = next_number(in);
+        lump.from = in.read_vector();
+        lump.to = cylinder ? next_vector(in) : lump.from;
+        lump.radius = next_number(in);
         in.skip_comma();
         in.accept("strength");
-        part.strength = in.read_number();
+        lump.strength = in.read_number();
         Steps steps;
         while (!in.at('}')) {
             if (read_step(in, steps)) continue;
@@ -204,19 +141,18 @@ void PovReader::read_blob(Interpreter& in, ObjectThing& object) {
             object.approximated("the parts of a blob have the texture of the whole");
         }
         in.end_block();
-        part.inverse = glm::inverse(matrix_of(steps));
-        if (part.radius > 0) parts.push_back(part);
+        if (!(lump.radius > 0)) continue;
+        if (!steps.empty()) {
+            const glm::dmat4 m = matrix_of(steps);
+            lump.x = DVec3(m[0]), lump.y = DVec3(m[1]), lump.z = DVec3(m[2]);
+            const DVec3 moved = glm::inverse(glm::dmat3(m)) * DVec3(m[3]);
+            lump.from += moved, lump.to += moved;
+        }
+        lumps.push_back(lump);
     }
-    Box box;
-    for (const BlobPart& part : parts) part.add_to(box);
-    if (parts.empty()) return object.left_out("a blob without parts");
-    set_surface(object, "blob", [threshold, parts, box](int cells) {
-        const BlobField field(parts, box);
-        const Inside inside = [&](std::span<const DVec3> points, double* values) {
-            for (const DVec3& p : points) *values++ = field.value(threshold, p);
-        };
-        return level_surface(inside, box, cells);
-    });
+    blob.data = std::make_shared<const BlobData>(std::move(lumps));
+    if (const char* const fault = blob.fault()) return object.left_out(std::string("a blob: ") + fault);
+    object.kind = ObjectKind::shape, object.shape = std::move(blob);
 }
 
 void PovReader::read_isosurface(Interpreter& in, ObjectThing& object) {

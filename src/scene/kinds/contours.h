@@ -136,7 +136,13 @@ struct ContourData {
 /// Does a kind of bodies have contours?
 template <class Kind>
 inline constexpr bool has_contours = requires(const Kind kind) {
-    kind.data->pieces;
+    kind.data->contours;
+};
+
+/// Do rays list where they cross bodies of a kind, which may be often?
+template <class Kind>
+inline constexpr bool lists_crossings = requires(const Kind kind) {
+    kind.face_count();
 };
 
 /// A line in the plane: a point of it, from which on places along it are counted, and its direction, of length 1.

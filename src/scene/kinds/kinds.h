@@ -3,6 +3,7 @@
 #pragma once
 #include <variant>
 
+#include "scene/kinds/blob/blob.h"
 #include "scene/kinds/box.h"
 #include "scene/kinds/composite.h"
 #include "scene/kinds/cone.h"
@@ -21,8 +22,8 @@
 
 namespace strahl {
 
-using Shape = std::variant<Sphere, Plane, Cylinder, Cone, Cuboid, Disc, Torus, Prism, Lathe, Superellipsoid, Triangle,
-                           SmoothTriangle, Mesh, Union, Intersection, Difference>;
+using Shape = std::variant<Sphere, Plane, Cylinder, Cone, Cuboid, Disc, Torus, Prism, Lathe, Superellipsoid, Blob,
+                           Triangle, SmoothTriangle, Mesh, Union, Intersection, Difference>;
 
 /// Can it be a part of a composite? Meshes can if they are closed.
 bool fits_composite(const Shape& shape);

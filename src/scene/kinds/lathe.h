@@ -15,6 +15,8 @@ struct LatheKernel : ContourKernel<T> {
     using Base = ContourKernel<T>;
     using Base::box, Base::centre, Base::count, Base::row_x, Base::row_y, Base::row_z, Base::turn;
 
+    int face_count() const { return static_cast<int>(count); }
+
     /// As for a prism, but crossings behind the start may be left out. V has doubles, or more digits.
     template <class V, class PieceOf, class Crossed>
     STRAHL_INLINE void each_crossing(const ContourPiece<T>* pieces, const PieceOf&, const Ray<V>& ray, V start,

@@ -55,6 +55,8 @@ struct PrismKernel : ContourKernel<T> {
     using Base = ContourKernel<T>;
     using Base::box, Base::centre, Base::count, Base::row_x, Base::row_y, Base::turn;
 
+    int face_count() const { return caps + static_cast<int>(count); }
+
     /// Calls crossed(lanes, t, face) for each crossing of rays with the surface, in any order; those at the start are
     /// at 0 or left out. What is inside along a ray follows from one list of crossings with the contours: walls and
     /// caps never contradict each other, and there is an even number of crossings. `pieces` are the prism's own;

@@ -1,10 +1,12 @@
-// Reads the contents of a `mesh` block: triangles, or the name of a file; and the contours of a `prism` or a `lathe`.
+// Reads the contents of a `mesh` block: triangles, or the name of a file; the contours of a `prism` or a
+// `lathe`, and the lumps of a `blob`.
 #pragma once
 #include <array>
 #include <memory>
 #include <string>
 
 #include "mesh/join.h"
+#include "scene/kinds/blob/blob.h"
 #include "scene/kinds/composite.h"
 #include "scene/kinds/lathe.h"
 #include "scene/kinds/mesh.h"
@@ -53,6 +55,8 @@ class MeshBlock {
 
 /// Reads the block of a contour.
 Contour read_contour(BlockReader& reader, std::string_view word, Block& block);
+/// Reads the block of a lump.
+Lump read_lump(BlockReader& reader, std::string_view word, Block& block);
 
 /// Why a body of this word cannot be part of another one; empty if it can.
 std::string open_mesh_fault(const Mesh& mesh);

@@ -18,7 +18,7 @@ using Rows = std::vector<WordHelp>;
 std::string code(std::string_view word) { return std::string("`").append(word).append("`"); }
 
 /// Describes words that no list of parameters does, or not alone.
-constexpr std::array<std::pair<std::string_view, const char*>, 35> meanings{{
+constexpr std::array<std::pair<std::string_view, const char*>, 37> meanings{{
     {"camera", "where the eye is, and how it looks; a scene has exactly one"},
     {"light", "a point, a spotlight, parallel light or a rectangle of light"},
     {"material", "changes the parameters that it names of the material in force; `material NAME` is one by `define`"},
@@ -48,6 +48,8 @@ constexpr std::array<std::pair<std::string_view, const char*>, 35> meanings{{
      "a line around the figure of a prism, or one that turns: `contour { <0, 0>  line <2, 0>  curve <2, 2>, <0, 2> }`"},
     {"line", "goes on along a straight line: `line <end>`"},
     {"curve", "goes on along a curve of Bezier's, which has one or two control points: `curve <control point>, <end>`"},
+    {"blob", "lumps that melt into each other: all points where the fields of these add up to more than a threshold"},
+    {"lump", "a ball or what is around a line: `lump { <from>, <to>, radius, strength }`"},
     {"mesh", "a body made of triangles"},
     {"file", "a PLY, OBJ or STL file of triangles, relative to the scene's folder: `file \"NAME\"`"},
     {"triangle", "a flat triangle"},
@@ -105,6 +107,15 @@ Rows body_rows() {
         if constexpr (has_contours<Kind>)
             rows.push_back(
                 {"contour", "", "blocks of a start, then `line`s and `curve`s", "its contours, one or more"});
+        if constexpr (std::is_same_v<Kind, Blob>)
+            std::apply(
+                [&](const auto&... field) {
+                    (rows.push_back({std::string(field.given == Given::optional ? "[lump: " : "lump: ") + field.name +
+                                         (field.given == Given::optional ? "]" : ""),
+                                     "", argument_range(field.range).words, field.help}),
+                     ...);
+                },
+                Lump::fields);
         return rows;
     }
 }
@@ -187,6 +198,7 @@ std::vector<std::string> words_in(std::string_view block, std::string_view outer
     if (own_block(block, outer) == "material") words.emplace_back("coat");
     if (block == Mesh::name) add(mesh_words);
     if (block == Prism::name || block == Lathe::name) add(figure_words);
+    if (block == Blob::name) add(blob_words);
     if (block == figure_words[0]) return add(contour_words), words;
     if (outer == Mesh::name) return add(triangle_words), words;
     if (pattern && contains(bump_words, block)) words.emplace_back("height");

@@ -1,4 +1,4 @@
-// Ray queries on bodies with contours, which have faces for each of their pieces.
+// Ray queries on bodies with contours, which have faces for each of their pieces, and on blobs.
 #pragma once
 #include <bit>
 
@@ -7,13 +7,13 @@
 namespace strahl::inline STRAHL_LEVEL {
 
 template <class OwnForm, class S>
-requires has_contours<typename OwnForm::Kind>
+requires lists_crossings<typename OwnForm::Kind>
 struct FormFunctions<OwnForm, S> : SingleByPack<FormFunctions<OwnForm, S>, S> {
     using T = Element<S>;
     static void intersect(const World<T>& world, int first, int count, const Ray<S>& ray, Mask<S> mask,
                           Nearest<S>& best) {
         for (int i = first; i < first + count; ++i)
-            each_crossing(world, i, ray, mask, [&](Mask<S> lanes, const S& t, const S& surface) {
+            each_crossing(world, i, 1, ray, mask, [&](Mask<S> lanes, const S& t, const S& surface) {
                 const Mask<S> better = lanes & (t > S(0)) & closer(t, surface, best.t, best.surface);
                 best.t = select(better, t, best.t);
                 best.surface = select(better, surface, best.surface);
@@ -24,17 +24,19 @@ struct FormFunctions<OwnForm, S> : SingleByPack<FormFunctions<OwnForm, S>, S> {
         for (int i = first; i < first + count; ++i) {
             const auto& item = items(world)[i];
             const bool clear = transparent(world, item), painted = patterned(world, static_cast<int>(item.material));
-            each_crossing(world, i, ray, mask, [&](Mask<S> lanes, const S& t, const S& surface) {
-                lanes = lanes & (t > S(0)) & (t < distance);
-                if (none(lanes)) return;
-                if (!clear) return void(light.limit = select(lanes, S(-1), light.limit));
-                if (painted)
-                    return PatternCalls<S>::filter(world, static_cast<int>(item.material), surface, ray, t, lanes,
-                                                   light.share);
-                const Vec3<T>& kept = filter(world, item);
-                for (int c = 0; c < 3; ++c)
-                    light.share[c] = select(lanes, min(light.share[c] * S(kept[c]), S(largest_gain)), light.share[c]);
-            });
+            each_crossing(world, i, clear ? BlobData::unlimited : 1, ray, mask,
+                          [&](Mask<S> lanes, const S& t, const S& surface) {
+                              lanes = lanes & (t > S(0)) & (t < distance);
+                              if (none(lanes)) return;
+                              if (!clear) return void(light.limit = select(lanes, S(-1), light.limit));
+                              if (painted)
+                                  return PatternCalls<S>::filter(world, static_cast<int>(item.material), surface, ray,
+                                                                 t, lanes, light.share);
+                              const Vec3<T>& kept = filter(world, item);
+                              for (int c = 0; c < 3; ++c)
+                                  light.share[c] =
+                                      select(lanes, min(light.share[c] * S(kept[c]), S(largest_gain)), light.share[c]);
+                          });
             if (all(light.limit < S(0))) return true;
         }
         return false;
@@ -43,37 +45,60 @@ struct FormFunctions<OwnForm, S> : SingleByPack<FormFunctions<OwnForm, S>, S> {
     static void surfaces_at(const World<T>& world, const int* numbers, const Ray<S>& ray, const S& t, const S& faces,
                             SurfaceHit<S>& hit, int* materials) {
         for (int k = 0; k < width<S>; ++k) materials[k] = static_cast<int>(items(world)[numbers[k]].material);
-        const auto own = gather_items<Item<OwnForm, S>, S>(items(world), numbers);
-        const S first = own.shape.first;
-        hit = {own.shape.at(pieces_of(world.contour_pieces, first, faces), ray, t, faces), own.surface + faces,
-               own.surface};
+        if constexpr (has_contours<typename OwnForm::Kind>) {
+            const auto own = gather_items<Item<OwnForm, S>, S>(items(world), numbers);
+            const S first = own.shape.first;
+            hit = {own.shape.at(pieces_of(world.contour_pieces, first, faces), ray, t, faces), own.surface + faces,
+                   own.surface};
+        } else {
+            T found[7][width<S>];
+            for (int k = 0; k < width<S>; ++k) {
+                const auto& item = items(world)[numbers[k]];
+                const auto pick = [k](const Vec3<S>& v) { return Vec3<T>(lane(v.x, k), lane(v.y, k), lane(v.z, k)); };
+                const Ray<T> one{pick(ray.origin), pick(ray.direction), T(-1)};
+                const SurfacePoint<T> point = item.shape.at(first_piece(world, item), one, lane(t, k));
+                for (int c = 0; c < 3; ++c) found[c][k] = point.position[c], found[3 + c][k] = point.normal[c];
+                found[6][k] = item.surface;
+            }
+            for (int c = 0; c < 3; ++c)
+                hit.point.position[c] = load_lanes<S>(found[c]), hit.point.normal[c] = load_lanes<S>(found[3 + c]);
+            hit.surface = hit.body = load_lanes<S>(found[6]);
+        }
     }
     static void list_crossings(const World<T>& world, const CompositeLeaf& leaf, const Ray<S>& ray, Mask<S> mask,
                                const S& place, const S&, Mask<S>, MeshCrossings<S>& found) {
-        each_crossing(world, leaf.item, ray, mask, [&](Mask<S> lanes, const S& t, const S& surface) {
-            for (unsigned left = bits(lanes & (t > place)); left; left &= left - 1) {
-                const int k = std::countr_zero(left);
-                found.add(k, lane(t, k), lane(surface, k));
-            }
-        });
+        each_crossing(world, leaf.item, BlobData::unlimited, ray, mask,
+                      [&](Mask<S> lanes, const S& t, const S& surface) {
+                          for (unsigned left = bits(lanes & (t > place)); left; left &= left - 1) {
+                              const int k = std::countr_zero(left);
+                              found.add(k, lane(t, k), lane(surface, k));
+                          }
+                      });
     }
 
   private:
     static const Item<OwnForm, T>* items(const World<T>& world) { return world.groups.template get<OwnForm>().items; }
-    static constexpr int caps = OwnForm::template Kernel<T>::caps;
+    static auto first_piece(const World<T>& world, const Item<OwnForm, T>& item) {
+        if constexpr (has_contours<typename OwnForm::Kind>)
+            return world.contour_pieces + static_cast<int>(item.shape.first);
+        else
+            return world.lump_pieces + static_cast<int>(item.shape.first);
+    }
     /// Returns the pieces of faces, of bodies with these first pieces; for caps the first piece.
     static ContourPiece<S> pieces_of(const ContourPiece<T>* pieces, const S& first, const S& face) {
+        constexpr int caps = OwnForm::template Kernel<T>::caps;
         alignas(64) T numbers[width<S>];
         store_lanes(numbers, first + max(face - S(T(caps)), S(0)));
         int index[width<S>];
         for (int k = 0; k < width<S>; ++k) index[k] = static_cast<int>(numbers[k]);
         return gather_items<ContourPiece<S>, S>(pieces, index);
     }
-    /// Calls visit(lanes, t, surface) for each crossing of rays with an item.
+    /// Calls visit(lanes, t, surface) for each crossing of rays with an item, or at least the nearest `enough` of them.
     template <class Visit>
-    static void each_crossing(const World<T>& world, int i, const Ray<S>& ray, Mask<S> mask, const Visit& visit) {
+    static void each_crossing(const World<T>& world, int i, int enough, const Ray<S>& ray, Mask<S> mask,
+                              const Visit& visit) {
         const auto& item = items(world)[i];
-        const ContourPiece<T>* const pieces = world.contour_pieces + static_cast<int>(item.shape.first);
+        const auto* const pieces = first_piece(world, item);
         const S surface(item.surface), start = ray.source - surface;
         const auto visit_face = [&](Mask<S> lanes, const S& t, const S& face) { visit(lanes, t, S(surface + face)); };
         if constexpr (requires { OwnForm::template Kernel<T>::in_double; }) {
@@ -85,12 +110,12 @@ struct FormFunctions<OwnForm, S> : SingleByPack<FormFunctions<OwnForm, S>, S> {
                 const auto visit_lanes = [&](Mask<V> lanes, const V& t, const V& face) {
                     visit_face(mask_of<S>(bits(lanes) << first), lanes_of<S>(t, part), lanes_of<S>(face, part));
                 };
-                item.shape.each_crossing(pieces, 0,
+                item.shape.each_crossing(pieces, enough,
                                          Ray<V>{doubles_of(ray.origin, part), doubles_of(ray.direction, part), V(0)},
                                          doubles_of(start, part), own, visit_lanes);
             }
         } else {
-            const S last(item.shape.count + T(caps - 1));
+            const S last(T(item.shape.face_count() - 1));
             const auto piece_of = [&](const S& face) { return pieces_of(pieces, S(0), S(min(face, last))); };
             item.shape.each_crossing(pieces, piece_of, ray, start, mask, visit_face);
         }
@@ -99,7 +124,7 @@ struct FormFunctions<OwnForm, S> : SingleByPack<FormFunctions<OwnForm, S>, S> {
 
 /// These bodies are never alone in a bin, so that the other functions are not needed.
 template <class Kind, class S>
-requires has_contours<Kind>
+requires lists_crossings<Kind>
 const std::array<FormCalls<S>, 1> KindCalls<Kind, S>::calls = [] {
     using Own = FormFunctions<Form<Kind, 0>, S>;
     FormCalls<S> calls{&Own::intersect, &Own::intersect_single, &Own::occlude, &Own::occlude_single};

@@ -28,8 +28,8 @@ struct LeafEnds {
     int list;  // of a leaf whose crossings are listed: the number of the list
 };
 
-/// Lists where rays cross the triangles of a mesh, or a body with contours, beyond some distance: the nearest places,
-/// ascending, at infinity if there are fewer, each with the least number of the surfaces there.
+/// Lists where rays cross the triangles of a mesh, or a body with contours or a blob, beyond some distance: the nearest
+/// places, ascending, at infinity if there are fewer, each with the least number of the surfaces there.
 template <class S>
 struct MeshCrossings {
     using T = Element<S>;
@@ -178,7 +178,7 @@ struct KindCalls<Union, S> {
     static const std::array<FormCalls<S>, 1> calls;
 };
 template <class Kind, class S>
-requires has_contours<Kind>
+requires lists_crossings<Kind>
 struct KindCalls<Kind, S> {
     static constexpr std::size_t forms = 1;
     static const std::array<FormCalls<S>, 1> calls;

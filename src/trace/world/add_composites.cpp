@@ -15,7 +15,7 @@ namespace {
 
 template <class Kind>
 int faces_of_leaf(const Kind& kind) {
-    if constexpr (has_contours<Kind>) return kind.face_count();
+    if constexpr (lists_crossings<Kind>) return kind.face_count();
     return Kind::faces;
 }
 int faces_of_leaf(const Mesh& mesh) { return static_cast<int>(mesh.data->triangles.size()); }
@@ -93,7 +93,7 @@ class CompositeBuilder {
             constexpr std::size_t fields = sizeof(Own) / sizeof(T);
             const auto surface = static_cast<T>(next_surface + static_cast<int>(boxes.size()));
             Own item{kernel, surface, static_cast<T>(material)};
-            if constexpr (has_contours<Kind>) item.shape.first = arrays.first_piece_of(shape);
+            if constexpr (lists_crossings<Kind>) item.shape.first = arrays.first_piece_of(shape);
             std::vector<T>& numbers = leaf_numbers[form];
             if (leaf.form < 0) leaf.item = arrays.forms[form].count + static_cast<int>(numbers.size() / fields);
             leaf.form = form;
@@ -107,7 +107,7 @@ class CompositeBuilder {
             meshes.push_back({shape.data.get(), m, tables.leaves.size()});
             return add_mesh(leaf, boxes);
         }
-        if constexpr (has_contours<Kind>) {
+        if constexpr (lists_crossings<Kind>) {
             if constexpr (std::is_same_v<Kind, Prism>)
                 prisms.push_back({{shape.base, shape.top}, m, tables.leaves.size()});
             const Box box = transformed(shape.bounds(), to_world.matrix);
@@ -286,7 +286,7 @@ int faces_of(const Shape& shape) {
 }
 
 /// Adds the leaves of all composites, which follow the items of their forms, and notes where the faces of bodies with
-/// contours are.
+/// contours and of blobs are.
 template <class T>
 void WorldArrays<T>::add_composites(const Scene& scene, const Placement& placement, ThreadPool& pool, bool proves) {
     if (forms[place_of<CompositeForm>(Forms{})].count == 0 && first_pieces.empty()) return;
@@ -324,10 +324,11 @@ void WorldArrays<T>::add_composites(const Scene& scene, const Placement& placeme
         constexpr int form = place_of<Own>(Forms{});
         const auto* const all = reinterpret_cast<const Item<Own, T>*>(forms[form].numbers.get());
         for (int i = 0; i < forms[form].count; ++i)
-            for (int face = 0; face < static_cast<int>(all[i].shape.count) + all[i].shape.caps; ++face)
+            for (int face = 0; face < all[i].shape.face_count(); ++face)
                 refer_to(form, static_cast<int>(all[i].surface) + face, i, face);
     };
     refer_to_all(std::type_identity<Form<Prism, 0>>()), refer_to_all(std::type_identity<Form<Lathe, 0>>());
+    refer_to_all(std::type_identity<Form<Blob, 0>>());
     for (const CompositeLeaf& leaf : leaves) {
         const auto refer = [&](std::int32_t surface, std::int32_t item, int face) {
             refer_to(leaf.form, surface, item, face);

@@ -41,17 +41,22 @@ struct PutItems {
 
 }  // namespace
 
-/// Adds the pieces of contours, those that bodies share once.
+/// Adds the pieces of contours and lumps, those that bodies share once.
 template <class T>
-void WorldArrays<T>::add_contours(const Scene& scene) {
+void WorldArrays<T>::add_pieces(const Scene& scene) {
     for (const Primitive& primitive : scene.primitives)
         for_each_leaf(primitive, [&](const Primitive& leaf, const glm::dmat4&) {
+            if (const auto* const blob = std::get_if<Blob>(&leaf.shape)) {
+                const auto& own = blob->data->pieces;
+                if (first_pieces.try_emplace(blob->data.get(), T(lump_pieces.size())).second)
+                    lump_pieces.insert(lump_pieces.end(), own.begin(), own.end());
+            }
             const ContourData* const own = contours_of(leaf.shape);
             if (!own || !first_pieces.try_emplace(own, T(contour_pieces.size())).second) return;
             for (const auto& [ax, ay, cx, cy, hx, hy, ex, ey, dx, dy] : own->pieces)
                 contour_pieces.push_back({T(ax), T(ay), T(cx), T(cy), T(hx), T(hy), T(ex), T(ey), T(dx), T(dy)});
         });
-    world.contour_pieces = contour_pieces.data();
+    world.contour_pieces = contour_pieces.data(), world.lump_pieces = lump_pieces.data();
 }
 
 template <class T>
@@ -75,7 +80,7 @@ void WorldArrays<T>::add_items(const Scene& scene, const Placement& placement, T
         next_box += all.items[form];
     }
     surfaces = static_cast<int>(all.surfaces);
-    add_contours(scene);
+    add_pieces(scene);
 
     // Triangles of large meshes are made when all else is: by all threads, while a primitive is made by one.
     struct LargeMesh {

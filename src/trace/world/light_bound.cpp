@@ -19,7 +19,9 @@ double most_crossings(const Shape& shape) {
         []<class Kind>(const Kind& kind) -> double {
             if constexpr (requires { kind.data->triangles; })
                 return static_cast<double>(kind.data->triangles.size());
-            else if constexpr (requires { kind.data->pieces; })
+            else if constexpr (std::is_same_v<Kind, Blob>)
+                return 8. * static_cast<double>(kind.data->pieces.size());  // 4 between each two of their ends
+            else if constexpr (lists_crossings<Kind>)
                 return (std::is_same_v<Kind, Lathe> ? 6. : 2.) * kind.face_count();
             else
                 return std::max(2, Kind::max_crossings);

@@ -269,6 +269,7 @@ struct World {
     FewBodies<T> few;
     CompositeTables<T> composites;
     const ContourPiece<T>* contour_pieces = nullptr;  // of all contours
+    const LumpPiece* lump_pieces = nullptr;           // of all blobs
     PatternTables<T> patterns;
     MediumTables<T> media;
     FinishTables<T> finishes;

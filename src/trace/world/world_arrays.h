@@ -157,8 +157,9 @@ struct WorldArrays {
     std::vector<LightKernel<T>> lights;
     FewBodiesArrays<T> few;
     CompositeArrays<T> composites;
-    std::vector<ContourPiece<T>> contour_pieces;  // of all contours, and where those of each figure begin
-    std::unordered_map<const ContourData*, T> first_pieces;
+    std::vector<ContourPiece<T>> contour_pieces;  // of all contours and blobs, and where those of each begin
+    std::vector<LumpPiece> lump_pieces;
+    std::unordered_map<const void*, T> first_pieces;
     PatternArrays<T> patterns;
     MediumArrays<T> media;
     FinishArrays<T> finishes;
@@ -175,11 +176,15 @@ struct WorldArrays {
     /// Returns by how much coordinates may be off, the largest of them being `furthest`.
     static double rounding(double furthest) { return 32 * culling_unit<T> * furthest; }
     // add_items.cpp
-    void add_contours(const Scene& scene);
-    /// Returns the number of the first piece of a body with contours.
+    void add_pieces(const Scene& scene);
+    /// Returns the number of the first piece of a body with contours, or of a blob.
     T first_piece_of(const Shape& shape) const {
-        const ContourData* const own = contours_of(shape);
-        return own ? first_pieces.at(own) : T(0);
+        return std::visit(
+            [&]<class Kind>(const Kind& kind) {
+                if constexpr (lists_crossings<Kind>) return first_pieces.at(kind.data.get());
+                return T(0);
+            },
+            shape);
     }
     void add_items(const Scene& scene, const Placement& placement, ThreadPool& pool, bool proves);
     // arrange_items.cpp

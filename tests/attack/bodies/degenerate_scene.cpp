@@ -48,7 +48,7 @@ class DegenerateBodies {
             case 12:
                 return make(Lathe{});
             case 13:
-                return make(Superellipsoid{});
+                return dice.chance(.5) ? make(Superellipsoid{}) : make(Blob{});
             default:
                 return composite();
         }
@@ -146,6 +146,18 @@ class DegenerateBodies {
         // The radius of an edge is about its roundness.
         const auto roundness = [&] { return known(dice.chance(.3) ? 1. + dice.upto(1) : power(-5.9, .3)); };
         return Superellipsoid{roundness(), roundness()};
+    }
+    Shape make(const Blob&) {
+        // Lumps may be in one place, tiny, or flat; the thinnest wall is about as thick as the least of them.
+        std::vector<Lump> lumps(1 + static_cast<std::size_t>(dice.upto(3)));
+        for (Lump& own : lumps) {
+            own.from = own.to = dice.chance(.3) ? lumps[0].from : place();
+            if (dice.chance(.4)) own.to = own.from + length() * axis();
+            own.radius = &own == &lumps[0] ? dice.in(.3, 1) : length();
+            own.strength = &own != &lumps[0] && dice.chance(.3) ? -1 : dice.in(.6, 1.2);
+            if (dice.chance(.2)) own.z = length() * own.z;
+        }
+        return Blob{.5, std::make_shared<const BlobData>(std::move(lumps))};
     }
     Shape make(const Mesh&) {
         MeshData data = *Mesh::tetrahedron();

@@ -57,10 +57,12 @@ Kind Wild::body() {
 }
 template <class... Kinds>
 Shape Wild::shape(std::type_identity<std::variant<Kinds...>>) {
-    const int wanted = dice.upto(sizeof...(Kinds) - 1);
+    // Blobs take turns with superellipsoids: scenes with neither are as they were before there were blobs.
+    const int wanted = dice.upto(sizeof...(Kinds) - 2);
     int number = 0;
     Shape shape;
-    ((number++ == wanted ? void(shape = body<Kinds>()) : void()), ...);
+    ((!std::is_same_v<Kinds, Blob> && number++ == wanted ? void(shape = body<Kinds>()) : void()), ...);
+    if (std::holds_alternative<Superellipsoid>(shape) && dice.chance(.5)) shape = body<Blob>();
     return shape;
 }
 

@@ -313,7 +313,6 @@ TEST_CASE("POV-Ray: what scenes cannot hold is told with its line, once") {
     };
     told("sphere { 0, 1 finish { reflection { .5 exponent 2 } } }", "approximated: 'exponent' of a reflection");
     told("sphere { 0, 1 pigment { pavement } }", "approximated: the pattern 'pavement' is its mean colour");
-    told("blob { sphere { 0, 1, 2 } }", "approximated: 'blob' is a mesh of flat pieces");
     told("sphere { 0, 1 pigment { agate agate_turb 2 } }", "approximated: 'agate_turb' of a pattern has no effect");
     told("fog { distance 9 } light_source { 9 rgb 1 media_attenuation on }", "approximated: fog does not dim a light");
     CHECK(notes_of("sphere { 0, 1 pigment { crackle metric 2 form <-1, 1, 0> agate_turb 1 } }") == "");

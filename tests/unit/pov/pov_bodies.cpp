@@ -281,10 +281,8 @@ TEST_CASE("POV-Ray: a box that is flat is a rectangle") {
 }
 
 TEST_CASE("POV-Ray: curved bodies become closed meshes") {
-    for (const std::string text :
-         {"superellipsoid { <2.5, .5> }", "blob { threshold .6 sphere { 0, 1, 1 } cylinder { 0, x, .7, .9 } }",
-          "isosurface { function { x*x + y*y + z*z - .9 } }",
-          "prism { conic_sweep 0, 1, 4, <0, 0>, <1, 0>, <0, 1>, <0, 0> }"}) {
+    for (const std::string text : {"superellipsoid { <2.5, .5> }", "isosurface { function { x*x + y*y + z*z - .9 } }",
+                                   "prism { conic_sweep 0, 1, 4, <0, 0>, <1, 0>, <0, 1>, <0, 0> }"}) {
         const Scene scene = opened("difference { " + text + " sphere { 9, .1 } }").scene;
         CAPTURE(text);
         REQUIRE(scene.primitives.size() == 1);
@@ -307,6 +305,12 @@ TEST_CASE("POV-Ray: triangles of a mesh with an inside run in any direction") {
     CHECK(contains(solid, {.2, .2, .2}));
     CHECK_FALSE(contains(solid, {.4, .4, .4}));
     CHECK(says(notes_of("\ndifference { mesh2 { " + corners + " } sphere { 9, .1 } }"), "left out: an open body"));
+}
+
+TEST_CASE("POV-Ray: corners of a mesh2 are in single precision, those of a mesh are not") {
+    const auto first = [](const std::string& text) { return shape<Mesh>(whole(text)).data->points.at(0); };
+    CHECK(first("mesh2 { vertex_vectors { 3, <.1, 0, 0>, y, z } face_indices { 1, <0, 1, 2> } }").x == double(.1F));
+    CHECK(first("mesh { triangle { <.1, 0, 0>, y, z } }").x == .1);
 }
 
 /// Checks that a mesh is closed and has this volume.
@@ -573,7 +577,33 @@ TEST_CASE("POV-Ray: paraboloids and hyperboloids are lathes") {
     CHECK(says(notes_of("\nquadric { <-1, -1, 1>, 0, 0, 1 }"), "approximated: 'quadric' is a mesh of flat pieces"));
 }
 
-TEST_CASE("POV-Ray: blobs, polynomials and isosurfaces become meshes near their surfaces") {
+TEST_CASE("POV-Ray: blobs are exact") {
+    const Scene scene = whole(
+        "blob { threshold .5 sphere { x, 1, 2 translate -x } cylinder { 0, <0, 2, 3>, .25, strength -1 }"
+        " component 1.5, .75, <0, 1, 5> scale 2 }");
+    const Blob& blob = shape<Blob>(scene);
+    CHECK(blob.threshold == .5);
+    REQUIRE(blob.data->lumps.size() == 3);
+    CHECK(blob.data->lumps[0] == Lump{DVec3(0), DVec3(0), 1, 2});
+    CHECK(blob.data->lumps[1] == Lump{DVec3(0), {0, 2, 3}, .25, -1});
+    CHECK(blob.data->lumps[2] == Lump{{0, 1, 5}, {0, 1, 5}, .75, 1.5});
+    // Stretched along x, then turned about z by 90 degrees: x goes to y.
+    const Lump turned =
+        shape<Blob>(whole("blob { sphere { <1, 0, 3>, 1, 2 scale <2, 1, 1> rotate 90*z } }")).data->lumps[0];
+    CHECK(length(turned.x - DVec3(0, 2, 0)) < 1e-15);
+    CHECK(length(turned.z - DVec3(0, 0, 1)) < 1e-15);
+    CHECK(length(turned.from - DVec3(1, 0, 3)) < 1e-15);
+    // 2 (1 - r^2)^2 is 1/2 where r^2 is 1/2.
+    const Scene ball = whole("blob { threshold .5 sphere { x, 1, 2 translate -x } }");
+    CHECK(contains(ball.primitives[0], {0, .7071, 0}));
+    CHECK_FALSE(contains(ball.primitives[0], {0, .7072, 0}));
+    CHECK(says(notes_of("\nblob { threshold .5 sphere { 0, 1, -1 } }"), "left out: a blob: it has no lump that adds"));
+    CHECK(
+        says(notes_of("\nblob { threshold 0 sphere { 0, 1, 1 } }"), "left out: a blob: its threshold is not above 0"));
+    CHECK(says(notes_of("\nblob { sphere { 0, 1, 2 pigment { rgb x } } }"), "approximated: the parts of a blob have"));
+}
+
+TEST_CASE("POV-Ray: polynomials and isosurfaces become meshes near their surfaces") {
     // Returns the least and the largest distance of the mesh's points from the origin, or from a circle around y.
     const auto distances = [](const std::string& text, double circle = 0) {
         const Scene scene = opened(text).scene;
@@ -590,8 +620,6 @@ TEST_CASE("POV-Ray: blobs, polynomials and isosurfaces become meshes near their 
         CHECK(range.first == doctest::Approx(radius).epsilon(.002));
         CHECK(range.second == doctest::Approx(radius).epsilon(.002));
     };
-    // 2 (1 - r^2)^2 is 1/2 where r^2 is 1/2.
-    is(distances("blob { threshold .5 sphere { x, 1, 2 translate -x } }"), std::sqrt(.5));
     is(distances("quadric { <1, 1, 1>, <0, 0, .0001>, 0, -1 }"), 1);
     // The torus of radii 3 and 1: (x^2 + y^2 + z^2 + 8)^2 = 36 (x^2 + z^2).
     is(distances(
@@ -628,7 +656,7 @@ TEST_CASE("POV-Ray: blobs, polynomials and isosurfaces become meshes near their 
     CHECK(slab.high.y == doctest::Approx(1).epsilon(.001));
     // Expects many triangles where one of 70 uses is near the camera, and few where another is far away.
     const Scene many = opened(
-                           "#declare S = blob { threshold .5 sphere { 0, 1, 1 } }"
+                           "#declare S = isosurface { function { x*x + y*y + z*z - .5 } }"
                            "#for (i, 1, 70) object { S translate i * i * z } #end")
                            .scene;
     REQUIRE(many.primitives.size() == 70);

@@ -79,6 +79,25 @@ TEST_CASE("contours of prisms are closed lines of straight ones and curves") {
     CHECK(faults(eye + "prism { 0, 1 contour { <0,0> curv <1,1> <2,1> } }").at(0).find("'curve'") != std::string::npos);
 }
 
+TEST_CASE("blobs have lumps, which may be stretched") {
+    const Scene scene = parse(eye +
+                              "blob { .5 lump { <0,0,0>, <0,0,0>, 1, 2 } lump { <0,0,1>, <1,0,1>, .5, -1, "
+                              "<2,0,0>, <0,1,1> } scale 2 }");
+    const auto& blob = std::get<Blob>(scene.primitives.at(0).shape);
+    CHECK(blob.threshold == .5);
+    const Lump second{{0, 0, 1}, {1, 0, 1}, .5, -1, {2, 0, 0}, {0, 1, 1}};
+    CHECK(blob.data->lumps == std::vector<Lump>{{DVec3(0), DVec3(0), 1, 2}, second});
+    CHECK(blob.data->pieces.size() == 4);
+    check_fault("blob { 0 lump { <0,0,0>, <0,0,0>, 1, 2 } }",
+                "2:8: 'threshold' of 'blob' must be greater than 0 (at least 2.3e-308) and at most 1e9, not '0'");
+    check_fault("blob { 1 }", "2:1: invalid blob: it has no lump that adds to its field");
+    check_fault("blob { 1 lump { <0,0,0>, <0,0,0>, 1, -2 } }",
+                "2:1: invalid blob: it has no lump that adds to its field");
+    check_fault("blob { 1 lump { <0,0,0>, <0,0,0>, 1, 2, <1,0,0>, <2,0,0> } }",
+                "2:1: invalid blob: one of its lumps is flat");
+    CHECK(parse(eye + "union { blob { 1 lump { <0,0,0>, <0,0,0>, 1, 2 } } }").primitives.size() == 1);
+}
+
 TEST_CASE("contours of lathes are closed or open") {
     const Scene scene = parse(eye +
                               "lathe { contour { <1,0> line <2,0> curve <2,2>, <0,2> } contour { <0,0> line <1,1> "
