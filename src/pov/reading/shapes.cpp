@@ -316,7 +316,8 @@ void PovReader::read_mesh2(Interpreter& in, ObjectThing& object) {
     };
     for (;;) {
         if (in.accept("vertex_vectors")) {
-            read_list(all.points, [&] { return in.read_vector(); });
+            // POV-Ray keeps them in single precision, which turns small triangles.
+            read_list(all.points, [&] { return DVec3(Vec3<float>(in.read_vector())); });
         } else if (in.accept("normal_vectors")) {
             read_list(all.normals, [&] { return in.read_vector(); });
         } else if (in.accept("uv_vectors")) {
