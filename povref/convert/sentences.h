@@ -112,8 +112,9 @@ inline std::string sentence(const Lathe& lathe) {
 inline std::string sentence(const Blob& blob) {
     std::string text = "blob { threshold " + text_of(blob.threshold);
     for (const Lump& own : blob.data->lumps) {
-        text += own.from == own.to ? "\n  sphere { " : "\n  cylinder { " + text_of(own.to) + ", ";
-        text += text_of(own.from) + ", " + text_of(own.radius) + ", " + text_of(own.strength);
+        text += (own.from == own.to ? "\n  sphere { " : "\n  cylinder { ") + text_of(own.from) + ", ";
+        if (own.from != own.to) text += text_of(own.to) + ", ";
+        text += text_of(own.radius) + ", " + text_of(own.strength);
         std::string rows;
         for (const DVec3& row : {own.x, own.y, own.z})
             for (int i = 0; i < 3; ++i) rows += text_of(row[i]) + ", ";

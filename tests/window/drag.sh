@@ -32,6 +32,17 @@ find_color() {
     done
     fault "there is nothing of this colour: $1"
 }
+# without_color COLOR: waits until it is not there.
+without_color() {
+    local i
+    for ((i = 0; i < 60; ++i)); do
+        import -window "$id" shot.png
+        [[ $(convert shot.png -crop 340x400+0+0 +repage -fill black +opaque "#$1" -format '%[fx:maxima]' info:) == 0 ]] &&
+            return
+        sleep 0.1
+    done
+    fault "this colour stays: $1"
+}
 
 put "$camera" 'light { position <-5, 0, 10>  color <.9, .9, .9> }' 'light { position <-3, -3, .5>  color <.2, 0, .2> }' \
     'sphere { <-2, 0, 1>, 1 }  // the ball' \
@@ -114,6 +125,7 @@ xdotool mousemove --window "$id" 320 200 click 1
 await 'chosen: light 1, spotlight, line 2'
 xdotool key m m
 await 'circles open and close the cone of light'
+without_color 5A8CFF # the handles that were there before have a ring of the other colour as well
 find_color 6EDC50 # the inner circle, which stays within the outer one
 drag "$x" "$y" 0 -60
 writes '^light .* spot { look_at <0, 0, 0>  radius 9  falloff 9 } }$'

@@ -32,9 +32,9 @@ struct Lump {
 };
 
 /// A lump, or a part of one around a line: one half of a ball at each end, and the cylinder between. In a space of its
-/// own, own = rows * (p - centre), it is from `low` to below `high` in z, and its field is strength q^2 where q = 1 -
-/// x^2
-/// - y^2 - round (z - end)^2 is above 0. Parts of a lump have one space: lines leave one where they enter the next.
+/// own, own = rows * (p - centre), it is from `low` to below `high` in z, and its field is strength q^2 where
+/// q = 1 - x^2 - y^2 - round (z - end)^2 is above 0. Parts of a lump have one space: lines leave one where they enter
+/// the next.
 struct LumpPiece {
     DVec3 centre, row_x, row_y, row_z;
     double round, end, low, high, strength;
