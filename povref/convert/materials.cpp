@@ -131,8 +131,9 @@ std::vector<Material> stacks_of(const Material& m) {
 }
 
 /// Returns a pattern of textures with these names that has these shares: patterns that differ in their colours, which
-/// are black where the texture is not shown. Of shares of several patterns the first one is shown.
-std::string mixed_text(const std::vector<std::pair<std::string, Pigment>>& shares) {
+/// are black where the texture is not shown. Of shares of several patterns the first one is shown, and others are
+/// `lost`.
+std::string mixed_text(const std::vector<std::pair<std::string, Pigment>>& shares, bool& lost) {
     std::vector<std::pair<std::string, Pigment>> some;
     for (const auto& own : shares)
         if (own.second.pattern || own.second.color != Color(0)) some.push_back(own);
@@ -144,13 +145,13 @@ std::string mixed_text(const std::vector<std::pair<std::string, Pigment>>& share
                            first->transformations == other->transformations &&
                            std::ranges::equal(first->colors, other->colors, {}, &ColorStop::at, &ColorStop::at)));
     };
-    if (!std::ranges::all_of(some, alike)) return some[0].first;
+    if (!std::ranges::all_of(some, alike)) return lost = true, some[0].first;
     if (!some[0].second.pattern) {
         std::string text = "average texture_map {";
         for (const auto& [name, share] : some) text += " [" + text_of(share.color.x) + " " + name + "]";
         return text + " }";
     }
-    if (std::holds_alternative<ImagePattern>(some[0].second.pattern->kind)) return some[0].first;
+    if (std::holds_alternative<ImagePattern>(some[0].second.pattern->kind)) return lost = true, some[0].first;
     const std::vector<ColorStop>& stops = some[0].second.pattern->colors;
     return pattern_text(*some[0].second.pattern, "texture_map", "texture", [&](const ColorStop& stop) {
         std::vector<std::pair<std::string, Pigment>> parts;
@@ -158,21 +159,20 @@ std::string mixed_text(const std::vector<std::pair<std::string, Pigment>>& share
             const ColorStop& own = share.pattern->colors[std::size_t(&stop - stops.data())];
             parts.emplace_back(name, own.pattern ? Pigment(*own.pattern) : Pigment(own.color));
         }
-        return mixed_text(parts);
+        return mixed_text(parts, lost);
     });
 }
 
-/// Returns the texture of a material with POV-Ray's finish, and before it, in `declared`, those that it mixes.
-std::string finished_texture(const Material& m, const std::string& name, const std::string& indent,
-                             std::string& declared) {
+/// Returns the texture of a material with POV-Ray's finish. Before it, those that it mixes are declared.
+std::string finished_texture(const Material& m, const std::string& indent, PovMaterial& pov) {
     const std::vector<Material> stacks = stacks_of(m);
     if (stacks.size() == 1) return layers_of(m, indent);
     std::vector<std::pair<std::string, Pigment>> shares;
     for (const Material& own : stacks) {
-        shares.emplace_back(name + "_" + std::to_string(1 + shares.size()), own.share);
-        declared += "#declare " + shares.back().first + " = " + layers_of(own, "") + "\n";
+        shares.emplace_back(pov.name + "_" + std::to_string(1 + shares.size()), own.share);
+        pov.declaration += "#declare " + shares.back().first + " = " + layers_of(own, "") + "\n";
     }
-    return "texture { " + mixed_text(shares) + " }";
+    return "texture { " + mixed_text(shares, pov.lost_shares) + " }";
 }
 
 PovMaterial describe(const Material& m, const std::string& name, const Circumstances& scene, bool scaled) {
@@ -189,7 +189,7 @@ PovMaterial describe(const Material& m, const std::string& name, const Circumsta
         if (m.fade_distance > 0)
             pov.ior += " fade_distance " + text_of(m.fade_distance) + (scaled ? " * Unit" : "") + " fade_power " +
                        text_of(m.fade_power) + " fade_color rgb " + text_of(m.fade_color);
-        const std::string texture = finished_texture(m, name, pov.transparent ? "  " : "", pov.declaration);
+        const std::string texture = finished_texture(m, pov.transparent ? "  " : "", pov);
         pov.declaration += "#declare " + name + " = ";
         if (pov.transparent)
             pov.declaration += "material {\n  " + texture + "\n  interior { ior " + pov.ior + " }\n}\n";

@@ -37,6 +37,7 @@ struct Plan {
     bool uneven = false;          // parts of a transparent composite send different shares of light on
     bool rectangles = false;      // some light is a rectangle without a grid
     bool near_one = false;        // some ior of 1 is written as a larger number
+    bool lost_shares = false;     // some material mixes others by several patterns
     bool normal_maps = false;     // some material has one
     bool bumps_by_uv = false;     // some material has a bump by uv
     bool moves = false;           // bodies or lights do, in an animation
@@ -65,6 +66,7 @@ Plan plan_for(const Scene& scene, const PovRequest& request) {
         plan.keyword |= !material.weight.empty();
         plan.shadow_copies |= material.own_shadow;
         plan.near_one |= material.near_one;
+        plan.lost_shares |= material.lost_shares;
     }
     for (const Material& material : scene.materials) {
         plan.normal_maps |= material.normal.pattern != nullptr;
@@ -86,6 +88,8 @@ std::vector<std::string> warnings_of(const Plan& plan) {
         {plan.rectangles,
          "POV-Ray makes grids of lights with an area, here of 16 by 16 points, and multiplies the mean of their light "
          "by the mean of their shadows; with `grid` each point becomes a light of its own, and the pictures are equal"},
+        {plan.lost_shares,
+         "POV-Ray mixes textures by one pattern; of shares by several or by a picture the first is shown"},
         {plan.normal_maps, "POV-Ray has no pictures of normals; materials with a `normal` are smooth there"},
         {plan.bumps_by_uv,
          "POV-Ray bends normals by uv as if u and v grew along x and y; the picture is right only for meshes on which "

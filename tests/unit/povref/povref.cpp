@@ -125,6 +125,16 @@ TEST_CASE("transparent bodies that may overlap cause a warning") {
     CHECK(two("1").warnings.size() == 1);
 }
 
+TEST_CASE("materials that are mixed by several patterns cause a warning, those by one do not") {
+    const auto mixed = [&](const char* scale) {
+        return convert(camera + light + "sphere { <0, 0, 1>, 1  material { share checker { <1, 1, 1>, <0, 0, 0> }\n" +
+                       "coat { rgb <0, 1, 0>  share checker { <0, 0, 0>, <1, 1, 1> " + scale + " } } } }\n");
+    };
+    CHECK(mixed("").warnings.empty());
+    REQUIRE(mixed("scale 2").warnings.size() == 1);
+    CHECK(has(mixed("scale 2").warnings[0], "the first is shown"));
+}
+
 TEST_CASE("bodies made of bodies: a material for each part, or one for all of a clear one") {
     const auto lens = [](const std::string& first, const std::string& own) {
         return camera + light + "intersection {\n  sphere { <0, 0, 1>, 1 " + first +
