@@ -108,7 +108,7 @@ inline std::string sentence(const Lathe& lathe) {
     return "lathe { " + spline_of(*lathe.data, curved, false, "", point) + " sturm";
 }
 
-/// The same of a blob.
+/// Returns a blob without its closing brace.
 inline std::string sentence(const Blob& blob) {
     std::string text = "blob { threshold " + text_of(blob.threshold);
     for (const Lump& own : blob.data->lumps) {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "scene/box_tree.h"
+#include "num/box_tree.h"
 #include "scene/leaves.h"
 
 namespace strahl {

@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
+#include "num/box_tree.h"
 #include "num/ray.h"
-#include "scene/box_tree.h"
 #include "scene/scene.h"
 
 namespace strahl {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "scene/box_tree.h"
+#include "num/box_tree.h"
 #include "scene/leaves.h"
 #include "scene/moving_scene.h"
 #include "scene/overlap.h"

@@ -34,7 +34,7 @@ void BodyTools::loaded(const Loaded& scene) {
 void BodyTools::click(const View& view, const glm::dvec2& point, double reach) {
     pace.redraw(3);
     if (to_add) return add(view, point);
-    // Those drawn may be of an earlier moment, or not be there yet, if a key was pressed just before.
+    // Makes the marks of this view: those drawn may be of an earlier one, or not be there yet, right after a key.
     const auto mark = marks ? mark_at(light_marks(scene_seen(view), view), point, reach) : std::nullopt;
     if (mark)
         bodies.choose(*mark, *session.scene);

@@ -43,7 +43,7 @@ bool contains(const Blob& blob, const Vector<R>& p) {
     for (const Lump& lump : blob.data->lumps) add_field(lump, p, field, slope);
     return field > R(blob.threshold);
 }
-/// Of the crossings of a line that starts on the surface the one nearest to the start is the start.
+/// Finds where a line crosses the surface, but for the place nearest to the start if it starts there.
 template <class R>
 LineCrossings<R> crossings(const Blob& blob, const Line<R>& line, int source) {
     struct Part {

@@ -54,6 +54,19 @@ struct LineCrossings {
     auto end() const { return list.end(); }
 };
 
+/// How a crossing differs from the one wanted: how far it is off along the line, the cosine of the normals, and that of
+/// the line and the normal, by which errors along the line are larger than from the surface.
+struct CrossingError {
+    double off, cosine, slant;
+};
+/// Compares a crossing at `t` with this normal.
+template <class R, class T>
+CrossingError error_of(T t, const DVec3& normal, const Crossing<R>& wanted, const DVec3& direction) {
+    const Vector<R> own = unit(wanted.normal);
+    return {std::fabs(static_cast<double>(t - wanted.t)), static_cast<double>(dot(own, Vector<R>(normal))),
+            std::fabs(static_cast<double>(dot(own, Vector<R>(direction))))};
+}
+
 /// The roots of a t^2 + 2 b t + c; of a line that starts on the surface one is 0, and only the other is given.
 template <class R, class Use>
 void roots(R a, R b, R c, bool starts_here, const Use& use) {

@@ -6,8 +6,8 @@
 #include <glm/matrix.hpp>
 #include <utility>
 
+#include "num/box_tree.h"
 #include "num/vec_math.h"
-#include "scene/box_tree.h"
 #include "scene/capsules.h"
 
 namespace strahl {
@@ -190,8 +190,8 @@ void CapsuleTree::add(std::span<TreeLeaf> leaves) {
     const double least = std::ranges::min(leaves, {}, &TreeLeaf::least).least;
     nodes.push_back({around, least, 0, single, single ? leaves[0].facet : -1});
     if (!single) {
-        halve(leaves, [](const TreeLeaf& leaf) { return leaf.around.from + leaf.around.to; });
         const std::size_t half = leaves.size() / 2;
+        halve(leaves, half, [](const TreeLeaf& leaf) { return leaf.around.from + leaf.around.to; });
         add(leaves.first(half)), add(leaves.subspan(half));
     }
     nodes[own].next = static_cast<std::int32_t>(nodes.size());

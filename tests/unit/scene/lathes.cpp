@@ -47,11 +47,8 @@ void compare_lathes(double error) {
             }
             for (std::size_t i = 0; i < found.size(); ++i) {
                 const DVec3 normal(placed.at(ray, found[i]).normal);
-                const auto n_ = referee::unit(wanted[i].normal);
-                const double cosine = static_cast<double>(n_.x * normal.x + n_.y * normal.y + n_.z * normal.z);
-                const double slant =
-                    std::fabs(static_cast<double>(dot(n_, referee::Vector<Quadruple>(DVec3(ray.direction)))));
-                const double off = std::fabs(static_cast<double>(found[i].t - wanted[i].t));
+                const auto [off, cosine, slant] =
+                    referee::error_of(found[i].t, normal, wanted[i], DVec3(ray.direction));
                 CHECK_MESSAGE(off * slant < error, n << " " << m << " " << i << " off " << off << " slant " << slant);
                 CHECK_MESSAGE(std::fabs(cosine) > 1 - 100 * error, n << " " << m << " " << i << " cosine " << cosine);
                 ++compared;

@@ -33,11 +33,10 @@ void compare(double error) {
             CHECK(found.size() % 2 == 0);
             REQUIRE(found.size() == wanted.size());
             for (std::size_t i = 0; i < found.size(); ++i) {
-                CHECK(std::fabs(static_cast<double>(found[i].t - wanted[i].t)) < error);
                 const DVec3 normal(placed.at(ray, found[i]).normal);
-                const auto n = referee::unit(wanted[i].normal);
-                const long double cosine = n.x * normal.x + n.y * normal.y + n.z * normal.z;
-                CHECK(std::fabs(cosine) > 1 - 100 * error);
+                const auto apart = referee::error_of(found[i].t, normal, wanted[i], DVec3(ray.direction));
+                CHECK(apart.off < error);
+                CHECK(std::fabs(apart.cosine) > 1 - 100 * error);
             }
         }
     }

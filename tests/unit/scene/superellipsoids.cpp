@@ -59,11 +59,8 @@ void compare_superellipsoids(double error) {
             for (std::size_t i = 0; i < wanted.size(); ++i) {
                 const T t = i == 0 ? span.near : span.far;
                 const DVec3 normal(kernel.at(ray, t, T(0)).normal);
-                const auto own = referee::unit(wanted[i].normal);
-                const double cosine = static_cast<double>(own.x * normal.x + own.y * normal.y + own.z * normal.z);
-                const double slant =
-                    std::fabs(static_cast<double>(dot(own, referee::Vector<Quadruple>(DVec3(ray.direction)))));
-                const double off = std::fabs(static_cast<double>(t - wanted[i].t)), far = std::fabs(double(t));
+                const auto [off, cosine, slant] = referee::error_of(t, normal, wanted[i], DVec3(ray.direction));
+                const double far = std::fabs(double(t));
                 CHECK_MESSAGE(off * slant < error * far, body.e << " " << body.n << " off " << off);
                 CHECK_MESSAGE(cosine > 1 - 1e4 * error, body.e << " " << body.n << " cosine " << cosine);
                 ++compared;

@@ -4,6 +4,7 @@
 #include <span>
 #include <utility>
 
+#include "num/box_tree.h"
 #include "num/vec_math.h"
 
 namespace strahl {
@@ -18,12 +19,8 @@ struct PlacedPiece {
 void group_pieces(std::span<PlacedPiece> all) {
     const std::size_t groups = (all.size() + BlobData::group - 1) / BlobData::group;
     if (groups < 2) return;
-    Box middles;
-    for (const PlacedPiece& own : all) middles.add(own.box.centre());
-    const DVec3 size = middles.size();
-    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     const std::size_t half = groups / 2 * BlobData::group;
-    std::ranges::stable_sort(all, {}, [axis](const PlacedPiece& own) { return own.box.centre()[axis]; });
+    halve(all, half, [](const PlacedPiece& own) { return own.box.centre(); });
     group_pieces(all.first(half)), group_pieces(all.subspan(half));
 }
 

@@ -12,10 +12,10 @@
 
 namespace strahl {
 
-/// Orders items so that neither half has items on the other's side, along the axis on which their positions are spread
-/// the furthest. Positions that are not finite do not count for the choice of the axis.
+/// Orders items so that neither the first `half` nor the others have items on the other's side, along the axis on which
+/// their positions are spread the furthest. Positions that are not finite do not count for the choice of the axis.
 template <class Item, class Position>
-void halve(std::span<Item> items, const Position& position) {
+void halve(std::span<Item> items, std::size_t half, const Position& position) {
     Box all;
     bool finite = true;
     for (const Item& item : items) {
@@ -28,7 +28,7 @@ void halve(std::span<Item> items, const Position& position) {
     const DVec3 size = all.size();
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     const auto divide = [&](const auto& is_before) {
-        std::nth_element(items.begin(), items.begin() + std::ptrdiff_t(items.size() / 2), items.end(),
+        std::nth_element(items.begin(), items.begin() + std::ptrdiff_t(half), items.end(),
                          [&](const Item& a, const Item& b) { return is_before(position(a)[axis], position(b)[axis]); });
     };
     if (finite)
@@ -91,7 +91,7 @@ class BoxTree {
     void build(const Subtree& some, std::span<Corner> corners) {
         Box& own = around[some.index];
         if (some.count == 1) return void(own = boxes[corners[0].box]);
-        halve(corners, [](const Corner& corner) { return corner.low; });
+        halve(corners, corners.size() / 2, [](const Corner& corner) { return corner.low; });
         build(some.lower(), corners.first(some.count / 2)), build(some.upper(), corners.subspan(some.count / 2));
         own.add(box(some.lower())), own.add(box(some.upper()));
     }
