@@ -46,7 +46,7 @@ void write_picture(const Picture& picture, const std::string& path, FileFormat f
 /// The most values that a picture may have unless the caller allows more: 2 GiB of doubles.
 inline constexpr std::uint64_t most_values_read = std::uint64_t(1) << 28;
 
-/// Reads a .bmp, .png, .exr, .jpg, .gif, .ppm, .pgm or .pfm file, whatever its name ends in, without converting
+/// Reads a .bmp, .png, .exr, .jpg, .gif, .tga, .ppm, .pgm or .pfm file, whatever its name ends in, without converting
 /// colours; of an animation the first picture. Throws FileError, also if it has more than `most` values or more than
 /// there is memory for.
 Picture read_picture(const std::string& path, std::uint64_t most = most_values_read);

@@ -90,7 +90,9 @@ PictureFormat recognised(const RegularFile& file) {
         if (!exr_attributes_fit(file)) fail(pieces);
         return {"openexr", most};
     }
-    throw FileError("'" + file.path() + "' is not a .bmp, .png, .exr, .jpg, .gif, .ppm, .pgm or .pfm file");
+    // Run lengths make up to 128 pixels of two bytes, a palette 4 values of each.
+    if (TargaHeader(start).valid()) return {nullptr, file.size() << 8};
+    throw FileError("'" + file.path() + "' is not a .bmp, .png, .exr, .jpg, .gif, .tga, .ppm, .pgm or .pfm file");
 }
 
 }  // namespace strahl

@@ -11,8 +11,8 @@ struct PictureFormat {
     std::uint64_t most = 0;              // values that a file of this size can hold
 };
 
-/// Recognises .bmp, .png, .exr, .jpg, .gif, .ppm, .pgm and .pfm files, whatever their names end in, and no others:
-/// OpenImageIO has readers that forged files bring down. Throws FileError.
+/// Recognises .bmp, .png, .exr, .jpg, .gif, .tga, .ppm, .pgm and .pfm files, whatever their names end in, and no
+/// others: OpenImageIO has readers that forged files bring down. Throws FileError.
 PictureFormat recognised(const RegularFile& file);
 
 }  // namespace strahl

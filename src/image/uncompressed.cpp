@@ -140,6 +140,7 @@ bool is_uncompressed(std::string_view bytes) {
 }
 
 Picture read_uncompressed(const RegularFile& file, std::uint64_t most) {
+    if (TargaHeader(file.bytes(0, TargaHeader::size)).valid()) return read_targa(file, most);
     HeaderWords header(file);
     const ValueLayout layout = header.read();
     const auto row = std::size_t(layout.width) * unsigned(layout.channels);

@@ -1,5 +1,5 @@
-// Picture files without compression, which need no library: .bmp with 24 bits a pixel (Microsoft, "Bitmap Storage"),
-// .ppm and .pgm with 8 or 16 bits or a decimal number a value, and .pfm with floats (netpbm.sourceforge.net/doc).
+// Picture files that need no library: .bmp with 24 bits a pixel (Microsoft, "Bitmap Storage"), .ppm and .pgm with 8 or
+// 16 bits or a decimal number a value, .pfm with floats (netpbm.sourceforge.net/doc), and .tga.
 #pragma once
 #include <cstdint>
 #include <cstdlib>
@@ -33,10 +33,42 @@ struct BmpHeader {
     bool plain() const { return length >= 40 && length <= 124 && bits == 24 && compression == 0; }
 };
 
-/// Does a file that begins with these bytes hold such a picture?
+/// The header of a .tga file.
+struct TargaHeader {
+    static constexpr std::size_t size = 18;
+    unsigned comment, map, type, palette_size;  // comment: its length
+    int palette_bits, bits;
+    std::uint16_t width, height;
+    unsigned flags;
+
+    explicit TargaHeader(std::string_view bytes)
+        : comment(get_little<std::uint8_t>(bytes, 0)),
+          map(get_little<std::uint8_t>(bytes, 1)),
+          type(get_little<std::uint8_t>(bytes, 2)),
+          palette_size(get_little<std::uint16_t>(bytes, 5)),
+          palette_bits(get_little<std::uint8_t>(bytes, 7)),
+          bits(get_little<std::uint8_t>(bytes, 16)),
+          width(get_little<std::uint16_t>(bytes, 12)),
+          height(get_little<std::uint16_t>(bytes, 14)),
+          flags(get_little<std::uint8_t>(bytes, 17)) {}
+    bool paletted() const { return (type & 7) == 1; }
+    bool packed() const { return type >= 8; }
+    bool top_down() const { return flags & 0x20; }
+    /// Can this be one? Such files do not begin with a word of their own.
+    bool valid() const {
+        const auto is_color = [](int own) { return own == 15 || own == 16 || own == 24 || own == 32; };
+        const unsigned kind = type & 7;
+        const bool known = (type & ~8u) == kind && kind >= 1 && kind <= 3 && width > 0 && height > 0;
+        const bool palette = map == 1 ? is_color(palette_bits) && palette_size > 0 : map == 0 && palette_size == 0;
+        return known && palette && (kind == 2 ? is_color(bits) : bits == 8) && (kind != 1 || map == 1);
+    }
+};
+Picture read_targa(const RegularFile& file, std::uint64_t most);
+
+/// Does a file that begins with these bytes hold a .bmp, .ppm, .pgm or .pfm picture without compression?
 bool is_uncompressed(std::string_view bytes);
 
-/// Reads such a picture. Throws FileError, also if it has more than `most` values.
+/// Reads such a picture, or that of a .tga file. Throws FileError, also if it has more than `most` values.
 Picture read_uncompressed(const RegularFile& file, std::uint64_t most);
 
 /// Returns a picture of 1 or 3 channels as the bytes of a .pgm, .ppm or .pfm file: 8 or 16 bits, or floats.

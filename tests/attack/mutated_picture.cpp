@@ -162,6 +162,8 @@ std::vector<std::string> valid_pictures() {
         }
     files.push_back(png(9, 16, 2, 1));
     for (const std::uint16_t bits : {1, 4, 8}) files.push_back(bmp(bits, 0));
+    files.push_back(targa(2, 32, 32, std::string(16, '\7')));
+    files.push_back(targa(9, 8, 0, "\x81\1\1\2\3", std::string(12, '\7'), 24));
     files.push_back(bmp(8, 1));
     files.push_back(bmp(4, 2));
     files.push_back(tiled_exr(4, 4, 4, '\0') + little_endian(0, 0, 0, 0, 192) + std::string(192, '\x3c'));

@@ -34,7 +34,7 @@ check 1 "its picture is not the requested one"
 povray "cp $work/wrong.png scene.ppm"
 check 1 "24x32 pixels"
 povray "echo nonsense >scene.ppm"
-check 1 "is not a .bmp, .png, .exr, .jpg, .gif, .ppm, .pgm or .pfm file"
+check 1 "is not a .bmp, .png, .exr, .jpg, .gif, .tga, .ppm, .pgm or .pfm file"
 povray $'printf "\\e[31mred\\n"; exit 3'
 said=$("$strahl" crosscheck scene.rt 2>&1)
 [[ $said == *red* && $said != *$'\e'* ]] || fault "povray's words steer the terminal"

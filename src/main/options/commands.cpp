@@ -235,7 +235,8 @@ void add_check(CLI::App& app, ChosenCommand& chosen) {
 void add_compare(CLI::App& app, ChosenCommand& chosen) {
     auto [command, o] =
         add_command(app, chosen, "compare", "Report how much two pictures differ; exit status 0 or 1", compare_command);
-    add_argument(command, "A", o->a, "A picture file: .bmp, .png, .exr, .jpg, .gif or .pfm, or a binary .ppm or .pgm");
+    add_argument(command, "A", o->a,
+                 "A picture file: .bmp, .png, .exr, .jpg, .gif, .tga or .pfm, or a binary .ppm or .pgm");
     add_argument(command, "B", o->b, "Another picture of the same size");
     command
         ->add_option("--tolerance", o->tolerance, "Largest difference per channel that counts as equal, 0 by default")

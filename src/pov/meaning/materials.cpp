@@ -155,6 +155,13 @@ Pigment share_of_corners(const std::vector<std::size_t>& stacks, std::size_t sta
     return Pigment(std::move(ramp));
 }
 
+/// Returns how many layers of a texture are below one that lets no light through.
+std::ptrdiff_t hidden_layers_of(const TextureThing& texture) {
+    const auto hides = [](const LayerValues& layer) { return !layer.blend && !PigmentMaker::is_clear(layer.pigment); };
+    const auto top = std::find_if(texture.layers.rbegin(), texture.layers.rend() - 1, hides);
+    return texture.layers.rend() - 1 - top;
+}
+
 /// Is the object a light, or does it hold one?
 bool shines(const ObjectThing& object) {
     return object.light || std::ranges::any_of(object.parts, [](const auto& part) { return shines(*part); });
@@ -222,6 +229,7 @@ void MaterialMaker::set_finish(Material& material, const FinishThing& finish, co
     // At a right angle to the surface there is the least reflection; its mean over all directions is nearer to that.
     const Color reflected = fresnel ? reflection.least + (reflection.most - reflection.least) * .2 : reflection.most;
     material.reflection = share(mean(reflected));
+    approximated(mean(reflected) > 1, "reflection above 1 is 1");
     approximated(fresnel, "reflection that depends on the angle is the same at all angles");
     approximated(material.reflection > 0 && !is_grey(reflected), "coloured reflection is grey");
     approximated(material.reflection > 0 && reflection.exponent != 1, "'exponent' of a reflection is 1");
@@ -254,14 +262,13 @@ void MaterialMaker::set_layer(Material& layer, const FinishThing& finish) {
     };
     if (reflection.most != DVec3(0)) {
         layer.reflection = share(most);
-        if (!is_grey(reflection.most)) layer.mirror = coefficients(reflection.most / most);
+        if (!is_grey(reflection.most) || most > 1) layer.mirror = coefficients(reflection.most / std::min(most, 1.));
         layer.fresnel = reflection.fresnel ? 1 : 0;
         if (reflection.least != reflection.most || reflection.fresnel) {
             layer.facing = share(mean(reflection.least) / mean(reflection.most));
             layer.falloff = coefficient(reflection.falloff);
         }
         layer.gilding = coefficient(reflection.metallic);
-        approximated(most > 1, "reflection above 1 is 1");
         approximated(length(reflection.least - layer.facing * reflection.most) > 1e-6,
                      "the two colours of a reflection are of one colour");
         approximated(reflection.exponent != 1, "'exponent' of a reflection is 1");
@@ -403,6 +410,11 @@ void MaterialMaker::approximate_opacity(Material& layer, const LayerValues& valu
 /// Returns the material by the article's terms alone, or by POV-Ray's if those do not say all.
 Material MaterialMaker::material_of(const TextureThing& texture, const InteriorThing* interior, const MaterialUse& use,
                                     const Steps& way) {
+    if (const std::ptrdiff_t hidden = hidden_layers_of(texture)) {
+        TextureThing shown = texture;
+        shown.layers.erase(shown.layers.begin(), shown.layers.begin() + hidden);
+        return material_of(shown, interior, use, way);
+    }
     // Old words of a finish belong to the interior.
     const LayerValues& top = texture.layers.back();
     std::optional<InteriorThing> old;

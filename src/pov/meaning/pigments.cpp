@@ -192,8 +192,8 @@ std::shared_ptr<const FilePixels> PigmentMaker::pixels_of(const Blend& blend) co
 }
 
 /// Returns the transformations of a pattern, from the space of the scene's own pattern into that of the body.
-std::vector<Transformation> PigmentMaker::space_of(const Blend& blend, const Steps& way, const Steps& first) const {
-    Steps steps = first;
+std::vector<Transformation> PigmentMaker::space_of(const Blend& blend, const Steps& way) const {
+    Steps steps;
     if (around.empty()) append(steps, blend.steps);
     if (!blend.uv) append(steps, way);
     return transformations_of(steps, mirrored);
@@ -201,7 +201,7 @@ std::vector<Transformation> PigmentMaker::space_of(const Blend& blend, const Ste
 
 /// Returns the space of a pattern of which nothing is mirrored but its argument.
 std::vector<Transformation> PigmentMaker::space_of_argument(const Blend& blend, const Steps& way) const {
-    std::vector<Transformation> space = space_of(blend, way, {});
+    std::vector<Transformation> space = space_of(blend, way);
     if (mirrored) space.insert(space.begin(), Scale{{1, 1, -1}});
     return space;
 }
@@ -218,24 +218,6 @@ std::optional<SolidPattern> PigmentMaker::solid_of(const Blend& blend, bool bend
     if (solid->function && notes.in.options().as_text) return std::nullopt;
     if (solid->function) value_at(*solid, DVec3(0));  // calls functions in it that may be constants to be told of
     return solid;
-}
-
-/// Sets the kind of a pattern that has values. Returns false if the scene has no such pattern.
-bool PigmentMaker::set_kind(const Blend& blend, Pattern& pattern) {
-    const std::uint16_t own = blend.word;
-    const bool plain = around.empty() && blend.warps.empty() && blend.turbulence == DVec3(0) && !pattern.nests();
-    const auto waves = [&](Wave usual) { return blend.wave.value_or(usual) == usual; };
-    if (plain && own == word("gradient") && waves(Wave::ramp))
-        pattern.kind = Gradient{mirror(blend.axis, mirrored)};
-    else if (plain && own == word("marble") && waves(Wave::triangle))
-        pattern.kind = Marble();
-    else if (plain && own == word("wood") && waves(Wave::triangle) && blend.phase == 0)
-        pattern.kind = Wood();
-    else if (const std::optional<SolidPattern> solid = solid_of(blend, false))
-        pattern.kind = *solid;
-    else
-        return false;
-    return true;
 }
 
 namespace {
@@ -485,16 +467,12 @@ Look PigmentMaker::shown_look_of(const PigmentThing& pigment, const Steps& way, 
     if (average && !add_mean(blend, pattern)) return as_mean("this average");
     if (!average) pattern.colors = stops_of(blend);
     for (const ColorStop& stop : pattern.colors) look.varies |= stop.pattern && Pigment(*stop.pattern).clear();
-    if (!average && !set_kind(blend, pattern)) return as_mean("the pattern '" + word_text(blend.word) + "'");
-    const bool solid = std::holds_alternative<SolidPattern>(pattern.kind);
-    Steps first;
-    const bool ramp = std::holds_alternative<Gradient>(pattern.kind);
-    const DVec3 axis = blend.word == word("gradient") ? normalize(blend.axis) : DVec3(1, 0, 0);
-    if (!solid && blend.phase != 0 && (ramp || blend.word == word("marble")))
-        first.push_back(Translate{-blend.phase * axis});
-    if (!solid && blend.frequency != 1 && blend.frequency != 0) first.push_back(Scale{DVec3(1 / blend.frequency)});
-    pattern.transformations = space_of(blend, way, first);
-    if (solid && mirrored) pattern.transformations.insert(pattern.transformations.begin(), Scale{{1, 1, -1}});
+    if (!average) {
+        const std::optional<SolidPattern> solid = solid_of(blend, false);
+        if (!solid) return as_mean("the pattern '" + word_text(blend.word) + "'");
+        pattern.kind = *solid;
+    }
+    pattern.transformations = space_of_argument(blend, way);
     look.pigment = Pigment(std::move(pattern));
     return look;
 }
@@ -533,7 +511,7 @@ Bump PigmentMaker::bump_of(const NormalThing& normal, const Steps& way, bool map
         pattern.kind = *solid;
         bump.height = blend.map || picture || facets ? 1 : decimal(static_cast<float>(normal.amount));
     }
-    pattern.transformations = space_of(blend, way, {});
+    pattern.transformations = space_of(blend, way);
     if (mirrored && std::holds_alternative<SolidPattern>(pattern.kind))
         pattern.transformations.insert(pattern.transformations.begin(), Scale{{1, 1, -1}});
     bump.pattern = std::make_shared<const Pattern>(std::move(pattern));

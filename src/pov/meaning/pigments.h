@@ -28,6 +28,11 @@ class PigmentMaker {
     /// `way` leads from the texture's space into that of the body; `mapped` says that it is a mesh with uv_vectors.
     Look look_of(const PigmentThing& pigment, const Steps& way, bool mapped);
     Bump bump_of(const NormalThing& normal, const Steps& way, bool mapped);
+    /// Do any of a pigment's colours let light through?
+    static bool is_clear(const PigmentThing& pigment) {
+        const Brightest most = brightest_of(pigment);
+        return most.filters || most.transmits;
+    }
 
   private:
     struct Mean {
@@ -55,8 +60,7 @@ class PigmentMaker {
     static Brightest brightest_of(const PigmentThing& pigment);
     bool set_channels(const std::shared_ptr<const FunctionThing>& colors, const Blend& blend, const Brightest& most,
                       Pattern& pattern);
-    bool set_kind(const Blend& blend, Pattern& pattern);
-    std::vector<Transformation> space_of(const Blend& blend, const Steps& way, const Steps& first) const;
+    std::vector<Transformation> space_of(const Blend& blend, const Steps& way) const;
     std::vector<Transformation> space_of_argument(const Blend& blend, const Steps& way) const;
 
     NoteTaker notes;

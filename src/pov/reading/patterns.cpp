@@ -42,9 +42,8 @@ struct Usual {
     std::uint16_t code;
     double value;
 };
-constexpr std::array numbers_not_shown{Usual{word("agate_turb"), 1}, Usual{word("accuracy"), .02},
-                                       Usual{word("strength"), 1}, Usual{word("number_of_waves"), 10},
-                                       Usual{word("no_bump_scale"), 0}};
+constexpr std::array numbers_not_shown{Usual{word("accuracy"), .02}, Usual{word("strength"), 1},
+                                       Usual{word("number_of_waves"), 10}, Usual{word("no_bump_scale"), 0}};
 
 using Size = std::array<int, 2>;  // in pixels
 
@@ -377,8 +376,10 @@ std::shared_ptr<const ImageThing> PovReader::read_image(Interpreter& in, bool of
 /// Reads the word of a pattern with its arguments; reads nothing and returns false if none comes.
 bool PovReader::read_pattern_word(Interpreter& in, Blend& blend, ValueKind level) {
     const std::uint16_t code = in.code();
-    const auto take = [&] {
+    // The frequency of some is 0, which a pattern in their place keeps: its values do not repeat every 1.00001.
+    const auto take = [&](bool never_repeats = false) {
         in.skip();
+        if (never_repeats) blend.frequency = 0;
         blend.word = code, blend.place = in.last_place();
         blend.function = nullptr, blend.pigment = nullptr, blend.image = nullptr;
         return true;
@@ -391,7 +392,7 @@ bool PovReader::read_pattern_word(Interpreter& in, Blend& blend, ValueKind level
         case word("square"):
         case word("triangular"):
         case word("cubic"):
-            take();
+            take(true);
             read_list(in, blend, level);
             return true;
         case word("gradient"):
@@ -407,7 +408,7 @@ bool PovReader::read_pattern_word(Interpreter& in, Blend& blend, ValueKind level
         case word("quilted"):
         case word("pavement"):
         case word("tiling"):
-            take();
+            take(code == word("quilted"));
             if (code != word("quilted") && at_single(in)) in.read_number();
             return true;
         case word("mandel"):
@@ -429,7 +430,7 @@ bool PovReader::read_pattern_word(Interpreter& in, Blend& blend, ValueKind level
             in.skip_comma();
             return true;
         case word("object"):
-            take();
+            take(true);
             in.begin_block();
             blend.function = read_inside(in);
             in.skip_comma();
@@ -463,7 +464,7 @@ bool PovReader::read_pattern_word(Interpreter& in, Blend& blend, ValueKind level
         case word("image_map"):
         case word("bump_map"):
         case word("image_pattern"):
-            take();
+            take(code != word("bump_map"));
             blend.image = read_image(in, code == word("image_map"));
             return true;
         default:
@@ -495,6 +496,8 @@ bool PovReader::read_modifier(Interpreter& in, Blend& blend, ValueKind level) {
             in.skip();
             blend.turbulence = in.read_vector();
             return true;
+        case word("agate_turb"):
+            return number(blend.agate_turbulence);
         case word("control0"):
             return number(blend.controls[0]);
         case word("control1"):

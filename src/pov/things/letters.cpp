@@ -22,9 +22,11 @@ struct CloseFont {
 
 using Point = Contour::Point;
 
-/// Collects the contours of a letter. The points are in units of the font.
+/// Collects the contours of a letter. The points are in halves of the font's units: FreeType computes in whole numbers,
+/// also the middles between two controls, where curves meet.
 struct ContourTaker {
-    double em;
+    static constexpr int shift = 1;
+    double em;  // in halves
     std::vector<Contour> contours{};
 
     Point point(const FT_Vector& v) const { return {double(v.x) / em, double(v.y) / em}; }
@@ -76,7 +78,7 @@ std::vector<Letter> letters_of(const std::string& font, const std::string& line)
     if (!FT_IS_SCALABLE(opened) || opened->units_per_EM == 0) throw fault();
     const bool symbols = FT_Select_Charmap(opened, FT_ENCODING_UNICODE) != 0;  // a font of symbols has only its own map
     if (symbols) FT_Select_Charmap(opened, FT_ENCODING_MS_SYMBOL);
-    constexpr FT_Outline_Funcs takers{move_to, line_to, conic_to, cubic_to, 0, 0};
+    constexpr FT_Outline_Funcs takers{move_to, line_to, conic_to, cubic_to, ContourTaker::shift, 0};
     const double em = opened->units_per_EM;
     std::vector<Letter> letters;
     std::map<FT_UInt, std::shared_ptr<const ContourData>> known;
@@ -94,7 +96,7 @@ std::vector<Letter> letters_of(const std::string& font, const std::string& line)
         }
         std::shared_ptr<const ContourData>& contours = known[own];
         if (!contours) {
-            ContourTaker taker{.em = em};
+            ContourTaker taker{.em = 2 * em};
             if (FT_Outline_Decompose(&outline, &takers, &taker)) throw fault();
             contours = std::make_shared<const ContourData>(std::move(taker.contours));
         }

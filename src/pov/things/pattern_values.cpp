@@ -474,6 +474,18 @@ std::shared_ptr<const SolidFunction> own_values_of(const Blend& blend, int gener
             if (blend.crackle == CrackleForm{}) return nullptr;
             return make_values(
                 [own = blend.crackle, generator](const DVec3& p) { return crackle_value(own, generator, p); });
+        case word("agate"): {
+            if (blend.agate_turbulence == 1) return nullptr;
+            const TurbulenceWarp noise = turbulence_of(blend);
+            return make_values([noise, strength = blend.agate_turbulence, generator](const DVec3& p) {
+                const double turns = 1.3 * strength *
+                                         lattice::turbulence(p, noise.octaves, static_cast<float>(noise.omega),
+                                                             static_cast<float>(noise.lambda), generator) +
+                                     1.1 * p.z;
+                const double value = .5 * (std::sin(2 * std::numbers::pi * (turns - std::floor(turns))) + 1);
+                return std::pow(std::clamp(value, 0., 1.), .77);
+            });
+        }
         case word("quilted"):
             if (blend.controls == std::array{1., 1.}) return nullptr;
             return std::make_shared<QuiltedValues>(blend.controls);

@@ -100,6 +100,7 @@ struct Blend {
     double mortar = .5;
     double arms = 0;                       // of a spiral
     std::array<double, 2> controls{1, 1};  // of quilted
+    double agate_turbulence = 1;
     bool uv = false;
     std::optional<int> noise_generator;  // if it is not the scene's
     std::uint16_t ignored = end_code;    // a word that changes the pattern in a way that is not shown

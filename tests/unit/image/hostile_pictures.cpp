@@ -27,7 +27,7 @@ std::string fault_in(const std::string& path, std::uint64_t most = most_values_r
     return fault_of([&] { read_picture(path, most); });
 }
 
-TEST_CASE("only .bmp, .png, .exr, .jpg, .gif, .ppm, .pgm and .pfm are read, recognised by their contents") {
+TEST_CASE("only .bmp, .png, .exr, .jpg, .gif, .tga, .ppm, .pgm and .pfm are read, recognised by their contents") {
     const Scratch folder;
     const auto reading = [&](const std::string& name) { return fault_in(folder / name); };
     write_picture(picture(4, 4), folder / "a.png", {});
@@ -39,7 +39,7 @@ TEST_CASE("only .bmp, .png, .exr, .jpg, .gif, .ppm, .pgm and .pfm are read, reco
          {no_channels, icon, dds, cineon, std::string("P4 8 1\n1"), std::string("P1 1 1\n1")})
         for (const char* name : {"b.png", "b.sgi", "b.ico", "b.dds", "b.cin", "b.ppm"}) {
             write_file(folder / name, start + std::string(2000, '\0'));
-            CHECK(says(reading(name), "is not a .bmp, .png, .exr, .jpg, .gif, .ppm, .pgm or .pfm file"));
+            CHECK(says(reading(name), "is not a .bmp, .png, .exr, .jpg, .gif, .tga, .ppm, .pgm or .pfm file"));
         }
 }
 
@@ -144,6 +144,58 @@ TEST_CASE(".jpg and .gif files: their values, and headers that are forged") {
     CHECK(says(reading(canvas.substr(0, canvas.size() - 100)), "as a picture"));
     canvas.replace(6, 4, "\xff\xff\xff\xff");
     CHECK(says(reading(canvas), "more pixels than fit into such a file"));
+}
+
+TEST_CASE(".tga files: their values, which are POV-Ray's, and headers that are forged") {
+    const Scratch folder;
+    const std::string colors("\x0a\x14\x1e\x3c\x78\xf0\xff\x80\x40\1\2\3", 12);  // blue first
+    const std::string clear("\x0a\x14\x1e\xff\x3c\x78\xf0\x80\xff\x80\x40\0\1\2\3\x40", 16);
+    const std::string packed("\x81\x0a\x14\x1e\1\x3c\x78\xf0\xff\x80\x40", 11);  // a pixel twice, and two pixels
+    const std::string short_codes("\0\x7c\xe0\x83\x1f\0\xad\xb5", 8), numbers("\0\1\2\3", 4);
+    struct Row {
+        std::string bytes;
+        std::vector<int> values;
+    };
+    const std::vector<int> three{30, 20, 10, 240, 120, 60, 64, 128, 255, 3, 2, 1};
+    const std::vector<int> four{30, 20, 10, 255, 240, 120, 60, 128, 64, 128, 255, 0, 3, 2, 1, 64};
+    const std::vector<int> bits{248, 0, 0, 0, 0, 248, 0, 255, 0, 0, 248, 0, 104, 104, 104, 255};
+    for (const Row& row :
+         {Row{targa(2, 24, 32, colors), three},
+          {targa(2, 32, 32, clear), four},
+          {targa(2, 16, 32, short_codes), bits},
+          {targa(2, 15, 32, short_codes), {248, 0, 0, 0, 248, 0, 0, 0, 248, 104, 104, 104}},
+          {targa(3, 8, 32, std::string("\0\x32\x80\xff", 4)), {0, 50, 128, 255}},
+          {targa(1, 8, 32, numbers, colors, 24), three},
+          {targa(1, 8, 32, numbers, clear, 32), four},
+          {targa(1, 8, 32, numbers, short_codes, 16), bits},
+          {targa(9, 8, 32, "\x81\1\1\2\3", colors, 24), {240, 120, 60, 240, 120, 60, 64, 128, 255, 3, 2, 1}},
+          {targa(10, 24, 32, packed), {30, 20, 10, 30, 20, 10, 240, 120, 60, 64, 128, 255}},
+          {targa(11, 8, 32, "\x81\x32\1\x80\xff"), {50, 50, 128, 255}}}) {
+        CAPTURE(int(row.bytes[2]));
+        CAPTURE(int(row.bytes[16]));
+        write_file(folder / "a.tga", row.bytes);
+        const Picture own = read_picture(folder / "a.tga");
+        CHECK(own.width == 4);
+        CHECK(own.bits == 8);
+        REQUIRE(own.values.size() == row.values.size());
+        for (std::size_t i = 0; i < own.values.size(); ++i) CHECK(own.values[i] == row.values[i] / 255.);
+        write_file(folder / "a.tga", row.bytes.substr(0, row.bytes.size() - 1));
+        CHECK(says(fault_in(folder / "a.tga"), "cut off"));
+    }
+    std::string rows = targa(2, 24, 0, colors);
+    rows[12] = 2, rows[14] = 2;
+    write_file(folder / "a.tga", rows);
+    CHECK(read_picture(folder / "a.tga").values[0] == 64 / 255.);  // from the lowest row
+    write_file(folder / "a.tga", targa(1, 8, 32, std::string("\0\1\2\4", 4), colors, 24));
+    CHECK(says(fault_in(folder / "a.tga"), "beyond its palette"));
+    rows.replace(12, 4, "\xff\xff\xff\xff");
+    write_file(folder / "a.tga", rows);
+    CHECK(says(fault_in(folder / "a.tga"), "too many for the file"));
+    for (const int place : {1, 2, 16}) {
+        rows = targa(2, 24, 32, colors), rows[std::size_t(place)] = 7;
+        write_file(folder / "a.tga", rows);
+        CHECK(says(fault_in(folder / "a.tga"), "is not a .bmp"));
+    }
 }
 
 TEST_CASE("devices and pipes are not read") {

@@ -1,4 +1,4 @@
-// Makes small .jpg and .gif files, which Strahl reads and does not write.
+// Makes small .jpg, .gif and .tga files, which Strahl reads and does not write.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -60,6 +60,16 @@ inline std::string gif(std::uint16_t width, std::uint16_t height) {
         bytes += static_cast<char>(block.size()) + block;
     }
     return bytes + std::string("\0;", 2);
+}
+
+/// Returns a .tga file of 4 pixels in a row, from the top row if `flags` has 32; `palette` holds colours of so many
+/// bits.
+inline std::string targa(char type, char bits, char flags, const std::string& data, const std::string& palette = "",
+                         char palette_bits = 0) {
+    const auto colors = static_cast<std::uint16_t>(palette_bits ? palette.size() / std::size_t(palette_bits / 8) : 0);
+    return std::string{'\0', palette.empty() ? '\0' : '\1', type, '\0', '\0'} + little_endian(colors) + palette_bits +
+           little_endian(std::uint16_t(0), std::uint16_t(0), std::uint16_t(4), std::uint16_t(1)) +
+           std::string{bits, flags} + palette + data;
 }
 
 }  // namespace strahl

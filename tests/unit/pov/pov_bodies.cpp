@@ -507,6 +507,11 @@ TEST_CASE("POV-Ray: letters are solid, and follow each other as in POV-Ray") {
         for (const auto& piece : pieces) x += piece.cx - piece.ax, y += piece.cy - piece.ay;
         CHECK(std::fabs(x) + std::fabs(y) < 1e-12);
     }
+    // Contours meet in the middle between two controls, also where that is not a whole number of the font's units.
+    const auto round = pov::letters_of(font, "o").at(0).contours;
+    CHECK(std::ranges::any_of(round->contours.at(0).strokes, [](const auto& stroke) {
+        return stroke.end == Contour::Point{.3415, .4515};
+    }));
     const auto begin = [&](const std::string& line) {  // of the last letter
         const pov::Letter last = pov::letters_of(font, line).back();
         return last.x + last.contours->centre[0] - last.contours->half[0];

@@ -44,6 +44,9 @@ constexpr Row rows[]{
     {"object { sphere { 0, .3 } translate <.3, .4, 0> } scale 1.1", 1, 0},
     {"radial rotate 90*x translate .5", 0.563426817, 0.406416479},
     {"gradient x poly_wave 2", 0.0961, 0.09},
+    {"agate agate_turb .3", 0.999957833, 0.262904077},
+    {"agate agate_turb 2.5 octaves 4 scale .4", 0.905385951, 0.941737440},
+    {"agate agate_turb 0 turbulence .2", 0.583880520, 0.375792165},
     {"marble poly_wave .5 turbulence .3 scale .3", 0.422670722, 0.135656621},
 };
 
