@@ -307,6 +307,7 @@ void Interpreter::State::declare(bool local) {
     with_directives(false, [&] {
         const bool numbers = value.kind >= ValueKind::number && value.kind <= ValueKind::color;
         if (!accept(';') && numbers && version >= 3.5) warn(at, "';' is missing after this declaration");
+        if (numbers) accept(';');  // as in POV-Ray: the line of an #include may end with it
     });
     if (array) {
         if (value.kind == ValueKind::array) add_level(*array, value);

@@ -122,6 +122,25 @@ void SceneMaker::set_camera() {
     if (const char* const fault = degenerate(camera)) in.fail(own.place, std::string("invalid camera: ") + fault);
 }
 
+namespace {
+
+/// Multiplies the colours of a pattern and of a pigment.
+Pattern brightened(Pattern pattern, const Color& by) {
+    for (ColorStop& stop : pattern.colors) {
+        stop.color = stop.color * by;
+        if (stop.pattern) stop.pattern = std::make_shared<const Pattern>(brightened(*stop.pattern, by));
+    }
+    return pattern;
+}
+Pigment brightened(const Pigment& pigment, const Color& by) {
+    Pigment own = pigment;
+    own.color = own.color * by;
+    if (own.pattern) own.pattern = std::make_shared<const Pattern>(brightened(*own.pattern, by));
+    return own;
+}
+
+}  // namespace
+
 void SceneMaker::set_background() {
     const Color& color = contents.background;
     scene.background = Pigment(std::max(color.x, 0.), std::max(color.y, 0.), std::max(color.z, 0.));
@@ -130,6 +149,13 @@ void SceneMaker::set_background() {
         std::vector<Look> looks;
         for (const PigmentThing& pigment : pigments)
             looks.push_back(materials.pigment_maker().look_of(pigment, {}, false));
+        if (const Color emission = max(contents.sky->emission, Color(0)); emission != Color(1))
+            for (Look& look : looks) {
+                const Pigment& own = look.pigment;
+                if (look.filter > 0 || (own.pattern && std::holds_alternative<ImagePattern>(own.pattern->kind)))
+                    notes.approximated(contents.sky->place, "'emission' of a sky with pictures, or that filters light");
+                look.pigment = brightened(own, emission);
+            }
         // The lowest layer that hides everything takes the place of the background.
         const auto clear = [](const Look& look) { return look.filter + look.transmit > 0 || look.clear().clear(); };
         std::size_t first = 0;

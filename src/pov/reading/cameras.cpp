@@ -150,7 +150,7 @@ SkyThing PovReader::read_sky(Interpreter& in) {
             read_pigment(in, pigment);
             sky.pigments.push_back(std::move(pigment));
         } else if (in.accept("emission")) {
-            in.read_color();
+            sky.emission = color_of(in.read_color());
         } else if (Steps steps; read_step(in, steps)) {
             for (PigmentThing& pigment : sky.pigments) append(pigment.blend.steps, steps);
         } else {

@@ -102,6 +102,7 @@ class PovReader : public SceneLayer {
     std::vector<std::pair<TextPlace, std::shared_ptr<std::atomic<bool>>>> pattern_functions;  // was it called?
     std::shared_ptr<const TextureThing> default_texture = std::make_shared<TextureThing>();
     CameraThing default_camera;
+    bool utf8 = false;                                                      // `text` is
     std::map<Point2, std::shared_ptr<const LevelSurface>> superellipsoids;  // so far, by their exponents
     struct LoadedPicture {
         std::shared_ptr<const FilePixels> pixels;

@@ -39,6 +39,7 @@ void PovReader::read_settings(Interpreter& in) {
                 in.noise_generator = in.read_integer();
                 break;
             case word("charset"):
+                utf8 = in.at("utf8");
                 in.skip();
                 break;
             case word("irid_wavelength"):

@@ -390,7 +390,7 @@ void PovReader::read_text_body(Interpreter& in, ObjectThing& object) {
     }
     try {
         object.kind = ObjectKind::unite;
-        for (int i = 0; const Letter& letter : letters_of(path, line)) {
+        for (int i = 0; const Letter& letter : letters_of(path, line, utf8)) {
             const Steps moved{Translate{DVec3(letter.x, 0, 0) + double(i++) * offset}};
             const Prism prism{0, depth, letter.contours};
             if (!prism.fault()) object.parts.push_back(part_of(object, prism, moved));

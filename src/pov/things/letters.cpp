@@ -51,13 +51,15 @@ int cubic_to(const FT_Vector* first, const FT_Vector* second, const FT_Vector* t
     return own.add({own.point(*first), own.point(*to), own.point(*second)});
 }
 
-/// Returns the characters of a text.
-std::u32string characters_of(const std::string& text) {
+/// Returns the characters of a text. Without UTF-8 POV-Ray shows blanks for all that are not ASCII.
+std::u32string characters_of(const std::string& text, bool utf8) {
     std::u32string all;
-    if (find_invalid(text) != text.npos) return std::u32string(text.begin(), text.end());
+    if (utf8 && find_invalid(text) != text.npos) return std::u32string(text.begin(), text.end());
     for (const char c : text) {
         const auto byte = static_cast<unsigned char>(c);
-        if (continues(c))
+        if (!utf8)
+            all.push_back(byte < 0x80 ? byte : U' ');
+        else if (continues(c))
             all.back() = all.back() << 6 | (byte & 63u);
         else
             all.push_back(byte < 0x80 ? byte : byte < 0xE0 ? byte & 31u : byte < 0xF0 ? byte & 15u : byte & 7u);
@@ -67,7 +69,7 @@ std::u32string characters_of(const std::string& text) {
 
 }  // namespace
 
-std::vector<Letter> letters_of(const std::string& font, const std::string& line) {
+std::vector<Letter> letters_of(const std::string& font, const std::string& line, bool utf8) {
     const auto fault = [&] { return FileError(strahl::quoted(font) + " is not a font with outlines"); };
     FT_Library freetype = nullptr;
     if (FT_Init_FreeType(&freetype)) throw fault();
@@ -76,7 +78,10 @@ std::vector<Letter> letters_of(const std::string& font, const std::string& line)
     if (FT_New_Face(freetype, font.c_str(), 0, &opened)) throw fault();
     const std::unique_ptr<FT_FaceRec_, CloseFont> face(opened);
     if (!FT_IS_SCALABLE(opened) || opened->units_per_EM == 0) throw fault();
-    const bool symbols = FT_Select_Charmap(opened, FT_ENCODING_UNICODE) != 0;  // a font of symbols has only its own map
+    // Without UTF-8 POV-Ray finds letters by the map for the Macintosh, which may have others than that for Unicode.
+    const bool old = !utf8 && FT_Select_Charmap(opened, FT_ENCODING_APPLE_ROMAN) == 0;
+    // A font of symbols has only its own map.
+    const bool symbols = !old && FT_Select_Charmap(opened, FT_ENCODING_UNICODE) != 0;
     if (symbols) FT_Select_Charmap(opened, FT_ENCODING_MS_SYMBOL);
     constexpr FT_Outline_Funcs takers{move_to, line_to, conic_to, cubic_to, ContourTaker::shift, 0};
     const double em = opened->units_per_EM;
@@ -84,7 +89,7 @@ std::vector<Letter> letters_of(const std::string& font, const std::string& line)
     std::map<FT_UInt, std::shared_ptr<const ContourData>> known;
     double x = 0;
     FT_UInt before = 0;
-    for (const char32_t c : characters_of(line)) {
+    for (const char32_t c : characters_of(line, utf8)) {
         FT_UInt own = FT_Get_Char_Index(opened, c);
         if (own == 0 && symbols) own = FT_Get_Char_Index(opened, 0xF000 + c);
         if (FT_Load_Glyph(opened, own, FT_LOAD_NO_SCALE)) throw fault();

@@ -97,6 +97,7 @@ struct FogThing : Thing {
 struct SkyThing : Thing {
     TextPlace place;
     std::vector<PigmentThing> pigments;  // the last one is on top
+    DVec3 emission{1};                   // by which their light is multiplied
 };
 
 /// A body as the scene shows it, with the texture that holds where it has none.

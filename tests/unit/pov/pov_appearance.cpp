@@ -241,6 +241,11 @@ TEST_CASE("POV-Ray: patterns that scenes have are exact") {
               Pigment red(1, 0, 0);
               return red.transmit = .5, red;
           }()});
+    const Scene dawn = whole(
+        "sky_sphere { pigment { gradient y color_map { [0 rgb x] [1 rgb 1] } } pigment { rgbt .5 } emission <.5, 1, 2> "
+        "}");
+    CHECK(dawn.background.pattern->colors == std::vector<ColorStop>{{0, {.5, 0, 0}}, {1, {.5, 1, 2}}});
+    CHECK(dawn.background_coats.at(0).color == Color(.25, .5, 1));
     CHECK(whole("sky_sphere { pigment { rgb y } } background { rgb x }").background == Pigment(0, 1, 0));
     const SolidPattern quilted = std::get<SolidPattern>(pattern("quilted control0 0 control1 .5").kind);
     REQUIRE(quilted.function);

@@ -70,6 +70,8 @@ TEST_CASE("forms of old scenes") {
     check_prints("#declare T = texture { } #declare U = texture { T } texture { } #declare V = U #debug \"read\"",
                  "read");
     check_prints("#declare a = 2;# #debug str(a,0,0)", "2");
+    check_prints("#declare a = <1, 2>;; #debug str(a.x,0,0)", "1");
+    check_fails("#declare a = \"text\";; #debug a", "found ';'");
 }
 
 TEST_CASE("what never ends is an error") {
