@@ -1,5 +1,5 @@
 // Textures that POV-Ray's scenes often have: layers of which the upper one hides the others, mirrors that brighten,
-// ramps that repeat many times, agate, and letters, whose sides are curved.
+// ramps that repeat many times, agate, letters, whose sides are curved, and a blob whose parts blend their colours.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 
@@ -25,5 +25,12 @@ box {
   pigment { rgb .02 } finish { reflection { rgb <1.4, 1.1, .8> } ambient 0 } rotate 15*y
 }
 sphere { <2.1, .6, -2>, .6 pigment { agate agate_turb .4 scale .5 } }
+blob {
+  threshold .5
+  sphere { 0, .6, 1.2 pigment { rgb <1, .2, .1> } }
+  sphere { <.5, .1, 0>, .6, 1 pigment { gradient y color_map { [0 rgb 1] [1 rgb <0, .6, 0>] } scale .15 rotate 30*z } }
+  cylinder { <.5, 0, 0>, <1, -.1, -.3>, .4, 1 }
+  pigment { rgb <.1, .2, .9> } rotate 20*y translate <-.2, .4, -3.6>
+}
 cylinder { <-.8, 0, -2.4>, <-.8, 1, -2.4>, .4 pigment { marble scale .04 rotate 30*z } }
 sphere { <-2, .5, -2.6>, .5 pigment { wood scale .03 rotate 20*x } }

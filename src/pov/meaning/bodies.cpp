@@ -191,6 +191,15 @@ int SceneMaker::material_of(const ObjectThing& object, const Around& around, boo
     if (around.clips) return materials.nothing();
     Looks own = around;
     take_over(object, own);
+    if (object.lump_textures) {
+        const auto& blob = std::get<Blob>(*object.shape);
+        const Steps way = inverse(to_owner(object, around));
+        if (const auto mixed = materials.blended(blob, *object.lump_textures, *own.texture, way)) {
+            own.texture = mixed;
+            return number_of(own, mapped, [] { return Steps(); });
+        }
+        notes.approximated(object.place, "the parts of a blob have the texture of the whole");
+    }
     if (own.shared) return number_of(*own.shared);
     const int number = number_of(own, mapped, [&] { return inverse(to_owner(object, around)); });
     const bool doubtful = around.shared && materials[number].patterned() && number == number_of(*around.shared);

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "pov/things/blob_colors.h"
+#include "pov/things/pattern_values.h"
+
 namespace strahl::pov {
 namespace {
 
@@ -179,8 +182,39 @@ bool MaterialMaker::has_pattern(const TextureThing& texture) {
     for (const auto& corner : texture.corners)
         if (has_pattern(*corner)) return true;
     return std::ranges::any_of(texture.layers, [](const LayerValues& layer) {
-        return layer.blend || layer.pigment.blend || layer.normal.blend;
+        return layer.blend || layer.pigment.blend || layer.pigment.colors || layer.normal.blend;
     });
+}
+
+std::shared_ptr<const TextureThing> MaterialMaker::blended(
+    const Blob& blob, const std::vector<std::shared_ptr<const TextureThing>>& textures, const TextureThing& whole,
+    const Steps& way) {
+    LayerValues around = whole.layers[0];
+    transform(around, way);
+    const LayerValues& first = textures[0] ? textures[0]->layers[0] : around;
+    auto own = std::make_shared<TextureThing>();
+    own->layers[0] = first;
+    PigmentThing& mixed = own->layers[0].pigment;
+    mixed = {};
+    std::vector<std::shared_ptr<const FunctionThing>> colors;
+    std::shared_ptr<const FunctionThing> rest;  // of all lumps without a texture
+    for (const auto& texture : textures) {
+        const LayerValues& layer = texture ? texture->layers[0] : around;
+        const bool simple = (texture ? *texture : whole).layers.size() == 1 && !layer.blend;
+        if (!simple || !same_finish(layer, first) || PigmentMaker::is_clear(layer.pigment)) return nullptr;
+        if (!texture && rest)
+            colors.push_back(rest);
+        else
+            colors.push_back(colors_of(layer.pigment, notes.in.noise_generator));
+        if (!colors.back()) return nullptr;
+        if (!texture) rest = colors.back();
+        mixed.most = std::max(mixed.most, PigmentMaker::largest_of(layer.pigment));
+        const float share = 1 / static_cast<float>(textures.size());
+        mixed.color.red += share * layer.pigment.color.red, mixed.color.green += share * layer.pigment.color.green;
+        mixed.color.blue += share * layer.pigment.color.blue;
+    }
+    mixed.colors = blob_colors(blob.data->lumps, colors, contents.adc_bailout);
+    return own;
 }
 
 int MaterialMaker::without_patterns(int number) {

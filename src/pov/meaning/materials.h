@@ -37,6 +37,11 @@ class MaterialMaker {
         if (!moves) plain[key] = own;
         return own;
     }
+    /// Returns the texture that a blob's lumps blend to, in the blob's space: `whole` is that of lumps without one, and
+    /// `way` leads from its space into the blob's. Null if they differ in more than their pigments.
+    std::shared_ptr<const TextureThing> blended(const Blob& blob,
+                                                const std::vector<std::shared_ptr<const TextureThing>>& textures,
+                                                const TextureThing& whole, const Steps& way);
     /// Returns the number of the material of what is not there: light goes through it as through nothing.
     int nothing() {
         Material clear{.rgb = Color(1), .reflection = 0, .diffuse = 0, .specular = 0};

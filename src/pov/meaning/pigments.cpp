@@ -326,7 +326,9 @@ PigmentMaker::Brightest PigmentMaker::brightest_of(const PigmentThing& pigment) 
         most.filters |= own.filter != 0, most.transmits |= own.transmit != 0;
     };
     const Blend& blend = pigment.blend;
-    if (blend.word == word("image_map") && blend.image->pixels) {
+    if (pigment.colors) {
+        most.value = std::max(most.value, pigment.most);
+    } else if (blend.word == word("image_map") && blend.image->pixels) {
         const ImageThing& image = *blend.image;
         const Color& largest = image.pixels->largest;
         most.value = (image.interpolate == 3 ? 1.5 : 1) * std::max({largest.x, largest.y, largest.z, 1.});
@@ -388,6 +390,16 @@ Look PigmentMaker::shown_look_of(const PigmentThing& pigment, const Steps& way, 
     const Mean mean = mean_of(pigment);
     Look look{Pigment(mean.color), mean.filter, mean.transmit};
     const Blend& blend = pigment.blend;
+    if (pigment.colors) {
+        Pattern pattern{.kind = Checker{}, .colors = {}, .transformations = {}};
+        if (const Brightest most = brightest_of(pigment); set_channels(pigment.colors, {}, most, pattern)) {
+            pattern.transformations = space_of_argument({}, way);
+            look.pigment = most.of(std::move(pattern));
+        } else {
+            notes.approximated(blend.place, "colours that parts of a blob blend are their mean");
+        }
+        return look;
+    }
     if (!blend) return look;
     const auto as_mean = [&](const std::string& why) {
         notes.approximated(blend.place, why + " is its mean colour");

@@ -28,6 +28,8 @@ class PigmentMaker {
     /// `way` leads from the texture's space into that of the body; `mapped` says that it is a mesh with uv_vectors.
     Look look_of(const PigmentThing& pigment, const Steps& way, bool mapped);
     Bump bump_of(const NormalThing& normal, const Steps& way, bool mapped);
+    /// Returns the largest value of a pigment's colours, at least 1.
+    static double largest_of(const PigmentThing& pigment) { return brightest_of(pigment).value; }
     /// Do any of a pigment's colours let light through?
     static bool is_clear(const PigmentThing& pigment) {
         const Brightest most = brightest_of(pigment);

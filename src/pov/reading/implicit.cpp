@@ -109,6 +109,7 @@ void PovReader::set_surface(ObjectThing& object, const char* name, std::function
 void PovReader::read_blob(Interpreter& in, ObjectThing& object) {
     Blob blob{1, {}};
     std::vector<Lump> lumps;
+    std::vector<std::shared_ptr<const TextureThing>> textures;
     for (;;) {
         Lump lump;
         if (in.accept("threshold")) {
@@ -119,7 +120,7 @@ void PovReader::read_blob(Interpreter& in, ObjectThing& object) {
         if (in.accept("component")) {  // the old form
             lump.strength = in.read_number(), lump.radius = next_number(in), lump.from = lump.to = next_vector(in);
             in.skip_comma();
-            lumps.push_back(lump);
+            lumps.push_back(lump), textures.emplace_back();
             continue;
         }
         const bool cylinder = in.at("cylinder");
@@ -132,24 +133,25 @@ void PovReader::read_blob(Interpreter& in, ObjectThing& object) {
         in.skip_comma();
         in.accept("strength");
         lump.strength = in.read_number();
-        Steps steps;
+        ObjectThing part;
         while (!in.at('}')) {
-            if (read_step(in, steps)) continue;
+            if (read_object_modifier(in, part)) continue;
             in.skip();
-            if (!in.at('{')) continue;
-            in.skip_block();
-            object.approximated("the parts of a blob have the texture of the whole");
+            if (in.at('{')) in.skip_block();
         }
         in.end_block();
         if (!(lump.radius > 0)) continue;
-        if (!steps.empty()) {
-            const glm::dmat4 m = matrix_of(steps);
+        textures.push_back(part.texture ? kept_texture(part) : nullptr);
+        if (!part.steps.empty()) {
+            const glm::dmat4 m = matrix_of(part.steps);
             lump.x = DVec3(m[0]), lump.y = DVec3(m[1]), lump.z = DVec3(m[2]);
             const DVec3 moved = glm::inverse(glm::dmat3(m)) * DVec3(m[3]);
             lump.from += moved, lump.to += moved;
         }
         lumps.push_back(lump);
     }
+    if (std::ranges::any_of(textures, [](const auto& own) { return own != nullptr; }))
+        object.lump_textures = std::make_shared<const decltype(textures)>(std::move(textures));
     blob.data = std::make_shared<const BlobData>(std::move(lumps));
     if (const char* const fault = blob.fault()) return object.left_out(std::string("a blob: ") + fault);
     object.kind = ObjectKind::shape, object.shape = std::move(blob);

@@ -57,6 +57,8 @@ struct ObjectThing : Thing {
     std::optional<Shape> shape;
     std::shared_ptr<const LevelSurface> surface;  // if any, the shape is its mesh
     std::shared_ptr<const LightThing> light;
+    /// The textures of a blob's lumps, in its space, null for those that have the blob's; null if all have.
+    std::shared_ptr<const std::vector<std::shared_ptr<const TextureThing>>> lump_textures;
     std::vector<std::shared_ptr<const ObjectThing>> parts;
     std::vector<std::shared_ptr<const ObjectThing>> clips;   // cut off what is outside of them
     std::vector<std::shared_ptr<const ObjectThing>> bounds;  // used only where clips refer to them

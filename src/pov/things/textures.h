@@ -122,6 +122,10 @@ struct Blend {
 struct PigmentThing : Thing {
     FilterColor color{};  // unless there is a pattern
     Blend blend;
+    /// If not null, a function with five results that has the colours in place of both; `color` is their mean, and no
+    /// value is larger than `most`.
+    std::shared_ptr<const FunctionThing> colors;
+    double most = 1;
 };
 
 struct NormalThing : Thing {

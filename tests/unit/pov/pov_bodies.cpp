@@ -13,6 +13,7 @@
 #include "pov/things/surfaces.h"
 #include "scene/leaves.h"
 #include "scene/overlap.h"
+#include "tests/referee/pattern.h"
 #include "tests/unit/pov/opened.h"
 
 using namespace strahl;
@@ -610,7 +611,26 @@ TEST_CASE("POV-Ray: blobs are exact") {
     CHECK(says(notes_of("\nblob { threshold .5 sphere { 0, 1, -1 } }"), "left out: a blob: it has no lump that adds"));
     CHECK(
         says(notes_of("\nblob { threshold 0 sphere { 0, 1, 1 } }"), "left out: a blob: its threshold is not above 0"));
-    CHECK(says(notes_of("\nblob { sphere { 0, 1, 2 pigment { rgb x } } }"), "approximated: the parts of a blob have"));
+    CHECK(says(notes_of("\nblob { sphere { 0, 1, 2 finish { phong 1 } } sphere { 0, 1, 1 } }"),
+               "approximated: the parts of a blob have"));
+    CHECK(
+        says(notes_of("\nblob { sphere { 0, 1, 2 pigment { rgbt .5 } } }"), "approximated: the parts of a blob have"));
+    // Parts blend by their fields, of which one may take away.
+    const Scene blended = whole(
+        "blob { threshold .1 sphere { 0, 1, 2 pigment { rgb 2*x } translate .5*x } sphere { 0, 1, 1 pigment { rgb z } "
+        "} "
+        "cylinder { <-1, 0, 0>, <0, 0, 0>, 2, -.1 } pigment { rgb y } }");
+    REQUIRE(material(blended).rgb.pattern);
+    for (const double at : {-.2, .1, .3, .45}) {
+        const auto q = [](double square) { return square < 1 ? (1 - square) * (1 - square) : 0; };
+        const double red = 2 * q((at - .5) * (at - .5)), blue = q(at * at), green = .1 * q(at > 0 ? at * at / 4 : 0);
+        const double sum = red + blue + green;
+        const auto seen = referee::Paint<double>(material(blended).rgb, glm::dmat4(1)).at({at, 0, 0});
+        CAPTURE(at);
+        CHECK(double(seen.x) == doctest::Approx(2 * red / sum));
+        CHECK(double(seen.y) == doctest::Approx(green / sum));
+        CHECK(double(seen.z) == doctest::Approx(blue / sum));
+    }
 }
 
 TEST_CASE("POV-Ray: polynomials and isosurfaces become meshes near their surfaces") {
