@@ -34,12 +34,15 @@ void generate_camera_rays(const Eye<T>& eye, const PixelBatch<T>& batch, bool fi
         make_camera_rays(*eye.rays, batch, workspace, rays);
 }
 
-/// Returns the bodies that rays of a pack can meet, and perhaps more: the rays start in a ball around the first one's
-/// origin and leave within a cone around its direction, both widened by the policy. All bodies if that cone is 60
-/// degrees or wider on each side of its axis. Bodies are tested side by side.
+/// Returns the bodies that these rays of a pack, one at least, can meet, and perhaps more: the rays start in a ball
+/// around the first one's origin and leave within a cone around its direction, both widened by the policy. All bodies
+/// if that cone is 60 degrees or wider on each side of its axis. Bodies are tested side by side.
 template <class S, class T, class Widening>
-STRAHL_INLINE BodySet cull_packet(const World<T>& world, const Ray<S>& ray, Mask<S> active, const Widening& widening) {
-    const auto first_of = [](const Vec3<S>& v) { return Vec3<S>(S(lane(v.x, 0)), S(lane(v.y, 0)), S(lane(v.z, 0))); };
+STRAHL_INLINE BodySet cull_cone(const World<T>& world, const Ray<S>& ray, Mask<S> active, const Widening& widening) {
+    const int number = first(active);
+    const auto first_of = [&](const Vec3<S>& v) {
+        return Vec3<S>(S(lane(v.x, number)), S(lane(v.y, number)), S(lane(v.z, number)));
+    };
     const Vec3<S> origin = first_of(ray.origin), axis = first_of(ray.direction), off = ray.origin - origin;
     const T rounding = 16 * std::numeric_limits<T>::epsilon();
     const T cosine = widening.turned(least(select(active, dot(ray.direction, axis), S(1))) - rounding);
@@ -57,6 +60,29 @@ STRAHL_INLINE BodySet cull_packet(const World<T>& world, const Ray<S>& ray, Mask
         set |= BodySet(bits(met)) << i;
     }
     return set;
+}
+
+/// Returns the bodies that a quarter of a pack's rays can meet, or another one. Rays from bent mirrors go far apart,
+/// but those of neighbours less so.
+template <class S, class T, class Widening>
+[[gnu::noinline]] BodySet cull_quarters(const World<T>& world, const Ray<S>& ray, Mask<S> active,
+                                        const Widening& widening) {
+    constexpr int quarter = std::max(1, width<S> / 4);
+    BodySet set = 0;
+    for (int i = 0; i < width<S> && set != ~BodySet(0); i += quarter) {
+        const Mask<S> own = active & first_lanes<S>(i + quarter) & !first_lanes<S>(i);
+        if (any(own)) set |= cull_cone(world, ray, own, widening);
+    }
+    return set;
+}
+
+/// Returns the bodies that rays of a pack can meet, and perhaps more.
+template <class S, class T, class Widening>
+STRAHL_INLINE BodySet cull_packet(const World<T>& world, const Ray<S>& ray, Mask<S> active, const Widening& widening) {
+    constexpr int few = 16;  // bodies, which take no longer to test than to cull
+    const BodySet set = cull_cone(world, ray, active, widening);
+    if (set != ~BodySet(0) || width<S> == 1 || world.bins <= few) return set;
+    return cull_quarters(world, ray, active, widening);
 }
 
 /// Calls visit(bin, lanes) for each different bin of a pack.

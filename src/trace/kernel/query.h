@@ -205,13 +205,54 @@ STRAHL_INLINE void occlude_in_hierarchy(const World<Element<S>>& world, const Ra
     traverse<false>(world.nodes, line, active, light.limit, look, single);
 }
 
+/// Where rays to a parallel light start: in the coordinates of its axes ranges that rounding does not leave, and the
+/// least one towards it. Of other lights `shadows` is null, and no more is known.
+template <class S>
+struct StartAcross {
+    const ParallelShadows<Element<S>>* shadows = nullptr;
+    S u_low, u_high, v_low, v_high, along;
+
+    /// Returns the rays that start in the shadows whose numbers `at` takes from their columns.
+    template <class At>
+    STRAHL_INLINE Mask<S> shadowed(const At& at) const {
+        return !((u_high < at(shadows->left)) | (u_low > at(shadows->right)) | (v_high < at(shadows->bottom)) |
+                 (v_low > at(shadows->top)) | (along > at(shadows->end)));
+    }
+    /// Returns the bodies in whose shadow a ray may start, of the first ones by their bins.
+    STRAHL_INLINE BodySet bodies(Mask<S> active, int count) const {
+        const auto lowest = [&](const S& s) {
+            return S(least(select(active, s, S(std::numeric_limits<Element<S>>::infinity()))));
+        };
+        const StartAcross all{shadows, lowest(u_low), -lowest(-u_high), lowest(v_low), -lowest(-v_high), lowest(along)};
+        BodySet set = 0;
+        for (int i = 0; i < count; i += width<S>)
+            set |= BodySet(bits(all.shadowed([i](const auto& column) { return load_lanes<S>(column.data() + i); })))
+                   << i;
+        return set;
+    }
+};
+template <class S>
+STRAHL_INLINE StartAcross<S> start_across(const World<Element<S>>& world, const Ray<S>& ray, const Start<S>& start) {
+    const LightKernel<Element<S>>& light = world.lights[start.light];
+    if (!world.bin_per_item || light.finite != 0 || light.area) return {};
+    const S u = dot(splat<S>(light.u), ray.origin), v = dot(splat<S>(light.v), ray.origin);
+    const S along = dot(splat<S>(light.position), ray.origin);
+    const S off = (abs(u) + abs(v) + abs(along)) * S(16 * std::numeric_limits<Element<S>>::epsilon());
+    return {&world.few.shadows[start.light], u - off, u + off, v - off, v + off, along - off};
+}
+
 /// Returns the rays in whose way the body of a bin can be.
 template <class S>
 STRAHL_INLINE Mask<S> reached(const World<Element<S>>& world, int bin, const Ray<S>& ray, const S& distance,
-                              Mask<S> active, const Start<S>& start) {
-    const LightCone<Element<S>>& cone = world.few.cones[start.light * world.bins + bin];
-    Mask<S> mask =
-        active & (dot(splat<S>(cone.axis), ray.direction) <= S(-cone.cosine)) & (distance > S(cone.distance));
+                              Mask<S> active, const Start<S>& start, const StartAcross<S>& across) {
+    const int number = start.light * world.bins + bin;
+    Mask<S> mask = active;
+    if (across.shadows) {
+        mask = mask & across.shadowed([bin](const auto& column) { return S(column[bin]); });
+    } else {
+        const LightCone<Element<S>>& cone = world.few.cones[number];
+        mask = mask & (dot(splat<S>(cone.axis), ray.direction) <= S(-cone.cosine)) & (distance > S(cone.distance));
+    }
     if (bin == start.bin && (world.few.convex >> bin & 1)) mask = mask & !start.outside;
     return mask;
 }
@@ -222,8 +263,9 @@ template <class S>
                                             Mask<S> active, const Start<S>& start, BodySet set,
                                             Transmission<S>& light) {
     bool dark = false;
+    const StartAcross<S> across = start_across(world, ray, start);
     each_cold_range(world, set, [&](const ItemRange& items, int bin) {
-        const Mask<S> mask = world.bin_per_item ? reached(world, bin, ray, distance, active, start) : active;
+        const Mask<S> mask = world.bin_per_item ? reached(world, bin, ray, distance, active, start, across) : active;
         if (none(mask)) return false;
         return dark = calls<S>(items.form).occlude(world, items.first, items.count, ray, distance, mask, light);
     });
@@ -242,9 +284,10 @@ template <class S>
                                      Mask<S> suspects, const Start<S>& start, BodySet set, Transmission<S>& light) {
     const S one(1);
     Transmission<S> left{{one, one, one}, select(suspects, distance, S(-1))};
+    const StartAcross<S> across = start_across(world, ray, start);
     each_hot_item(world, set, [&](const auto& group, int i) {
         const Mask<S> mask =
-            world.bin_per_item ? reached(world, group.first_bin + i, ray, distance, suspects, start) : suspects;
+            world.bin_per_item ? reached(world, group.first_bin + i, ray, distance, suspects, start, across) : suspects;
         return FormFunctions<FormOf<decltype(group)>, S>::occlude(world, i, 1, ray, distance, mask, left);
     });
     light = {select(suspects, left.share, light.share), select(suspects, left.limit, light.limit)};
@@ -256,8 +299,10 @@ template <class S>
                                      Mask<S> active, const Start<S>& start) {
     const S one(1);
     Transmission<S> light{{one, one, one}, select(active, distance, S(-1))};
-    const BodySet set = world.bin_per_item ? world.few.occluders[start.light * world.bins + start.bin] & start.only : 0;
+    BodySet set = world.bin_per_item ? world.few.occluders[start.light * world.bins + start.bin] & start.only : 0;
     bool dark = false;
+    const StartAcross<S> across = start_across(world, ray, start);
+    if (across.shadows) set &= across.bodies(active, world.bins);
     Mask<S> suspects = first_lanes<S>(0);
     const auto note = [&](const Span<S>&, Mask<S> exits) __attribute__((always_inline)) {
         suspects = suspects | exits;
@@ -267,7 +312,7 @@ template <class S>
         world, set, [&](const auto& group, int i) __attribute__((always_inline)) {
             Mask<S> mask = active;
             if (world.bin_per_item) {
-                mask = reached(world, group.first_bin + i, ray, distance, active, start);
+                mask = reached(world, group.first_bin + i, ray, distance, active, start, across);
                 if (none(mask)) return false;
             }
             const auto& item = group.items[i];

@@ -161,7 +161,7 @@ void WorldArrays<T>::list_transparent(const Scene& scene) {
 template <class T>
 void WorldArrays<T>::bound_bodies() {
     const double margin = rounding(reach);
-    auto& [volumes, glass, balls, cones, columns, occluders] = few;
+    auto& [volumes, glass, balls, cones, shadows, columns, occluders] = few;
     const std::size_t stride = most_item_bins + widest_pack;
     balls.assign(4 * stride, -std::numeric_limits<T>::infinity());
     std::fill_n(balls.begin(), 3 * stride, T(0));
@@ -180,17 +180,22 @@ void WorldArrays<T>::bound_bodies() {
 
 template <class T>
 void WorldArrays<T>::cull_for_lights() {
-    auto& [volumes, glass, balls, cones, columns, occluders] = few;
-    for (const LightKernel<T>& light : lights) {
+    auto& [volumes, glass, balls, cones, shadows, columns, occluders] = few;
+    for (LightKernel<T>& light : lights) {
         const LightPlace place{to_double(light.position), light.finite == 0};
         const DVec3& point = place.point;
         const double margin = rounding(reach + std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)}));
+        const bool across = place.parallel && !light.area;
+        const LightAxes axes = across ? axes_across(volumes, point) : LightAxes{};
+        if (across) light.u = Vec3<T>(axes.u), light.v = Vec3<T>(axes.v);
+        shadows.push_back(shadows_of<T>(across ? volumes : std::vector<BoundingVolume>(), axes, margin));
         for (std::size_t i = 0; i < volumes.size(); ++i) {
             cones.push_back(light.area ? LightCone<T>() : cone_of<T>(volumes[i], place, margin));
             occluders.push_back(light.area ? ~BodySet(0) : occluders_of(volumes, i, place, margin));
         }
     }
     world.few.cones = cones.data();
+    world.few.shadows = shadows.data();
     world.few.occluders = occluders.data();
     constexpr std::size_t stride = FewBodies<T>::cone_stride;
     columns.resize(5 * stride * lights.size());

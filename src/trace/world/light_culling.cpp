@@ -49,6 +49,20 @@ bool clear_of_each_other(const BoundingVolume& a, const BoundingVolume& b, doubl
     return length(a.ball.centre - b.ball.centre) > a.ball.radius + b.ball.radius + margin;
 }
 
+struct Breadth {
+    double low, high;
+    double size() const { return high - low; }
+};
+/// Returns where a body lies along a unit vector. Of a plane both are infinite.
+Breadth breadth_of(const BoundingVolume& body, const DVec3& axis) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    if (body.plane) return {-infinity, infinity};
+    double reach = 0;  // of the box
+    for (int c = 0; c < 3; ++c) reach += std::abs(axis[c]) * body.box.size()[c] / 2;
+    const double box = dot_product(axis, body.box.centre()), ball = dot_product(axis, body.ball.centre);
+    return {std::max(box - reach, ball - body.ball.radius), std::min(box + reach, ball + body.ball.radius)};
+}
+
 }  // namespace
 
 template <class T>
@@ -67,6 +81,40 @@ LightCone<T> cone_of(const BoundingVolume& body, const LightPlace& light, double
 template LightCone<float> cone_of(const BoundingVolume&, const LightPlace&, double);
 template LightCone<double> cone_of(const BoundingVolume&, const LightPlace&, double);
 template LightCone<long double> cone_of(const BoundingVolume&, const LightPlace&, double);
+
+LightAxes axes_across(const std::vector<BoundingVolume>& bodies, const DVec3& towards) {
+    LightAxes best;
+    double least = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 3; ++axis) {
+        DVec3 u = -towards[axis] * towards;
+        u[axis] += 1;
+        if (length(u) < .01) continue;  // the light shines along it
+        u /= length(u);
+        const LightAxes axes{u, cross_product(towards, u), towards};
+        double area = 0;
+        for (const BoundingVolume& body : bodies)
+            if (!body.plane) area += breadth_of(body, axes.u).size() * breadth_of(body, axes.v).size();
+        if (area < least) least = area, best = axes;
+    }
+    return best;
+}
+
+template <class T>
+ParallelShadows<T> shadows_of(const std::vector<BoundingVolume>& bodies, const LightAxes& axes, double margin) {
+    ParallelShadows<T> shadows;
+    for (auto* low : {&shadows.left, &shadows.bottom}) low->fill(-std::numeric_limits<T>::infinity());
+    for (auto* high : {&shadows.right, &shadows.top, &shadows.end}) high->fill(std::numeric_limits<T>::infinity());
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const Breadth u = breadth_of(bodies[i], axes.u), v = breadth_of(bodies[i], axes.v);
+        shadows.left[i] = static_cast<T>(u.low - margin), shadows.right[i] = static_cast<T>(u.high + margin);
+        shadows.bottom[i] = static_cast<T>(v.low - margin), shadows.top[i] = static_cast<T>(v.high + margin);
+        shadows.end[i] = static_cast<T>(breadth_of(bodies[i], axes.towards).high + margin);
+    }
+    return shadows;
+}
+template ParallelShadows<float> shadows_of(const std::vector<BoundingVolume>&, const LightAxes&, double);
+template ParallelShadows<double> shadows_of(const std::vector<BoundingVolume>&, const LightAxes&, double);
+template ParallelShadows<long double> shadows_of(const std::vector<BoundingVolume>&, const LightAxes&, double);
 
 BodySet occluders_of(const std::vector<BoundingVolume>& bodies, std::size_t body, const LightPlace& light,
                      double margin) {

@@ -33,6 +33,18 @@ struct LightPlace {
 template <class T>
 LightCone<T> cone_of(const BoundingVolume& body, const LightPlace& light, double margin);
 
+/// Unit vectors across parallel light, and the one towards it.
+struct LightAxes {
+    DVec3 u{0}, v{0}, towards{0};
+};
+/// Returns axes along which the shadows of these bodies have small rectangles: of those along the shadow of an axis of
+/// the world the best, as bodies often stand or lie along one.
+LightAxes axes_across(const std::vector<BoundingVolume>& bodies, const DVec3& towards);
+
+/// Returns the shadows in parallel light of bodies whose coordinates may be off by `margin`.
+template <class T>
+ParallelShadows<T> shadows_of(const std::vector<BoundingVolume>& bodies, const LightAxes& axes, double margin);
+
 /// Returns the bodies that may be between a light and points of bodies[body], itself included unless it is a plane.
 BodySet occluders_of(const std::vector<BoundingVolume>& bodies, std::size_t body, const LightPlace& light,
                      double margin);

@@ -1,5 +1,6 @@
 // World: a scene made ready for one kind of number, as the kernels read it. Plain arrays, const ever after.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <limits>
 
@@ -58,7 +59,7 @@ struct LightKernel {
     bool shadowless = false;
     T fade_per = 0, fade_power = 0;  // fade_per: 1 over the distance; 0 if the light does not fade
     bool area = false;
-    Vec3<T> u{0}, v{0};                                // edges of a rectangle around its position
+    Vec3<T> u{0}, v{0};  // edges of a rectangle around its position, or unit vectors across parallel light
     std::int32_t columns = 0, rows = 0, adaptive = 0;  // of a soft light with a grid, see Light
     bool circular = false, orient = false;
     bool starts = false;  // parallel light from the plane of the points p with position . p = start
@@ -166,6 +167,13 @@ struct GroupsOf<T, FormList<F...>> : Group<F, T>... {
     }
 };
 
+/// The shadows of bodies in parallel light, by bin: rectangles in the coordinates along the light's `u` and `v`, which
+/// end at `end` towards the light. Of a body without a known bound all are infinite. A pack may be read past the last.
+template <class T>
+struct ParallelShadows {
+    std::array<T, most_item_bins + 16> left, right, bottom, top, end;
+};
+
 /// Bodies of a world with a bin for each item, by bin. Empty in other worlds.
 template <class T>
 struct FewBodies {
@@ -180,6 +188,7 @@ struct FewBodies {
     // For proofs the cones by columns: by light the axes' x, y and z, the cosines and the distances of all bins.
     const T* cone_columns = nullptr;
     static constexpr int cone_stride = most_item_bins + 16;  // a pack may be read past the end
+    const ParallelShadows<T>* shadows = nullptr;             // by light; of others than parallel ones infinite
 };
 
 /// Arrays of all composites and their leaves. Null in worlds without composites, but for the last one.

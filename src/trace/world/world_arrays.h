@@ -100,6 +100,7 @@ struct FewBodiesArrays {
     BodySet glass = 0;                    // the transparent ones
     std::vector<T> balls;
     std::vector<LightCone<T>> cones;
+    std::vector<ParallelShadows<T>> shadows;
     std::vector<T> cone_columns;
     std::vector<BodySet> occluders;
 };

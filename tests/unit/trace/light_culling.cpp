@@ -117,6 +117,52 @@ TEST_CASE("bodies between a body and a light are among its occluders, and in its
     CHECK(outside_cone > 100000);
 }
 
+TEST_CASE("rays to parallel light that meet a body start in its shadow") {
+    std::mt19937 engine(8);
+    const auto dice = [&](double low, double high) { return low + (high - low) * engine() * 0x1p-32; };
+    const auto place = [&](double size) { return DVec3(dice(-size, size), dice(-size, size), dice(-size, size)); };
+    int met = 0, outside = 0;
+    for (int round = 0; round < 300; ++round) {
+        DVec3 towards = place(1);
+        if (round % 4 == 0) towards = DVec3(round % 3 == 0, round % 3 == 1, round % 3 == 2);  // along an axis
+        towards /= std::sqrt(dot_product(towards, towards));
+        std::vector<BoundingVolume> bodies(6);
+        for (BoundingVolume& body : bodies) {  // some far longer than wide
+            const DVec3 half(std::exp(dice(-4, 1)), std::exp(dice(-4, 1)), std::exp(dice(-4, 1))), centre = place(4);
+            body.box = {centre - half, centre + half};
+            body.ball = {centre, std::sqrt(dot_product(half, half))};
+        }
+        bodies[5] = {{}, {}, true, {0, 0, 1}, dice(-3, 3)};
+        const LightAxes axes = axes_across(bodies, towards);
+        const ParallelShadows<float> shadows = shadows_of<float>(bodies, axes, 1e-4);
+        CHECK(std::abs(dot_product(axes.u, axes.v)) + std::abs(dot_product(axes.u, towards)) < 1e-12);
+        for (int sample = 0; sample < 200; ++sample) {
+            const int i = sample % 6;
+            const DVec3 start = place(6);
+            const double u = dot_product(start, axes.u), v = dot_product(start, axes.v);
+            const bool shadowed = u >= shadows.left[i] && u <= shadows.right[i] && v >= shadows.bottom[i] &&
+                                  v <= shadows.top[i] && dot_product(start, towards) <= shadows.end[i];
+            outside += !shadowed;
+            if (i == 5) {
+                CHECK(shadowed);
+                continue;
+            }
+            // The ray meets a point of the box and of the ball that is chosen first.
+            DVec3 point;
+            for (int c = 0; c < 3; ++c) point[c] = dice(bodies[i].box.low[c], bodies[i].box.high[c]);
+            const DVec3 before = point - dice(0, 20) * towards;
+            ++met;
+            CHECK(dot_product(before, axes.u) >= shadows.left[i]);
+            CHECK(dot_product(before, axes.u) <= shadows.right[i]);
+            CHECK(dot_product(before, axes.v) >= shadows.bottom[i]);
+            CHECK(dot_product(before, axes.v) <= shadows.top[i]);
+            CHECK(dot_product(before, towards) <= shadows.end[i]);
+        }
+    }
+    CHECK(met > 40000);
+    CHECK(outside > 30000);  // else culling gains nothing
+}
+
 TEST_CASE("a body is isolated if no other body reaches into it") {
     const auto ball = [](const DVec3& centre, double radius) {
         return BoundingVolume{{centre - radius, centre + radius}, {centre, radius}};
