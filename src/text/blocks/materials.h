@@ -81,7 +81,12 @@ class MaterialHash {
         std::visit([&]<class Kind>(const Kind& own) { add_fields(hash, own, Kind::fields); }, kind);
         if (const ImagePattern* const image = std::get_if<ImagePattern>(&kind))
             hash ^= std::hash<std::string>()(image->file);
-        for (const ColorStop& stop : colors) add(hash, stop.at), add(hash, stop.color);
+        if (const SolidPattern* const solid = std::get_if<SolidPattern>(&kind))
+            hash ^= std::hash<const void*>()(solid->function.get());
+        for (const ColorStop& stop : colors) {
+            add(hash, stop.at), add(hash, stop.color);
+            if (stop.pattern) add(hash, *stop.pattern);
+        }
         struct {
             std::size_t& hash;
             void operator()(const Rotate& step) const { add(hash, step.degrees); }

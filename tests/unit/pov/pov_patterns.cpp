@@ -2,6 +2,7 @@
 // by #debug str(F(...), 0, 9) for `#declare F = function { pattern { ... } }`.
 #include "tests/referee/pattern.h"
 #include "tests/unit/pov/opened.h"
+#include "text/blocks/materials.h"
 
 using namespace strahl;
 
@@ -119,6 +120,19 @@ TEST_CASE("POV-Ray: patterns of textures are patterns of their pigments") {
     for (int i = 1; i <= 9; ++i) many += "[." + std::to_string(i) + " finish { phong ." + std::to_string(i) + " }]";
     CHECK(says(notes_of("sphere { 0, 1 texture { gradient x texture_map { " + many + " } } }"),
                "the finish of a pattern of textures is that of one of them"));
+}
+
+TEST_CASE("POV-Ray: materials whose inner patterns differ have other hashes, so that thousands are told apart soon") {
+    const auto same = [](const std::string& one, const std::string& other) {
+        std::string text;
+        for (const std::string& inner : {one, other})
+            text += "sphere { 0, 1 pigment { checker pigment { " + inner + " } rgb 1 } }";
+        const Scene scene = whole(text);
+        return MaterialHash()(material(scene, 0)) == MaterialHash()(material(scene, 1));
+    };
+    CHECK(same("bozo scale .1", "bozo scale .1"));
+    CHECK_FALSE(same("bozo scale .1", "bozo scale .2"));
+    CHECK_FALSE(same("function { x }", "function { y }"));
 }
 
 TEST_CASE("POV-Ray: blended normals are those of their parts, each of length 1") {
