@@ -307,7 +307,11 @@ void Interpreter::State::declare(bool local) {
     with_directives(false, [&] {
         const bool numbers = value.kind >= ValueKind::number && value.kind <= ValueKind::color;
         if (!accept(';') && numbers && version >= 3.5) warn(at, "';' is missing after this declaration");
-        if (numbers) accept(';');  // as in POV-Ray: the line of an #include may end with it
+        // As in POV-Ray a second one may follow, such as that of the line that includes this file.
+        if (!numbers || peeked) return;
+        const bool at_end = cursor->code == end_code && readings.size() > 1 && !readings.back().macro;
+        const RawToken*& following = at_end ? readings[readings.size() - 2].cursor : cursor;
+        if (following->code == ';') ++following;
     });
     if (array) {
         if (value.kind == ValueKind::array) add_level(*array, value);

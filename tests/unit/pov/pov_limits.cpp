@@ -71,6 +71,7 @@ TEST_CASE("forms of old scenes") {
                  "read");
     check_prints("#declare a = 2;# #debug str(a,0,0)", "2");
     check_prints("#declare a = <1, 2>;; #debug str(a.x,0,0)", "1");
+    check_prints("#declare A = array[1]{7}; #macro M() #local i = 0; A[i] #end #debug str(M(),0,0)", "7");
     check_fails("#declare a = \"text\";; #debug a", "found ';'");
 }
 
