@@ -57,8 +57,10 @@ struct LatheKernel : ContourKernel<T> {
                     }
                 }
                 for (const V& place : places) {
+                    const Mask<V> known = own & (place < infinite);
+                    if (none(known)) continue;
                     const V t = (place + shift) * per;
-                    const Mask<V> there = own & (place < infinite) & (stays | box.holds(ray, t, abs(t)));
+                    const Mask<V> there = known & (stays | box.holds(ray, t, abs(t)));
                     if (any(there)) crossed(there, t, V(static_cast<R>(i)));
                 }
             }

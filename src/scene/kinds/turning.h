@@ -167,6 +167,14 @@ STRAHL_INLINE TurnedPlaces<V> cross_turned(const ContourPiece<Element<V>>& piece
     const V size = max(abs(lowest), abs(highest));
     const V noise = V(bits) * (rise * rise * V(furthest) * V(furthest) + size * size);
 
+    // Where all coefficients have one sign there is no zero, and nothing to be cut.
+    V smallest = curve.c[0], largest = curve.c[0];
+    for (int i = 1; i <= 2 * degree; ++i) smallest = min(smallest, curve.c[i]), largest = max(largest, curve.c[i]);
+    const Mask<V> no_zero = ((smallest > noise) & curve.above_low & curve.above_high) |
+                            ((largest < -noise) & !(curve.above_low | curve.above_high));
+    lanes = curve.lanes = lanes & !no_zero;
+    if (none(lanes)) return places;
+
     V count(0);
     Mask<V> above = w[0] >= zero;  // the nearest point of the line to the axis
     const auto cross = [&](const BernsteinPart<V>& part) __attribute__((always_inline)) {
