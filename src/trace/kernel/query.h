@@ -205,8 +205,8 @@ STRAHL_INLINE void occlude_in_hierarchy(const World<Element<S>>& world, const Ra
     traverse<false>(world.nodes, line, active, light.limit, look, single);
 }
 
-/// Where rays to a parallel light start: in the coordinates of its axes ranges that rounding does not leave, and the
-/// least one towards it. Of other lights `shadows` is null, and no more is known.
+/// Bounds where rays to a parallel light start: in the coordinates of its axes by ranges that rounding does not leave,
+/// and towards it from below. Of other lights `shadows` is null, and no more is known.
 template <class S>
 struct StartAcross {
     const ParallelShadows<Element<S>>* shadows = nullptr;
@@ -231,6 +231,7 @@ struct StartAcross {
         return set;
     }
 };
+/// Finds these bounds; only worlds with a bin for each item have shadows.
 template <class S>
 STRAHL_INLINE StartAcross<S> start_across(const World<Element<S>>& world, const Ray<S>& ray, const Start<S>& start) {
     const LightKernel<Element<S>>& light = world.lights[start.light];

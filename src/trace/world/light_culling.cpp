@@ -36,19 +36,6 @@ bool apart(const Ball& other, const Ball& lit, const LightPlace& light, double m
     return between > std::asin(r / d) + std::asin(s / e) + 1e-6;
 }
 
-/// Returns whether the plane certainly does not cross the body.
-bool clear_of(const BoundingVolume& plane, const BoundingVolume& body, double margin) {
-    double reach = 0;  // of the box, along the normal
-    for (int c = 0; c < 3; ++c) reach += std::abs(plane.normal[c]) * body.box.size()[c] / 2;
-    return std::abs(height(plane, body.ball.centre)) > body.ball.radius + margin ||
-           std::abs(height(plane, body.box.centre())) > reach + margin;
-}
-bool clear_of_each_other(const BoundingVolume& a, const BoundingVolume& b, double margin) {
-    for (int c = 0; c < 3; ++c)
-        if (a.box.low[c] - b.box.high[c] > margin || b.box.low[c] - a.box.high[c] > margin) return true;
-    return length(a.ball.centre - b.ball.centre) > a.ball.radius + b.ball.radius + margin;
-}
-
 struct Breadth {
     double low, high;
     double size() const { return high - low; }
@@ -61,6 +48,17 @@ Breadth breadth_of(const BoundingVolume& body, const DVec3& axis) {
     for (int c = 0; c < 3; ++c) reach += std::abs(axis[c]) * body.box.size()[c] / 2;
     const double box = dot_product(axis, body.box.centre()), ball = dot_product(axis, body.ball.centre);
     return {std::max(box - reach, ball - body.ball.radius), std::min(box + reach, ball + body.ball.radius)};
+}
+
+/// Returns whether the plane certainly does not cross the body.
+bool clear_of(const BoundingVolume& plane, const BoundingVolume& body, double margin) {
+    const Breadth along = breadth_of(body, plane.normal);
+    return along.low - plane.distance > margin || along.high - plane.distance < -margin;
+}
+bool clear_of_each_other(const BoundingVolume& a, const BoundingVolume& b, double margin) {
+    for (int c = 0; c < 3; ++c)
+        if (a.box.low[c] - b.box.high[c] > margin || b.box.low[c] - a.box.high[c] > margin) return true;
+    return length(a.ball.centre - b.ball.centre) > a.ball.radius + b.ball.radius + margin;
 }
 
 }  // namespace

@@ -147,7 +147,7 @@ TEST_CASE("rays to parallel light that meet a body start in its shadow") {
                 CHECK(shadowed);
                 continue;
             }
-            // The ray meets a point of the box and of the ball that is chosen first.
+            // Choose a point of the body, then a start from which a ray to the light meets it.
             DVec3 point;
             for (int c = 0; c < 3; ++c) point[c] = dice(bodies[i].box.low[c], bodies[i].box.high[c]);
             const DVec3 before = point - dice(0, 20) * towards;

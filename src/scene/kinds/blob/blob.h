@@ -39,9 +39,9 @@ struct BlobData {
 
 /// Calls found(t) where the sum of the fields of spans crosses `level`, in ascending order; it may leave out what comes
 /// after `enough` of these. The sum is a polynomial of degree 4 between the places where a piece begins or ends.
-/// Whether it is above `level` there is decided once for both sides, so that each line crosses a blob an even number of
-/// times. Lines that `start` on the surface at 0 count from the sum there, which is rounded; on which side of it they
-/// go on its slope tells.
+/// It is compared with `level` there once for both sides, so that each line crosses a blob an even number of times.
+/// Lines that `start` on the surface at 0 count from the sum there, which is rounded; its slope tells on which
+/// side of it they go on.
 template <class R, class Found>
 STRAHL_INLINE void cross_spans(const LumpSpan<R>* spans, int count, R level, bool starts, int enough,
                                const Found& found) {
