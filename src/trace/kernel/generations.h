@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "trace/kernel/shade.h"
+#include "trace/kernel/touching.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 namespace {  // a copy for each kernel, so that functions which are called once are inlined
@@ -122,12 +123,7 @@ template <class P, class S, class T>
 void intersect(const World<T>& world, const RayQueue<T>& rays, HitList<T>& hits, const Limits<T>& limits, int depth,
                const PixelBatch<T>& batch) {
     for (int k = 0; k <= world.bins; ++k) hits.count[k] = 0;
-    const auto pack_of = [&](int i) {
-        const auto at = [i](const T* values) { return load_lanes<S>(values + i); };
-        return Ray<S>{{at(rays.origin.x), at(rays.origin.y), at(rays.origin.z)},
-                      {at(rays.direction.x), at(rays.direction.y), at(rays.direction.z)},
-                      at(rays.source)};
-    };
+    const auto pack_of = [&](int i) { return rays_at<S>(rays, i); };
     constexpr int packs = 8;  // culled before any is traced: the stalls of one do not hold up the next
     for (int first = 0; first < rays.count; first += packs * width<S>) {
         const int last = std::min(rays.count, first + packs * width<S>);
@@ -138,7 +134,15 @@ void intersect(const World<T>& world, const RayQueue<T>& rays, HitList<T>& hits,
         };
         for (int i = first; i < last; i += width<S>)
             sets[(i - first) / width<S>] = world.bin_per_item ? cull(i, first_lanes<S>(rays.count - i)) : BodySet(0);
-        const auto keep = [&](int i, Mask<S> active, const Nearest<S>& hit) __attribute__((always_inline)) {
+        const auto keep = [&](int i, Mask<S> active, Nearest<S> hit) __attribute__((always_inline)) {
+            if (P::passes_touching && depth > 1) {
+                const Mask<S> touching = active & (hit.t <= touching_distance(pack_of(i).origin));
+                if (any(touching)) [[unlikely]] {
+                    Nearest<S> copy = hit;
+                    pass_touching(world, rays, i, touching, copy);
+                    hit = copy;
+                }
+            }
             store_lanes(hits.t + i, hit.t);
             store_lanes(hits.surface + i, hit.surface);
             const S number = iota<S>() + S(static_cast<T>(i));

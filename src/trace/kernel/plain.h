@@ -13,6 +13,8 @@ struct Plain {
     static constexpr bool notes = true;
     /// Several packs traverse the hierarchy together.
     static constexpr bool joins = true;
+    /// Rays pass surfaces of other bodies that they start on.
+    static constexpr bool passes_touching = true;
 
     /// Data that the policy adds to rays, to hits, and to each light at a hit: none.
     template <class S>

@@ -10,7 +10,7 @@ namespace strahl::inline STRAHL_LEVEL {
 
 /// Plain explains these members.
 struct Proving {
-    static constexpr bool notes = false, joins = false;
+    static constexpr bool notes = false, joins = false, passes_touching = false;
     template <class S>
     using OfRay = Doubt<S>;
     template <class S>

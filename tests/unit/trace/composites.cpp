@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "tests/referee/dice.h"
 #include "tests/unit/levels.h"
 #include "text/parse.h"
 #include "trace/tracer.h"
@@ -137,6 +138,44 @@ TEST_CASE("prisms whose planes are beyond all numbers share none with other part
             "tiny");
         const Frame seen = render(scene, {.camera = scene.camera, .width = 8, .height = 6});
         for (const double value : seen.rgb) CHECK(value == 0);
+    }
+}
+
+TEST_CASE("a clear ball cut in two by a face that nothing shows looks whole") {
+    // Rays that leave one half start on the other's face as well, before it or behind it as rounding has it.
+    Dice dice(4711);
+    const auto number = [&](double low, double high) { return std::to_string(dice.in(low, high)); };
+    const auto point = [&](double reach) {
+        const DVec3 at = dice.vector(-reach, reach);
+        return "<" + std::to_string(at.x) + ", " + std::to_string(at.y) + ", " + std::to_string(at.z) + ">";
+    };
+    const std::string stage =
+        "camera { position <1, -2, -7>  look_at <0, 0, 0>  sky <0, 1, 0>  angle 18 }\nbackground { color <.2, .3, .9> }\n"
+        "light { position <-40, 50, -30>  color <1, 1, 1>  shadowless }\nglobal_settings { max_trace_level 7 }\n";
+    const std::string tint = "material { rgb <1, .6, .3, 0, .4>  reflection 0  diffuse .6  ambient .1  specular 0 }",
+                      ball = "sphere { <0, 0, 0>, 1 }";
+    const Scene uncut = parse_scene(stage + "sphere { <0, 0, 0>, 1  " + tint + " }", "ball");
+    const View view{.camera = uncut.camera, .width = 48, .height = 36, .depth = 7};
+    const Frame whole = render(uncut, view);
+    for (int i = 0; i < 12; ++i) {
+        const std::string radius = number(.3, .8);
+        const std::string bodies[]{"cylinder { " + point(.3) + ", " + point(4) + ", " + radius,
+                                   "sphere { " + point(.9) + ", " + radius,
+                                   "cone { " + point(.5) + ", " + radius + ", " + point(4) + ", 0",
+                                   "box { <-.6, -.5, -.4>, <.3, 2, .5>  rotate " + point(180),
+                                   "torus { <0, 0, 0>, <0, 0, 1>, .8, .4  rotate " + point(180),
+                                   "superellipsoid { .4, .7  scale " + radius};
+        const std::string knife = bodies[i % std::size(bodies)] + "  material { rgb <1, 1, 1, 0, 1> } }";
+        const Scene cut = parse_scene(
+            stage + "difference { " + ball + knife + tint + " }\nintersection { " + ball + knife + tint + " }",
+            "halves");
+        for (const Precision precision : {Precision::float32, Precision::float64}) {
+            const Frame halves = render(cut, view, precision);
+            int other = 0;
+            for (std::size_t k = 0; k < whole.rgb.size(); ++k) other += std::abs(whole.rgb[k] - halves.rgb[k]) > 1e-3;
+            CAPTURE(knife);
+            CHECK(other == 0);
+        }
     }
 }
 
