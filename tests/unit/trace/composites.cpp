@@ -150,7 +150,8 @@ TEST_CASE("a clear ball cut in two by a face that nothing shows looks whole") {
         return "<" + std::to_string(at.x) + ", " + std::to_string(at.y) + ", " + std::to_string(at.z) + ">";
     };
     const std::string stage =
-        "camera { position <1, -2, -7>  look_at <0, 0, 0>  sky <0, 1, 0>  angle 18 }\nbackground { color <.2, .3, .9> }\n"
+        "camera { position <1, -2, -7>  look_at <0, 0, 0>  sky <0, 1, 0>  angle 18 }\n"
+        "background { color <.2, .3, .9> }\n"
         "light { position <-40, 50, -30>  color <1, 1, 1>  shadowless }\nglobal_settings { max_trace_level 7 }\n";
     const std::string tint = "material { rgb <1, .6, .3, 0, .4>  reflection 0  diffuse .6  ambient .1  specular 0 }",
                       ball = "sphere { <0, 0, 0>, 1 }";
