@@ -1,9 +1,11 @@
 // Powers, unit vectors and largest components, lane by lane.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numbers>
 #include <type_traits>
 
@@ -44,45 +46,68 @@ STRAHL_INLINE S power_of_uniform(S x, Element<S> p) {
     return result;
 }
 
+/// The type of the bits of S.
 template <class S>
-struct BitsOfDoubles {
-    using Type [[gnu::vector_size(sizeof(S))]] = std::int64_t;
+struct BitsOf {
+    using Lane = std::conditional_t<sizeof(Element<S>) == 4, std::int32_t, std::int64_t>;
+    using Type [[gnu::vector_size(sizeof(S))]] = Lane;
 };
 template <>
-struct BitsOfDoubles<double> {
-    using Type = std::int64_t;
+struct BitsOf<float> {
+    using Lane = std::int32_t;
+    using Type = Lane;
 };
-/// Returns x^p for doubles, or more digits, up to some units of the last place: x is at least 2^-1000, and powers below
-/// 2^-1000 become that. All packs and levels have the same bits, if they have fma.
-template <class S>
-STRAHL_INLINE S power_of_double(S x, S p) {
-    if constexpr (!std::is_same_v<Element<S>, double>) {
+template <>
+struct BitsOf<double> {
+    using Lane = std::int64_t;
+    using Type = Lane;
+};
+/// Returns c[0] + c[1] x + c[2] x^2 + ..., even and odd terms side by side.
+template <std::size_t terms, class S>
+STRAHL_INLINE S polynomial(const std::array<Element<S>, terms>& c, const S& x) {
+    const S square = x * x;
+    S last(c[terms - 1]), other(c[terms - 2]);
+    for (std::size_t k = terms - 2; k-- > 0;) {
+        const S next = fma(last, square, S(c[k]));
+        last = other, other = next;
+    }
+    return fma(last, x, other);
+}
+/// Returns x^p for x > 0: by default up to some units of a double's last place, with fewer terms of the two series for
+/// fewer digits. The powers that are too small for normal numbers become the least of these, or somewhat more. All
+/// packs and levels have the same bits, if they have fma.
+template <int log_terms = 12, int power_terms = 14, class S>
+STRAHL_INLINE S power_by_series(S x, S p) {
+    using R = Element<S>;
+    if constexpr (std::is_same_v<R, long double>) {
         return std::pow(x, p);
     } else {
-        using Bits = typename BitsOfDoubles<S>::Type;
+        using Bits = typename BitsOf<S>::Type;
+        using Lane = typename BitsOf<S>::Lane;
         // The logarithm to base 2: the exponent, and 2 / ln 2 (f + f^3 / 3 + f^5 / 5 ...) of m = (1 + f) / (1 - f).
         constexpr auto odd = [] {
-            std::array<double, 12> terms{};
-            for (int k = 0; k < 12; ++k) terms[k] = 2 / (std::numbers::ln2 * (2 * k + 1));
+            std::array<R, log_terms> terms{};
+            for (int k = 0; k < log_terms; ++k) terms[k] = R(2 / (std::numbers::ln2 * (2 * k + 1)));
             return terms;
         }();
         constexpr auto taylor = [] {  // of 2^r
-            std::array<double, 14> terms{1};
-            for (int k = 1; k < 14; ++k) terms[k] = terms[k - 1] * std::numbers::ln2 / k;
+            std::array<R, power_terms> terms{};
+            double term = 1;
+            for (int k = 0; k < power_terms; ++k) terms[k] = R(term), term *= std::numbers::ln2 / (k + 1);
             return terms;
         }();
+        constexpr int digits = std::numeric_limits<R>::digits - 1;  // of the mantissa as it is stored
+        constexpr R bias = std::numeric_limits<R>::max_exponent - 1, whole_unit = R(std::int64_t(1) << digits);
         const Bits whole = std::bit_cast<Bits>(x);
-        const S exponent = std::bit_cast<S>((whole >> 52) | std::bit_cast<std::int64_t>(0x1p52)) - S(0x1p52 + 1023);
-        const S mantissa = std::bit_cast<S>((whole & 0xfffffffffffff) | std::bit_cast<std::int64_t>(1.));
-        const Mask<S> upper = mantissa > S(std::numbers::sqrt2);
-        const S m = select(upper, S(.5) * mantissa, mantissa), f = (m - S(1)) / (m + S(1)), square = f * f;
-        S sum(odd.back());
-        for (std::size_t k = odd.size() - 1; k-- > 0;) sum = fma(sum, square, S(odd[k]));
-        const S y = max(p * fma(f, sum, select(upper, exponent + S(1), exponent)), S(-1000));
-        const S n = floor(y + S(.5)), r = y - n;
-        S power(taylor.back());
-        for (std::size_t k = taylor.size() - 1; k-- > 0;) power = fma(power, r, S(taylor[k]));
-        return power * std::bit_cast<S>(std::bit_cast<Bits>(n + S(0x1.8p52 + 1023)) << 52);
+        const S exponent = std::bit_cast<S>((whole >> digits) | std::bit_cast<Lane>(whole_unit)) - S(whole_unit + bias);
+        const S mantissa = std::bit_cast<S>((whole & ((Lane(1) << digits) - 1)) | std::bit_cast<Lane>(R(1)));
+        const Mask<S> upper = mantissa > S(R(std::numbers::sqrt2));
+        const S m = select(upper, S(R(.5)) * mantissa, mantissa), f = (m - S(1)) / (m + S(1)), square = f * f;
+        const S sum = polynomial<log_terms>(odd, square);
+        const S y = max(p * fma(f, sum, select(upper, exponent + S(1), exponent)), S(std::max(R(-1000), 1 - bias)));
+        const S n = floor(y + S(R(.5))), r = y - n;
+        return polynomial<power_terms>(taylor, r) *
+               std::bit_cast<S>(std::bit_cast<Bits>(n + S(R(1.5) * whole_unit + bias)) << digits);
     }
 }
 

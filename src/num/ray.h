@@ -18,6 +18,23 @@ struct Ray {
 //     Crossings<S, N> crossings(const Ray<S>& ray, S start)       finds those with a body that is not convex
 //     SurfacePoint<S> at(const Ray<S>& ray, S t, S face)          returns the surface at the crossing t with a face
 
+template <class S>
+STRAHL_INLINE Mask<S> all_lanes() {
+    return S(0) < S(1);
+}
+/// Returns where rays cross a shape; they may be missing outside of `lanes`. Shapes that take long look only there.
+template <class Shape, class S>
+STRAHL_INLINE auto crossings_in(const Shape& shape, const Ray<S>& ray, S start, Mask<S> lanes) {
+    if constexpr (requires { shape.span(ray, start, lanes); })
+        return shape.span(ray, start, lanes);
+    else if constexpr (requires { shape.span(ray, start); })
+        return shape.span(ray, start);
+    else if constexpr (requires { shape.crossings(ray, start, lanes); })
+        return shape.crossings(ray, start, lanes);
+    else
+        return shape.crossings(ray, start);
+}
+
 /// The part of a ray's line inside a convex body: near <= far where `hit`. A crossing counts if its t > 0. A
 /// crossing at the ray's own source is exactly 0 and never counts.
 template <class S>

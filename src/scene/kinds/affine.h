@@ -12,16 +12,21 @@ struct AffineKernel {
     HitBox<T> box;
     K shape;
 
-    /// Does a ray that starts on face `start` meet the body there? If so it is in the box, however thin that is.
+    /// Returns the rays that start on a face of it.
     template <class S>
-    STRAHL_INLINE Mask<S> meets_box(const Ray<S>& ray, S t, S start) const {
+    STRAHL_INLINE static Mask<S> starts_here(S start) {
         constexpr int faces = [] {
             if constexpr (requires { K::faces; })
                 return K::faces;
             else
                 return 1;
         }();
-        return box.holds(ray, t, abs(t)) | ((start >= S(0)) & (start < S(faces)));
+        return (start >= S(0)) & (start < S(faces));
+    }
+    /// Does a ray that starts on face `start` meet the body there? If so it is in the box, however thin that is.
+    template <class S>
+    STRAHL_INLINE Mask<S> meets_box(const Ray<S>& ray, S t, S start) const {
+        return box.holds(ray, t, abs(t)) | starts_here(start);
     }
 
     template <class S>
@@ -40,23 +45,25 @@ struct AffineKernel {
         return {{to_local(ray.origin - splat<S>(centre)), scale(S(1) / stretch, d), ray.source}, stretch};
     }
     template <class S>
-    STRAHL_INLINE auto crossings(const Ray<S>& ray, S start) const requires requires {
+    STRAHL_INLINE auto crossings(const Ray<S>& ray, S start, Mask<S> lanes = all_lanes<S>()) const requires requires {
         shape.crossings(ray, start);
     }
     {
+        lanes = lanes & (starts_here(start) | box.may_meet(ray));
         const Local<S> local = to_local(ray);
-        auto crossings = shape.crossings(local.ray, start);
+        auto crossings = crossings_in(shape, local.ray, start, lanes);
         for (S& t : crossings.t) t = t / local.stretch;
         crossings.hit = crossings.hit & meets_box(ray, first_crossing(crossings), start);
         return crossings;
     }
     template <class S>
-    STRAHL_INLINE Span<S> span(const Ray<S>& ray, S start) const requires requires {
+    STRAHL_INLINE Span<S> span(const Ray<S>& ray, S start, Mask<S> lanes = all_lanes<S>()) const requires requires {
         shape.span(ray, start);
     }
     {
+        lanes = lanes & (starts_here(start) | box.may_meet(ray));
         const Local<S> local = to_local(ray);
-        Span<S> span = shape.span(local.ray, start);
+        Span<S> span = crossings_in(shape, local.ray, start, lanes);
         if (none(span.hit)) return span;
         span.near = span.near / local.stretch, span.far = span.far / local.stretch;
         span.hit = span.hit & meets_box(ray, first_crossing(span), start);

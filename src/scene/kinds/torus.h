@@ -25,13 +25,13 @@ struct TorusKernel {
     Ball ball() const { return {DVec3(centre), static_cast<double>(major) + static_cast<double>(minor)}; }
 
     template <class S>
-    STRAHL_INLINE Crossings<S, 4> crossings(const Ray<S>& ray, S start) const {
+    STRAHL_INLINE Crossings<S, 4> crossings(const Ray<S>& ray, S start, Mask<S> lanes = all_lanes<S>()) const {
         using E = Element<S>;
         constexpr E inf = std::numeric_limits<E>::infinity(), bits = 8 * std::numeric_limits<E>::epsilon();
         constexpr E noise = bits / 2;  // of the direction's part across the axis
         const S zero(0), one(1), major(this->major), minor(this->minor), reach = major + minor, slack = reach * S(bits);
         const Vec3<S> a = splat<S>(axis), d = ray.direction, f = ray.origin - splat<S>(centre);
-        const Mask<S> starts_here = start == zero;
+        const Mask<S> starts_here = lanes & (start == zero);
         const S towards = dot(f, d), shift = select(starts_here, zero, -towards);
         const Vec3<S> p = fma(shift, d, f);
         S middle = select(starts_here, -towards, -dot(p, d));
@@ -42,7 +42,7 @@ struct TorusKernel {
         // Does the ray meet the ball around the torus, and in it the space between the planes that touch the torus?
         const S height = max(abs(fma(middle, along_d, along)) - (minor + S(2) * slack), zero);
         const Mask<S> between = height * height <= along_d * along_d * beyond * S(1 + 4 * bits);
-        const Mask<S> hit = ((beyond > zero) & between) | starts_here;
+        const Mask<S> hit = (lanes & (beyond > zero) & between) | starts_here;
         if (none(hit)) return {{S(-inf), S(-inf), S(-inf), S(-inf)}, hit};
 
         const S width = fma(sqrt(max(beyond, zero)), S(1 + bits), slack);

@@ -128,8 +128,8 @@ struct FormFunctions {
                              Mask<S> lanes, auto& crossed);
     // The kernel's own code stands in each of the above if the form is hot, else only in these three.
     using Crossed = CrossingsOf<S, Item<Form, T>>;
-    static Crossed cross_one(const Item<Form, T>& item, const Ray<S>& ray);
-    static Crossed cross_each(const Item<Form, S>& items, const Ray<S>& ray);
+    static Crossed cross_one(const Item<Form, T>& item, const Ray<S>& ray, Mask<S> lanes);
+    static Crossed cross_each(const Item<Form, S>& items, const Ray<S>& ray, Mask<S> lanes);
     static void hit_each(const Item<Form, S>& items, const Ray<S>& ray, const S& t, const S& faces, SurfaceHit<S>& hit);
 };
 

@@ -29,18 +29,14 @@ STRAHL_INLINE Mask<S> closer(const S& t, const S& surface, const S& best_t, cons
     return (t < best_t) | ((t == best_t) & (surface < best_surface));
 }
 
-/// Returns where rays cross an item, the same for all or one in each lane.
+/// Returns where rays cross an item, the same for all or one in each lane; see crossings_in().
 template <class S, class Item>
-STRAHL_INLINE auto crossings_of(const Item& item, const Ray<S>& ray) {
-    const S start = ray.source - S(item.surface);
-    if constexpr (requires { item.shape.span(ray, start); })
-        return item.shape.span(ray, start);
-    else
-        return item.shape.crossings(ray, start);
+STRAHL_INLINE auto crossings_of(const Item& item, const Ray<S>& ray, Mask<S> lanes) {
+    return crossings_in(item.shape, ray, ray.source - S(item.surface), lanes);
 }
 /// The type of an item's crossings: Span or Crossings.
 template <class S, class Item>
-using CrossingsOf = decltype(crossings_of(std::declval<const Item&>(), std::declval<const Ray<S>&>()));
+using CrossingsOf = decltype(crossings_of(std::declval<const Item&>(), std::declval<const Ray<S>&>(), all_lanes<S>()));
 
 /// Returns the lanes in which rays cross between the start and `distance`, one mask for each crossing.
 template <class S>
@@ -106,7 +102,7 @@ STRAHL_INLINE SurfaceHit<S> surface_hit(const Item& items, const Ray<S>& ray, S 
     if constexpr (Item::faces == 1) {
         return {items.shape.at(ray, t, S(0)), items.surface, items.surface};
     } else {
-        S face = first_face(cross(items, ray));
+        S face = first_face(cross(items, ray, all_lanes<S>()));
         if (faces) face = select(*faces < S(0), face, *faces);
         return {items.shape.at(ray, t, face), items.surface + face, items.surface};
     }

@@ -9,20 +9,22 @@ namespace strahl::inline STRAHL_LEVEL {
 
 /// Returns an item's crossings: by inlined code if the form is compact, else by a call.
 template <class Form, class S, class Item>
-STRAHL_INLINE auto cross(const Item& item, const Ray<S>& ray,
-                         CrossingsOf<S, Item> (*call)(const Item&, const Ray<S>&)) {
+STRAHL_INLINE auto cross(const Item& item, const Ray<S>& ray, Mask<S> lanes,
+                         CrossingsOf<S, Item> (*call)(const Item&, const Ray<S>&, Mask<S>)) {
     if constexpr (Form::compact)
-        return crossings_of(item, ray);
+        return crossings_of(item, ray, lanes);
     else
-        return call(item, ray);
+        return call(item, ray, lanes);
 }
 template <class Form, class S>
-[[gnu::noinline]] auto FormFunctions<Form, S>::cross_one(const Item<Form, T>& item, const Ray<S>& ray) -> Crossed {
-    return crossings_of(item, ray);
+[[gnu::noinline]] auto FormFunctions<Form, S>::cross_one(const Item<Form, T>& item, const Ray<S>& ray, Mask<S> lanes)
+    -> Crossed {
+    return crossings_of(item, ray, lanes);
 }
 template <class Form, class S>
-[[gnu::noinline]] auto FormFunctions<Form, S>::cross_each(const Item<Form, S>& items, const Ray<S>& ray) -> Crossed {
-    return crossings_of(items, ray);
+[[gnu::noinline]] auto FormFunctions<Form, S>::cross_each(const Item<Form, S>& items, const Ray<S>& ray, Mask<S> lanes)
+    -> Crossed {
+    return crossings_of(items, ray, lanes);
 }
 template <class Form, class S>
 [[gnu::noinline]] void FormFunctions<Form, S>::hit_each(const Item<Form, S>& items, const Ray<S>& ray, const S& t,
@@ -61,7 +63,8 @@ template <class Form, class S>
 [[gnu::noinline]] Mask<S> FormFunctions<Form, S>::holds_eye(const World<T>& world, int item, const Ray<S>& ray) {
     // Camera rays may start elsewhere: those of an orthographic camera do.
     const Ray<S> from_eye{select(ray.source < S(0), ray.origin, splat<S>(world.eye)), ray.direction, S(-1)};
-    const Span<S> span = cross<Form>(world.groups.template get<Form>().items[item], from_eye, cross_one);
+    const Span<S> span =
+        cross<Form>(world.groups.template get<Form>().items[item], from_eye, all_lanes<S>(), cross_one);
     return span.hit & (span.near <= S(0)) & (span.far > S(0));
 }
 /// Returns those rays, of rays that seem to start in an opaque convex body, that do not: rays get into such a body only
@@ -99,7 +102,7 @@ void FormFunctions<Form, S>::intersect(const World<T>& world, int first, int cou
     const auto& group = world.groups.template get<Form>();
     for (int i = first; i < first + count; ++i) {
         const auto& item = group.items[i];
-        auto crossed = cross<Form>(item, ray, cross_one);
+        auto crossed = cross<Form>(item, ray, mask, cross_one);
         settle_start(world, i, 0, item, ray, mask, crossed);
         intersect_item(world, item, crossed, mask, best,
                        [&](const auto& span, Mask<S> exits) { return outside(world, i, ray, span, exits); });
@@ -113,10 +116,11 @@ void FormFunctions<Form, S>::intersect_single(const World<T>& world, int first, 
     for (int i = first; i < first + count; i += width<S>) {
         const auto item = load_of_leaf<S>(group, first, count, i);
         const S surface = item.surface;
-        auto span = cross<Form>(item, ray, cross_each);
-        settle_start(world, i, 1, item, ray, first_lanes<S>(first + count - i), span);
+        const Mask<S> items = first_lanes<S>(first + count - i);
+        auto span = cross<Form>(item, ray, items, cross_each);
+        settle_start(world, i, 1, item, ray, items, span);
         const S t = first_crossing(span);
-        Mask<S> better = span.hit & (t > S(0)) & first_lanes<S>(first + count - i);
+        Mask<S> better = span.hit & (t > S(0)) & items;
         better = better & closer(t, surface, S(single.t), S(single.surface));
         if constexpr (Item<Form, T>::has_exits)
             better = better & !outside_each(world, i, ray, span, better & !(span.near > S(0)));
@@ -134,7 +138,7 @@ bool FormFunctions<Form, S>::occlude(const World<T>& world, int first, int count
     const auto& group = world.groups.template get<Form>();
     for (int i = first; i < first + count; ++i) {
         const auto& item = group.items[i];
-        auto crossed = cross<Form>(item, ray, cross_one);
+        auto crossed = cross<Form>(item, ray, mask, cross_one);
         settle_start(world, i, 0, item, ray, mask, crossed);
         if (occlude_item(world, item, ray, crossed, distance, mask, light,
                          [&](const auto& span, Mask<S> exits) { return outside(world, i, ray, span, exits); }))
@@ -150,9 +154,10 @@ bool FormFunctions<Form, S>::occlude_single(const World<T>& world, int first, in
     const S distance(single.t);
     for (int i = first; i < first + count; i += width<S>) {
         const auto item = load_of_leaf<S>(group, first, count, i);
-        auto span = cross<Form>(item, ray, cross_each);
-        settle_start(world, i, 1, item, ray, first_lanes<S>(first + count - i), span);
-        auto crossed_by = crossed(span, span.hit & first_lanes<S>(first + count - i), distance);
+        const Mask<S> items = first_lanes<S>(first + count - i);
+        auto span = cross<Form>(item, ray, items, cross_each);
+        settle_start(world, i, 1, item, ray, items, span);
+        auto crossed_by = crossed(span, span.hit & items, distance);
         if constexpr (Item<Form, T>::has_exits)
             crossed_by[1] = crossed_by[1] & !outside_each(world, i, ray, span, crossed_by[1] & !(span.near > S(0)));
         std::array<unsigned, crossed_by.size()> crossings;
@@ -204,7 +209,7 @@ void FormFunctions<Form, S>::surfaces_at(const World<T>& world, const int* items
 template <class Form, class S>
 Span<S> FormFunctions<Form, S>::span(const World<T>& world, int item, const Ray<S>& ray) {
     static_assert(Form::Kind::convex);
-    return cross_one(world.groups.template get<Form>().items[item], ray);
+    return cross_one(world.groups.template get<Form>().items[item], ray, all_lanes<S>());
 }
 
 template <class S>
@@ -226,7 +231,7 @@ STRAHL_INLINE void tell_ends(const Crossings<S, 4>& crossings, LeafEnds<S>& ends
 }
 template <class Form, class S>
 void FormFunctions<Form, S>::ends(const World<T>& world, int item, const Ray<S>& ray, LeafEnds<S>& ends) {
-    tell_ends(cross_one(world.groups.template get<Form>().items[item], ray), ends);
+    tell_ends(cross_one(world.groups.template get<Form>().items[item], ray, all_lanes<S>()), ends);
 }
 
 template <class Form, class S>
@@ -246,7 +251,7 @@ void FormFunctions<Form, S>::list_crossings(const World<T>& world, const Composi
             for (int i = first; i < first + count; i += width<S>) {
                 const auto item = load_of_leaf<S>(group, first, count, i);
                 const Mask<S> items = first_lanes<S>(first + count - i);
-                auto crossed = cross<Form>(item, one, cross_each);
+                auto crossed = cross<Form>(item, one, items, cross_each);
                 settle_start(world, i, 1, item, one, items, crossed);
                 unsigned hits = bits(items & crossed.hit & (crossed.far > from));
                 if (!hits) continue;

@@ -147,7 +147,7 @@ STRAHL_INLINE Nearest<S> nearest_in_loops(const World<Element<S>>& world, const 
     each_hot_item(
         world, set, [&](const auto& group, int i) __attribute__((always_inline)) {
             const auto& item = group.items[i];
-            const Mask<S> better = intersect_item(world, item, crossings_of(item, ray), active, best, note);
+            const Mask<S> better = intersect_item(world, item, crossings_of(item, ray, active), active, best, note);
             const int bin = world.bin_per_item ? group.first_bin + i : group.first_bin;
             best.bin = select(better, S(static_cast<T>(bin)), best.bin);
             return false;
@@ -317,7 +317,7 @@ template <class S>
                 if (none(mask)) return false;
             }
             const auto& item = group.items[i];
-            return dark = occlude_item(world, item, ray, crossings_of(item, ray), distance, mask, light, note);
+            return dark = occlude_item(world, item, ray, crossings_of(item, ray, mask), distance, mask, light, note);
         });
     if (any(suspects)) [[unlikely]] {
         Transmission<S> copy = light;

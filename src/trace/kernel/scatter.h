@@ -103,7 +103,7 @@ template <class S>
 STRAHL_INLINE Span<S> span_of_item(const World<Element<S>>& world, const SortBin& bin, const Ray<S>& ray) {
     Span<S> span;
     const auto inline_code = [&](const auto& group) __attribute__((always_inline)) {
-        span = crossings_of(group.items[bin.item], ray);
+        span = crossings_of(group.items[bin.item], ray, all_lanes<S>());
     };
     if (!if_hot(world, bin.form, inline_code)) {
         const Ray<S> copy = ray;

@@ -36,7 +36,7 @@ struct Darkening {
             using Group = std::remove_cvref_t<decltype(group)>;
             using Item = typename Group::template ItemOf<S>;
             if constexpr (Group::Form::Kind::bounded) {
-                const auto span = crossings_of(gather_items<Item, S>(group.items, items), ray);
+                const auto span = crossings_of(gather_items<Item, S>(group.items, items), ray, lanes);
                 const auto crossed_by = crossed(span, span.hit & lanes, distance);
                 dark = crossed_by[0];
                 const Mask<S> exits = crossed_by[1] & !dark;

@@ -57,7 +57,7 @@ template <class S, class Item, class Bin>
     mask = mask & span.maybe;
     if (none(mask)) return;
     constexpr auto inf = Candidates<S>::inf;
-    const auto [near, far] = ends_of<S>(crossings_of(item, own.ray));
+    const auto [near, far] = ends_of<S>(crossings_of(item, own.ray, mask));
     const Mask<S> enters = span.sure & (span.near_low > S(0)), leaves = span.sure & (span.far_low > S(0));
     found.add(mask & !(span.near_high <= S(0)), span.near_low, select(enters, span.near_high, S(inf)), near, surface,
               S(bin));
