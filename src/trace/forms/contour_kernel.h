@@ -101,7 +101,9 @@ struct FormFunctions<OwnForm, S> : SingleByPack<FormFunctions<OwnForm, S>, S> {
         const auto* const pieces = first_piece(world, item);
         const S surface(item.surface), start = ray.source - surface;
         const auto visit_face = [&](Mask<S> lanes, const S& t, const S& face) { visit(lanes, t, S(surface + face)); };
-        if constexpr (requires { OwnForm::template Kernel<T>::in_double; }) {
+        if constexpr (!has_contours<typename OwnForm::Kind>) {
+            item.shape.each_crossing(pieces, enough, ray, start, mask, visit_face);
+        } else if constexpr (requires { OwnForm::template Kernel<T>::in_double; }) {
             using V = Doubles<S>;
             for (int part = 0; part < width<S> / width<V>; ++part) {
                 const int first = part * width<V>;

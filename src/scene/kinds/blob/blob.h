@@ -37,14 +37,44 @@ struct BlobData {
     static std::shared_ptr<const BlobData> usual();
 };
 
-/// Calls found(t) where the sum of the fields of spans crosses `level`, in ascending order; it may leave out what comes
-/// after `enough` of these. The sum is a polynomial of degree 4 between the places where a piece begins or ends.
-/// It is compared with `level` there once for both sides, so that each line crosses a blob an even number of times.
-/// Lines that `start` on the surface at 0 count from the sum there, which is rounded; its slope tells on which
-/// side of it they go on.
+/// Stretches of lines between places where pieces begin or end. There the sum of the fields less the level is a
+/// polynomial in x, which is -1 at the one end and 1 at the other; `above_low` and `above_high` are 1 if it is above 0
+/// there, else 0. The place on the line is middle + half x.
+template <class V>
+struct LumpStretch {
+    std::array<V, 5> p;
+    V middle, half, noise, above_low, above_high;
+
+    /// Calls found(lanes, place) for each zero, of each line in ascending order.
+    template <class Found>
+    STRAHL_INLINE void each_zero(Mask<V> lanes, const Found& found) const {
+        const V zero(0), half_one(Element<V>(.5)), third(Element<V>(1) / 3);
+        const V even = p[0] + p[2] + p[4], odd = p[1] + p[3], inner = p[0] - p[4];
+        const V slope = half_one * (p[1] - p[3]);
+        const BernsteinPart<V> whole{{even - odd, inner - slope, p[0] - third * p[2] + p[4], inner + slope, even + odd},
+                                     V(-1),
+                                     V(1),
+                                     above_low > zero,
+                                     above_high > zero,
+                                     lanes};
+        const auto value = [&](const V& x) __attribute__((always_inline)) {
+            return std::pair(fma(x, fma(x, fma(x, fma(x, p[4], p[3]), p[2]), p[1]), p[0]),
+                             fma(x, fma(x, fma(x, V(4) * p[4], V(3) * p[3]), V(2) * p[2]), p[1]));
+        };
+        isolate_zeros(
+            whole, 4, noise, [&](const V& x) __attribute__((always_inline)) { return value(x).first > V(0); },
+            [&](const BernsteinPart<V>& own)
+                __attribute__((always_inline)) { found(own.lanes, fma(half, own.zero(4, value), middle)); });
+    }
+};
+
+/// Calls found(stretch) for the stretches of a line on which the sum of the fields of spans may cross `level`, in
+/// ascending order; it may leave out what comes after `enough` crossings. The sum is compared with `level` once for
+/// both sides of each place, so that each line crosses a blob an even number of times. Lines that `start` on the
+/// surface at 0 count from the sum there, which is rounded; its slope tells on which side of it they go on.
 template <class R, class Found>
-STRAHL_INLINE void cross_spans(const LumpSpan<R>* spans, int count, R level, bool starts, int enough,
-                               const Found& found) {
+STRAHL_INLINE void find_stretches(const LumpSpan<R>* spans, int count, R level, bool starts, int enough,
+                                  const Found& found) {
     struct End {
         R place;
         std::int16_t span;
@@ -63,6 +93,7 @@ STRAHL_INLINE void cross_spans(const LumpSpan<R>* spans, int count, R level, boo
             ends[k] = {place, static_cast<std::int16_t>(i), enters};
         }
     }
+    const R noise = 16 * std::numeric_limits<R>::epsilon() * size;
     bool above = false, first = true;
     for (int i = 0; i + 1 < length && crossed < enough;) {
         const R low = ends[i].place;
@@ -79,9 +110,8 @@ STRAHL_INLINE void cross_spans(const LumpSpan<R>* spans, int count, R level, boo
             above = first = starts = false;
             continue;
         }
-        // Counts x from -1 at this end to 1 at the next.
-        const R high = ends[i].place, half = (high - low) / 2, middle = low + half;
-        R p[5]{-level, 0, 0, 0, 0};
+        const R half = (ends[i].place - low) / 2, middle = low + half;
+        std::array<R, 5> p{-level, 0, 0, 0, 0};
         for (int k = 0; k < inside; ++k) {
             const LumpSpan<R>& own = spans[within[k]];
             const R off = middle - own.middle, bent = own.bend * half, s = own.strength;
@@ -89,47 +119,80 @@ STRAHL_INLINE void cross_spans(const LumpSpan<R>* spans, int count, R level, boo
             p[0] += s * a * a, p[1] += 2 * s * a * b, p[2] += s * (b * b + 2 * a * c), p[3] += 2 * s * b * c;
             p[4] += s * c * c;
         }
+        const bool started = starts;
         if (starts) {
             // Its zero at -1 is known, and divided out.
             level += p[0] - p[1] + p[2] - p[3] + p[4];
             const R third = p[4], second = p[3] - third, linear = p[2] - second;
-            p[0] = p[1] - linear, p[1] = linear, p[2] = second, p[3] = third, p[4] = 0;
+            p = {p[1] - linear, linear, second, third, 0};
         }
-        const R third = R(1) / 3;
-        BernsteinPart<R> part{
-            {p[0] - p[1] + p[2] - p[3] + p[4], p[0] - p[1] / 2 + p[3] / 2 - p[4], p[0] - third * p[2] + p[4],
-             p[0] + p[1] / 2 - p[3] / 2 - p[4], p[0] + p[1] + p[2] + p[3] + p[4], 0, 0},
-            R(-1),
-            R(1),
-            above,
-            false,
-            true};
-        if (first) part.above_low = part.c[0] > 0;
-        part.above_high = part.c[4] > 0;
-        const R noise = 16 * std::numeric_limits<R>::epsilon() * size;
-        above = part.above_high, first = starts = false;
-        const auto& c = part.c;
-        const R lowest = min(min(c[1], c[2]), c[3]), highest = max(max(c[1], c[2]), c[3]);
-        if (part.above_low == above && (above ? lowest >= -noise : highest <= noise)) continue;
-        const auto value = [&](const R& x) __attribute__((always_inline)) {
-            return std::pair(p[0] + x * (p[1] + x * (p[2] + x * (p[3] + x * p[4]))),
-                             p[1] + x * (2 * p[2] + x * (3 * p[3] + x * 4 * p[4])));
-        };
-        const auto find = [&](const BernsteinPart<R>& own) __attribute__((always_inline)) {
-            const R place = middle + half * own.zero(4, value);
-            crossed += place > ends[0].place;  // one there may be the start itself
-            found(place);
-        };
-        isolate_zeros(
-            part, 4, noise, [&](const R& x) __attribute__((always_inline)) { return value(x).first > 0; }, find);
+        // Bernstein's coefficients: where none of them is on the other side, nor is the polynomial.
+        const R even = p[0] + p[2] + p[4], odd = p[1] + p[3], inner = p[0] - p[4], slope = R(.5) * (p[1] - p[3]);
+        const R centre = p[0] - R(1) / 3 * p[2] + p[4], next = inner - slope, last = inner + slope;
+        const bool before = first ? even - odd > 0 : above;
+        above = even + odd > 0, first = starts = false;
+        const R lowest = min(min(next, centre), last), highest = max(max(next, centre), last);
+        if (before == above && (above ? lowest >= -noise : highest <= noise)) continue;
+        found(LumpStretch<R>{p, middle, half, noise, R(before), R(above)});
+        crossed += before != above && !started;  // of a stretch from the start on it may be the start itself
     }
 }
+
+/// Such stretches side by side, of the lines of a pack S of rays, line by line.
+template <class S>
+struct LumpStretches {
+    using V = Doubles<S>;
+    using R = Element<V>;
+    static constexpr int few = 2 * width<S>, most = few + 2 * BlobData::most_met;
+    static constexpr int fields = sizeof(LumpStretch<R>) / sizeof(R);
+    alignas(64) Room<R, fields*(most + width<V>)> columns;
+    Room<std::int8_t, most> rays;
+    int count = 0;
+    alignas(64) R shift[width<S>], per[width<S>];  // of the rays: t = (place + shift) per
+    // Crossings of some of them, each row with at most one of each ray.
+    alignas(64) R rows[4 * width<V>][width<S>];
+    unsigned crossed[4 * width<V>];
+
+    STRAHL_INLINE void add(const LumpStretch<R>& own, int ray) {
+        const auto values = std::bit_cast<std::array<R, fields>>(own);
+        for (int f = 0; f < fields; ++f) columns[f * (most + width<V>)+count] = values[f];
+        rays[count++] = static_cast<std::int8_t>(ray);
+    }
+    /// Finds the crossings of `width<V>` stretches from `first` on, in ascending order; returns the number of rows.
+    STRAHL_INLINE int find_rows(int first) {
+        const int own_count = std::min(count - first, width<V>);
+        const auto own = load_items<LumpStretch<V>, V>(&columns[0], most + width<V>, first);
+        R places[width<V>][4];
+        int found[width<V>] = {};
+        own.each_zero(first_lanes<V>(own_count), [&](Mask<V> lanes, const V& place) {
+            for (unsigned left = bits(lanes); left; left &= left - 1) {
+                const int i = std::countr_zero(left);
+                if (found[i] < 4) places[i][found[i]++] = lane(place, i);
+            }
+        });
+        int rank[width<S>] = {}, all = 0;
+        for (int i = 0; i < own_count; ++i)
+            for (int n = 0; n < found[i]; ++n) {
+                const int ray = rays[first + i], row = rank[ray]++;
+                if (row == all) {
+                    for (R& t : rows[row]) t = 0;
+                    crossed[all++] = 0;
+                }
+                rows[row][ray] = (places[i][n] + shift[ray]) * per[ray], crossed[row] |= 1U << ray;
+            }
+        return all;
+    }
+    /// Do so by a call for packs: the code is long, and the call costs little.
+    template <class Own>
+    [[gnu::noinline]] static int call_find_rows(LumpStretches<Own>& all, int first) {
+        return all.find_rows(first);
+    }
+};
 
 /// A blob, whose own space reaches from -1 to 1. It has one face. Numbers are doubles, or have more digits: a sum of
 /// zeros of the fourth degree loses half of the digits.
 template <class T>
 struct BlobKernel : ContourKernel<T> {
-    static constexpr bool in_double = true;
     using Base = ContourKernel<T>;
     using Base::box, Base::centre, Base::count, Base::turn;
     T threshold;
@@ -138,61 +201,52 @@ struct BlobKernel : ContourKernel<T> {
 
     /// Calls crossed(lanes, t, face) where rays cross the surface ahead of their starts, from near to far, perhaps only
     /// `enough` times for each ray; those at a start on the surface are left out.
-    template <class V, class Crossed>
-    STRAHL_INLINE void each_crossing(const LumpPiece* pieces, int enough, const Ray<V>& ray, V start, Mask<V> lanes,
+    template <class S, class Crossed>
+    STRAHL_INLINE void each_crossing(const LumpPiece* pieces, int enough, const Ray<S>& ray, S start, Mask<S> lanes,
                                      const Crossed& crossed) const {
-        using R = Element<V>;
-        const V zero(0), one(1);
-        const Mask<V> starts = lanes & (start == zero);
+        using V = Doubles<S>;
+        const Mask<S> starts = lanes & (start == S(0));
         lanes = lanes & (starts | box.may_meet(ray));
         if (none(lanes)) return;
-        const Vec3<V> origin = turn(ray.origin - splat<V>(centre)), way = turn(ray.direction);
-        const V per = one / sqrt(dot(way, way));
-        // Counts places from where the line is nearest to the centre: there they have the most digits.
-        const Vec3<V> unit = scale(per, way);
-        const V shift = select(starts, zero, -dot(origin, unit));
-        const Vec3<V> middle = fma(shift, unit, origin);
-        std::array<Room<int, BlobData::most_met>, width<V>> met;
-        std::array<int, width<V>> counts{};
-        for (int i = 0; i < static_cast<int>(count); ++i) {
-            const LumpPiece& piece = pieces[i];
-            if (i % BlobData::group == 0) {
-                const Vec3<V> away = splat<V>(piece.middle) - middle;
-                const V along = dot(away, unit);
-                if (none(lanes & (dot(away, away) - along * along < V(R(piece.square))))) {
-                    i += BlobData::group - 1;
-                    continue;
+        LumpStretches<S> stretches;
+        const auto visit = [&]() {
+            for (int first = 0; first < stretches.count; first += width<V>) {
+                int rows;
+                if constexpr (width < S >> 1)
+                    rows = stretches.call_find_rows(stretches, first);
+                else
+                    rows = stretches.find_rows(first);
+                for (int row = 0; row < rows; ++row) {
+                    const S t = load_converted<S>(stretches.rows[row]);
+                    const Mask<S> there = mask_of<S>(stretches.crossed[row]) & (starts | box.holds(ray, t, S(abs(t))));
+                    if (any(there)) crossed(there, t, S(0));
                 }
             }
-            const Vec3<V> p = piece.turn(middle - splat<V>(piece.centre)), d = piece.turn(unit);
-            const V round(R(piece.round)), z = round * (p.z - V(R(piece.end)));
-            const V a = fma(d.x, d.x, fma(d.y, d.y, round * d.z * d.z)), b = fma(p.x, d.x, fma(p.y, d.y, z * d.z));
-            const V c = fma(p.x, p.x, fma(p.y, p.y, z * z)) - one;
-            for (unsigned left = bits(lanes & ((b * b > a * c) | (c < zero))); left; left &= left - 1) {
-                const auto k = static_cast<std::size_t>(std::countr_zero(left));
-                if (counts[k] < BlobData::most_met) met[k][counts[k]++] = i;
+            stretches.count = 0;
+        };
+        for (int part = 0; part < width<S> / width<V>; ++part) {
+            const int first = part * width<V>;
+            LineSpans<V> spans;
+            const Mask<V> own_starts = mask_of<V>(bits(starts) >> first);
+            const Vec3<V> way = turn(doubles_of(ray.direction, part));
+            const V per = V(1) / sqrt(dot(way, way));
+            const Vec3<V> origin = turn(doubles_of(ray.origin, part) - splat<V>(centre)), unit = scale(per, way);
+            // Counts places from where the line is nearest to the centre: there they have the most digits.
+            const V shift = select(own_starts, V(0), -dot(origin, unit));
+            store_lanes(stretches.shift + first, shift), store_lanes(stretches.per + first, per);
+            for (unsigned left = find_spans<V>(pieces, fma(shift, unit, origin), unit, -shift, own_starts,
+                                               mask_of<V>(bits(lanes) >> first), spans);
+                 left; left &= left - 1) {
+                if (stretches.count >= stretches.few) visit();
+                const int k = std::countr_zero(left);
+                const bool on = any(own_starts & first_lanes<V>(k + 1) & !first_lanes<V>(k));
+                if constexpr (width < V >> 1)
+                    call_add_stretches<S>(spans, k, first + k, on, enough, stretches);
+                else
+                    add_stretches<S>(spans, k, first + k, on, enough, stretches);
             }
         }
-        for (int k = 0; k < width<V>; ++k) {
-            const int most = counts[static_cast<std::size_t>(k)];
-            if (most == 0) continue;
-            const auto pick = [k](const Vec3<V>& v) { return Vec3<R>(lane(v.x, k), lane(v.y, k), lane(v.z, k)); };
-            const Vec3<R> from = pick(middle), along = pick(unit);
-            const R behind = -lane(shift, k);
-            const Mask<V> own = first_lanes<V>(k + 1) & !first_lanes<V>(k);
-            Places<R> places;
-            int found;
-            const int* const numbers = &met[static_cast<std::size_t>(k)][0];
-            if constexpr (width < V >> 1)
-                found = call_cross<V>(pieces, numbers, most, from, along, behind, any(own & starts), enough, places);
-            else
-                found = cross<R>(pieces, numbers, most, from, along, behind, any(own & starts), enough, places);
-            for (int i = 0; i < found; ++i) {
-                const V t = (V(places[i]) + shift) * per;
-                const Mask<V> there = own & (starts | box.holds(ray, t, abs(t)));
-                if (any(there)) crossed(there, t, zero);
-            }
-        }
+        visit();
     }
     /// Returns the point of one ray at `t`, and the normal there: where the field falls.
     STRAHL_INLINE SurfacePoint<T> at(const LumpPiece* pieces, const Ray<T>& ray, T t) const {
@@ -216,27 +270,61 @@ struct BlobKernel : ContourKernel<T> {
     }
 
   private:
-    template <class R>
-    using Places = Room<R, 8 * BlobData::most_met>;  // 4 between each two ends of pieces
-
-    /// Finds where a line crosses the surface, from `behind` on, by the pieces that it meets; returns how often.
-    template <class R>
-    STRAHL_INLINE int cross(const LumpPiece* pieces, const int* numbers, int most, const Vec3<R>& from,
-                            const Vec3<R>& along, R behind, bool starts, int enough, Places<R>& places) const {
-        Room<LumpSpan<R>, BlobData::most_met> spans;
-        int count = 0, found = 0;
-        for (int i = 0; i < most; ++i) count += spans[count].find(pieces[numbers[i]], from, along, behind);
-        cross_spans<R>(
-            &spans[0], count, R(threshold), starts,
-            enough, [&](R place) __attribute__((always_inline)) { places[found++] = place; });
-        return found;
-    }
-    /// Does so by a call for packs: its code is long, and the call costs little.
+    /// The spans of a pack of lines in the pieces that any of them meets, and which of them do.
     template <class V>
-    [[gnu::noinline]] int call_cross(const LumpPiece* pieces, const int* numbers, int most,
-                                     const Vec3<Element<V>>& from, const Vec3<Element<V>>& along, Element<V> behind,
-                                     bool starts, int enough, Places<Element<V>>& places) const {
-        return cross<Element<V>>(pieces, numbers, most, from, along, behind, starts, enough, places);
+    struct LineSpans {
+        Room<LumpSpan<V>, BlobData::most_met> spans;
+        Room<unsigned, BlobData::most_met> lines;
+        int count = 0;
+    };
+    /// Finds them for lines from + t unit beyond `behind`; returns as bits those on which the sum may cross the
+    /// threshold.
+    template <class V>
+    STRAHL_INLINE unsigned find_spans(const LumpPiece* pieces, const Vec3<V>& from, const Vec3<V>& unit,
+                                      const V& behind, Mask<V> starts, Mask<V> lanes, LineSpans<V>& found) const {
+        using R = Element<V>;
+        V most(0);               // that the sum can be
+        Mask<V> falls = starts;  // from the start on
+        for (int i = 0; i < static_cast<int>(count) && any(lanes); ++i) {
+            const LumpPiece& piece = pieces[i];
+            if (i % BlobData::group == 0) {
+                const Vec3<V> away = splat<V>(piece.middle) - from;
+                const V along = dot(away, unit);
+                if (none(lanes & (dot(away, away) - along * along < V(R(piece.square))))) {
+                    i += BlobData::group - 1;
+                    continue;
+                }
+            }
+            LumpSpan<V>& span = found.spans[found.count];
+            const Mask<V> own = span.find(piece, from, unit, behind, lanes);
+            if (none(own) || found.count == BlobData::most_met - 1) continue;
+            found.lines[found.count++] = bits(own);
+            if (piece.strength > 0)
+                most = select(own, most + span.highest(), most), falls = falls & ((span.middle <= span.enter) | !own);
+            else
+                falls = falls & !own;
+        }
+        return bits(lanes & !falls & (starts | (most > V(R(1 - 1e-9) * R(threshold)))));
+    }
+    /// Adds the stretches of line k of them that may cross the threshold, as those of a ray.
+    template <class S>
+    STRAHL_INLINE void add_stretches(const LineSpans<Doubles<S>>& all, int k, int ray, bool starts, int enough,
+                                     LumpStretches<S>& found) const {
+        using R = Element<Doubles<S>>;
+        Room<LumpSpan<R>, BlobData::most_met> own;
+        int number = 0;
+        for (int i = 0; i < all.count; ++i) {
+            if (!(all.lines[i] >> k & 1)) continue;
+            const R* const lanes = reinterpret_cast<const R*>(&all.spans[i]) + k;
+            own[number++] = of_fields<LumpSpan<R>, R>([&](std::size_t f) { return lanes[f * width<Doubles<S>>]; });
+        }
+        find_stretches<R>(&own[0], number, R(threshold), starts, enough,
+                          [&](const LumpStretch<R>& stretch) { found.add(stretch, ray); });
+    }
+    template <class S>
+    [[gnu::noinline]] void call_add_stretches(const LineSpans<Doubles<S>>& all, int k, int ray, bool starts, int enough,
+                                              LumpStretches<S>& found) const {
+        add_stretches<S>(all, k, ray, starts, enough, found);
     }
 };
 

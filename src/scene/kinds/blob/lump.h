@@ -57,31 +57,41 @@ struct LumpPiece {
     }
 };
 
-/// The part of a line within a piece: from `enter` to `leave` its field is strength (most - bend (t - middle)^2)^2.
-template <class R>
+/// The parts of lines within a piece: from `enter` to `leave` their field is strength (most - bend (t - middle)^2)^2.
+template <class V>
 struct LumpSpan {
-    R enter, leave, middle, most, bend, strength;
+    V enter, leave, middle, most, bend, strength;
 
-    /// Finds it for the line origin + t unit from t = `from` on; false if there is none.
-    STRAHL_INLINE bool find(const LumpPiece& piece, const Vec3<R>& origin, const Vec3<R>& unit, R from) {
-        const Vec3<R> p = piece.turn(origin - splat<R>(piece.centre)), d = piece.turn(unit);
-        const R round(piece.round), z = p.z - R(piece.end);
-        bend = d.x * d.x + d.y * d.y + round * d.z * d.z;
-        const bool level = !(bend > std::numeric_limits<R>::min());
-        middle = level ? R(0) : -(p.x * d.x + p.y * d.y + round * z * d.z) / bend;
-        const Vec3<R> nearest = fma(middle, d, Vec3<R>(p.x, p.y, z));
-        most = R(1) - nearest.x * nearest.x - nearest.y * nearest.y - round * nearest.z * nearest.z;
-        if (!(most > 0)) return false;
-        const R half = level ? std::numeric_limits<R>::max() : std::sqrt(most / bend);
-        enter = middle - half, leave = middle + half, strength = R(piece.strength);
-        if (d.z == 0) {
-            if (p.z < R(piece.low) || !(p.z < R(piece.high))) return false;
-        } else {
-            const R low = (R(piece.low) - p.z) / d.z, high = (R(piece.high) - p.z) / d.z;
-            enter = max(enter, min(low, high)), leave = min(leave, max(low, high));
+    /// Finds them for lines origin + t unit from t = `from` on; returns those that have one.
+    STRAHL_INLINE Mask<V> find(const LumpPiece& piece, const Vec3<V>& origin, const Vec3<V>& unit, const V& from,
+                               Mask<V> lanes) {
+        using R = Element<V>;
+        const Vec3<V> p = piece.turn(origin - splat<V>(piece.centre)), d = piece.turn(unit);
+        const V zero(0), round(R(piece.round)), z = p.z - V(R(piece.end));
+        bend = fma(d.x, d.x, fma(d.y, d.y, round * d.z * d.z));
+        const Mask<V> bends = bend > V(std::numeric_limits<R>::min());
+        middle = select(bends, -fma(p.x, d.x, fma(p.y, d.y, round * z * d.z)) / bend, zero);
+        const Vec3<V> nearest = fma(middle, d, Vec3<V>(p.x, p.y, z));
+        most = fma(-nearest.x, nearest.x, fma(-nearest.y, nearest.y, fma(-round * nearest.z, nearest.z, V(1))));
+        lanes = lanes & (most > zero);
+        if (none(lanes)) return lanes;
+        const V half = select(bends, sqrt(max(most, zero) / bend), V(std::numeric_limits<R>::max()));
+        enter = middle - half, leave = middle + half;
+        if (piece.low > -std::numeric_limits<double>::infinity() ||
+            piece.high < std::numeric_limits<double>::infinity()) {
+            const Mask<V> level = d.z == zero;
+            const V low = (V(R(piece.low)) - p.z) / d.z, high = (V(R(piece.high)) - p.z) / d.z;
+            lanes = lanes & ((!level) | ((p.z >= V(R(piece.low))) & (p.z < V(R(piece.high)))));
+            enter = select(level, enter, max(enter, min(low, high)));
+            leave = select(level, leave, min(leave, max(low, high)));
         }
-        enter = max(enter, from);
-        return leave > enter;
+        enter = max(enter, from), strength = V(R(piece.strength));
+        return lanes & (leave > enter);
+    }
+    /// Returns the most that the field is, if the strength is above 0.
+    STRAHL_INLINE V highest() const {
+        const V off = max(max(enter - middle, middle - leave), V(0)), share = fma(-bend * off, off, most);
+        return strength * share * share;
     }
 };
 
