@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <type_traits>
 
 #include "num/lane_math.h"
 #include "trace/patterns/finish_calls.h"
@@ -206,17 +208,21 @@ Vec3<S> FinishCalls<S>::faded_inside(const World<T>& world, int material, const 
     const FinishKernel<T>& finish = world.finishes.list[material];
     if (finish.fade_per == 0) return splat<S>(Vec3<T>(1));
     constexpr T exponential = 1000;  // powers from here on are no powers
-    alignas(64) T ways[width<S>], values[3][width<S>] = {};
-    store_lanes(ways, way * S(finish.fade_per));
-    for (unsigned rest = bits(lanes); rest; rest &= rest - 1) {
-        const int k = std::countr_zero(rest);
-        const T left = finish.fade_power < exponential ? 1 / (1 + std::pow(ways[k], finish.fade_power)) : T(0);
-        for (int c = 0; c < 3; ++c) {
-            const T color = finish.fade_color[c], rest = 1 - color;
-            values[c][k] = finish.fade_power < exponential ? color + rest * left : std::exp(-rest * ways[k]);
-        }
+    constexpr int log_terms = std::is_same_v<T, float> ? 5 : 12, power_terms = std::is_same_v<T, float> ? 8 : 14;
+    const S ways = select(lanes, way * S(finish.fade_per), S(0)), one(1);
+    Vec3<S> kept;
+    if (finish.fade_power < exponential) {
+        // 1 / (1 + x^p), by powers of what is below 1.
+        const S below = max(min(ways, one / ways), S(std::numeric_limits<T>::min()));
+        const S power = power_by_series<log_terms, power_terms>(below, S(finish.fade_power));
+        const S left = select(ways < one, one, power) / (one + power);
+        for (int c = 0; c < 3; ++c) kept[c] = fma(S(1 - finish.fade_color[c]), left, S(finish.fade_color[c]));
+    } else {
+        const S e(T(1 / std::numbers::e));
+        for (int c = 0; c < 3; ++c)
+            kept[c] = power_by_series<log_terms, power_terms>(e, max(S(1 - finish.fade_color[c]) * ways, S(-80)));
     }
-    return {load_lanes<S>(values[0]), load_lanes<S>(values[1]), load_lanes<S>(values[2])};
+    return kept;
 }
 template <class S>
 Vec3<S> FinishCalls<S>::faded_inside(const World<T>& world, const int* materials, const S& way, Mask<S> inside) {
