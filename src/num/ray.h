@@ -18,6 +18,7 @@ struct Ray {
 //     Crossings<S, N> crossings(const Ray<S>& ray, S start)       finds those with a body that is not convex
 //     SurfacePoint<S> at(const Ray<S>& ray, S t, S face)          returns the surface at the crossing t with a face
 
+/// Returns the mask of all lanes.
 template <class S>
 STRAHL_INLINE Mask<S> all_lanes() {
     return S(0) < S(1);
