@@ -199,7 +199,6 @@ PovRun run_povray_file(const PovFile& file, int threads, const std::atomic<bool>
                                    "+O" + scratch.path("scene.ppm"),
                                    "+W" + std::to_string(file.width),
                                    "+H" + std::to_string(file.height),
-                                   "+K" + text_of(file.clock),
                                    "+FP16",
                                    "Antialias=Off",
                                    "Display=Off",
@@ -208,6 +207,7 @@ PovRun run_povray_file(const PovFile& file, int threads, const std::atomic<bool>
                                    "Warning_Console=On",
                                    "Verbose=Off",
                                    file_gamma(file.gamma)};
+    if (file.clock) words.push_back("+K" + text_of(*file.clock));
     for (const std::string& folder : file.library) words.push_back("+L\"" + fs::absolute(folder).string() + '"');
     if (threads > 0) words.push_back("Work_Threads=" + std::to_string(threads));
     add_grid(words, file.grid);

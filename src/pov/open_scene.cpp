@@ -58,10 +58,10 @@ OpenedScene open_scene_of_povray(const std::string& text, const std::string& pat
     const pov::Animation animation =
         pov::Animation::of(ini, flight ? std::optional(flight->duration) : std::nullopt);
     const double time = options.time.value_or(0);
-    how.clock_on = options.time || animation.counted;
-    const bool still = ini && ini->clock && !how.clock_on;
+    const bool runs = options.time || animation.counted, still = ini && ini->clock && !runs;
+    how.clock_on = runs || still || options.clock;
     how.clock = options.clock ? *options.clock : still ? *ini->clock : animation.clock_at(time);
-    if (how.clock_on)
+    if (runs)
         for (auto& each : animation.declared_at(time)) how.declared.push_back(std::move(each));
     pov::OpenedPov opened = open_pov(text, how, read_pixels);
 
@@ -71,7 +71,7 @@ OpenedScene open_scene_of_povray(const std::string& text, const std::string& pat
                        .mirrored = opened.mirrored,
                        .files = std::move(opened.files),
                        .changes = opened.clock_used && !options.clock,
-                       .clock = how.clock};
+                       .clock = how.clock_on ? std::optional(how.clock) : std::nullopt};
     for (const pov::PovNote& note : opened.notes) result.notes.push_back(note.text);
     if (options.strict && !result.notes.empty()) refuse(result.notes);
     if (ini) {

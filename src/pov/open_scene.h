@@ -35,7 +35,7 @@ struct OpenedScene {
     bool mirrored = false;             // the scene is the mirror image in z of that of a .pov
     std::vector<std::string> files{};  // of a .pov, or of a text with directives: all that were read, the scene's first
     bool changes = false;              // a .pov that uses its clock: it has to be read again for each moment
-    double clock = 0;                  // of a .pov: its value
+    std::optional<double> clock;       // of a .pov: its value, if POV-Ray's clock is on
     std::optional<std::pair<int, int>> frames{};  // the first and the last that an .ini file gives
 };
 

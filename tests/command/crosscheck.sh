@@ -12,6 +12,10 @@ echo '#include "radius.inc" camera { location -5*z look_at 0 } light_source { <-
     >"two words.pov"
 expect 0 "| two words.pov " crosscheck "two words.pov" --size 32x24 --library "in cluded"
 
+echo 'camera { location -5*z look_at 0 } light_source { <-5,5,-5> 1 } sphere { clock*x, 1 + clock_on/2 }' >clock.pov
+expect 0 "| clock.pov " crosscheck clock.pov --size 32x24
+expect 0 "| clock.pov " crosscheck clock.pov --size 32x24 --clock .3
+
 mkdir tools tmp
 export PATH="$work/tools:$PATH" TMPDIR="$work/tmp"
 # povray LINES: the stand-in, which runs in the folder with scene.pov.

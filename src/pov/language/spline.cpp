@@ -8,10 +8,10 @@ namespace strahl::pov {
 
 void SplineThing::add(double at, const std::array<double, 5>& value) {
     const auto place = std::ranges::lower_bound(knots, at, {}, &Knot::at);
-    if (place != knots.end() && place->at == at)
-        place->value = value;
-    else
+    if (place == knots.end() || place->at != at)
         knots.insert(place, {at, value});
+    else if (std::next(place) != knots.end())  // POV-Ray 3.7 never changes the last one
+        place->value = value;
 }
 
 void SplineThing::finish() {

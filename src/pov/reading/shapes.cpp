@@ -79,18 +79,39 @@ std::pair<std::vector<double>, bool> heights_of(const std::vector<Edge>& edges) 
     return {heights, any};
 }
 
-/// Reads a polygon of one or several outlines. A point is in it if it is inside of an odd number of them.
+/// Returns true if points lie in one plane, as exactly as POV-Ray asks for.
+bool in_one_plane(const std::vector<DVec3>& points) {
+    constexpr double tolerance = 1e-10;
+    DVec3 along(0), normal(0);
+    for (const DVec3& point : points) {
+        const DVec3 away = point - points[0];
+        if (!(dot_product(along, along) > tolerance))
+            along = away;
+        else if (dot_product(away, away) > tolerance && !(dot_product(normal, normal) > tolerance))
+            normal = cross_product(along, away);
+    }
+    if (!(dot_product(normal, normal) > tolerance)) return false;
+    return std::ranges::all_of(points, [&](const DVec3& point) {
+        return std::abs(dot_product(point - points[0], normal)) <= tolerance * length(normal);
+    });
+}
+
+/// Reads a polygon of one or several outlines. A point is in it if it is inside of an odd number of them. One whose
+/// points are not in one plane is nothing, as in POV-Ray.
 void read_polygon(Interpreter& in, ObjectThing& object) {
     const int count = in.read_integer();
+    std::vector<DVec3> points;
     std::vector<std::vector<DVec3>> outlines(1);
     for (int i = 0; i < count; ++i) {
         std::vector<DVec3>& own = outlines.back();
         const DVec3 point = next_vector(in);
+        points.push_back(point);
         if (own.empty() || point != own[0])
             own.push_back(point);
         else if (i + 1 < count)
             outlines.emplace_back();
     }
+    if (!in_one_plane(points)) return;
     std::erase_if(outlines, [](const auto& own) { return own.size() < 3; });
     if (outlines.empty()) return object.left_out("a polygon of fewer than three corners");
     // Looks at it along the axis from which it is the largest.
