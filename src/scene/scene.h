@@ -23,6 +23,9 @@ struct Settings {
     int max_trace_level = 20;  // generations of rays, camera rays being the first; 1 to 256
     double assumed_gamma = 0;  // values v are v^assumed_gamma of light, shown sRGB-encoded; 0: shown as they are
     double adc_bailout = 0;  // in scenes with POV-Ray's finishes rays of less weight than this are black
+    /// What is nearer than this to the start of a ray is not there for it, and 10 times as far for shadows: of
+    /// POV-Ray's scenes 1e-4, as there. Scene text has no word for it.
+    double passed_over = 0;
     bool operator==(const Settings&) const = default;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/matrix.hpp>
+#include <limits>
 
 #include "scene/leaves.h"
 #include "scene/overlap.h"
@@ -16,12 +17,14 @@ constexpr double hair = 1e-9;  // relative to coordinates
 struct FlatFace {
     int axis = 0, side = 1;        // side: whether it faces up or down the axis
     double at = 0;                 // along the axis
-    DVec3* point = nullptr;        // of the body, in its own space; one of its coordinates is the face's
+    std::vector<DVec3*> points{};  // of the body, in its own space; one of their coordinates is the face's
     double scale = 1, offset = 0;  // from that coordinate to `at`
     Box box{};                     // around the body
-    bool is_round = false;
+    bool is_round = false;         // of a cylinder or a cone
 
-    void move_to(double place) const { (*point)[axis] = (place - offset) / scale; }
+    void move_to(double place) const {
+        for (DVec3* const point : points) (*point)[axis] = (place - offset) / scale;
+    }
     bool is_at(double place) const { return std::fabs(at - place) <= 1e-12 * (1 + std::fabs(at)); }
     bool beside(const FlatFace& other) const {
         if (axis != other.axis || !is_at(other.at)) return false;
@@ -39,32 +42,51 @@ Box bounds_in(const Primitive& body, const glm::dmat4& m) {
     return box;
 }
 
+/// Returns the axis that a plane lies across, or -1.
+int axis_of(const Plane& plane) {
+    for (int c = 0; c < 3; ++c)
+        if (plane.a[c] == plane.b[c] && plane.b[c] == plane.c[c]) return c;
+    return -1;
+}
+
 /// Returns the flat faces of a simple body that stands along the axes; `outer` leads from around it to where they are.
 std::vector<FlatFace> faces_of(Primitive& body, const glm::dmat4& outer) {
-    if (!std::holds_alternative<Cuboid>(body.shape) && !std::holds_alternative<Cylinder>(body.shape)) return {};
+    auto* const box = std::get_if<Cuboid>(&body.shape);
+    auto* const cylinder = std::get_if<Cylinder>(&body.shape);
+    auto* const cone = std::get_if<Cone>(&body.shape);
+    auto* const plane = std::get_if<Plane>(&body.shape);
+    if (!box && !cylinder && !cone && !plane) return {};
     const glm::dmat4 m = outer * matrix(body.transformations);
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
             if ((m[i][j] == 0) == (i == j)) return {};
+    constexpr double inf = std::numeric_limits<double>::infinity();
     std::vector<FlatFace> faces;
-    const Box around = bounds_in(body, m);
-    const auto add = [&](DVec3& point, const DVec3& other, int axis) {
-        FlatFace own{.axis = axis, .point = &point, .scale = m[axis][axis], .offset = m[3][axis]};
-        own.at = own.scale * point[axis] + own.offset;
-        own.side = own.at > own.scale * other[axis] + own.offset ? 1 : -1;
-        own.box = around;
-        faces.push_back(own);
+    const Box around = plane ? Box{DVec3(-inf), DVec3(inf)} : bounds_in(body, m);
+    const auto add = [&](std::vector<DVec3*> points, double inwards, int axis) {
+        FlatFace own{.axis = axis, .points = std::move(points), .scale = m[axis][axis], .offset = m[3][axis]};
+        own.at = own.scale * (*own.points[0])[axis] + own.offset;
+        own.side = own.scale * inwards < 0 ? 1 : -1;
+        own.box = around, own.is_round = cylinder || cone;
+        faces.push_back(std::move(own));
     };
-    if (auto* const box = std::get_if<Cuboid>(&body.shape)) {
-        for (int i = 0; i < 3; ++i) add(box->corner, box->opposite, i), add(box->opposite, box->corner, i);
-    } else if (auto* const cylinder = std::get_if<Cylinder>(&body.shape)) {
-        const DVec3 way = cylinder->cap - cylinder->base;
+    const auto add_ends = [&](DVec3& base, DVec3& cap, bool has_base, bool has_cap) {
+        const DVec3 way = cap - base;
         for (int i = 0; i < 3; ++i) {
             if (way[i] == 0 || length(way) != std::fabs(way[i])) continue;
-            add(cylinder->base, cylinder->cap, i), add(cylinder->cap, cylinder->base, i);
+            if (has_base) add({&base}, way[i], i);
+            if (has_cap) add({&cap}, -way[i], i);
         }
-        for (FlatFace& own : faces) own.is_round = true;
-    }
+    };
+    if (box)
+        for (int i = 0; i < 3; ++i) {
+            const double way = box->opposite[i] - box->corner[i];
+            add({&box->corner}, way, i), add({&box->opposite}, -way, i);
+        }
+    if (cylinder) add_ends(cylinder->base, cylinder->cap, true, true);
+    if (cone) add_ends(cone->base, cone->cap, cone->base_radius > 0, cone->cap_radius > 0);
+    if (const int axis = plane ? axis_of(*plane) : -1; axis >= 0)
+        add({&plane->a, &plane->b, &plane->c}, -plane->normal()[axis], axis);
     return faces;
 }
 
@@ -84,19 +106,26 @@ void keep_faces(Primitive& body) {
     auto* const difference = std::get_if<Difference>(&body.shape);
     if (!difference) return;
     std::vector<Primitive> parts = *difference->parts;
-    const std::vector<FlatFace> own = faces_of(parts[0], glm::dmat4(1));
-    std::vector<bool> grows(own.size());
-    for (std::size_t i = 1; i < parts.size() && !own.empty(); ++i)
+    // An open cylinder or cone is an intersection with planes.
+    if (!std::holds_alternative<Intersection>(parts[0].shape) && faces_of(parts[0], glm::dmat4(1)).empty()) return;
+    std::vector<FlatFace> taken;
+    for (std::size_t i = 1; i < parts.size(); ++i)
         change_leaves(parts[i], glm::dmat4(1), [&](Primitive& leaf, const glm::dmat4& outer) {
-            for (const FlatFace& taken : faces_of(leaf, outer))
-                for (std::size_t k = 0; k < own.size(); ++k)
-                    if (own[k].beside(taken) && own[k].side == taken.side && (taken.is_round || !own[k].is_round))
-                        grows[k] = true;
+            if (std::holds_alternative<Plane>(leaf.shape)) return;
+            std::ranges::move(faces_of(leaf, outer), std::back_inserter(taken));
         });
-    if (std::ranges::none_of(grows, [](bool any) { return any; })) return;
-    for (std::size_t k = 0; k < own.size(); ++k)
-        if (grows[k]) own[k].move_to(own[k].at + own[k].side * hair * (1 + std::fabs(own[k].at)));
-    difference->parts = std::make_shared<const std::vector<Primitive>>(std::move(parts));
+    bool grows = false;
+    change_leaves(parts[0], glm::dmat4(1), [&](Primitive& leaf, const glm::dmat4& outer) {
+        const auto shared = [&](const FlatFace& face) {
+            return std::ranges::any_of(taken, [&](const FlatFace& other) {
+                return face.beside(other) && face.side == other.side &&
+                       (other.is_round || std::holds_alternative<Cuboid>(leaf.shape));
+            });
+        };
+        for (const FlatFace& face : faces_of(leaf, outer))
+            if (shared(face)) face.move_to(face.at + face.side * hair * (1 + std::fabs(face.at))), grows = true;
+    });
+    if (grows) difference->parts = std::make_shared<const std::vector<Primitive>>(std::move(parts));
 }
 
 void settle_faces(Scene& scene) {
@@ -104,11 +133,12 @@ void settle_faces(Scene& scene) {
     std::vector<std::pair<int, double>> planes;
     for (const Primitive& body : scene.primitives) {
         const auto* const plane = std::get_if<Plane>(&body.shape);
-        for (int c = 0; plane && body.transformations.empty() && c < 3; ++c)
-            if (plane->a[c] == plane->b[c] && plane->b[c] == plane->c[c]) planes.emplace_back(c, plane->a[c]);
+        const int axis = plane && body.transformations.empty() ? axis_of(*plane) : -1;
+        if (axis >= 0) planes.emplace_back(axis, plane->a[axis]);
     }
     if (planes.empty() || planes.size() > 100) return;
-    for (Primitive& body : scene.primitives)
+    for (Primitive& body : scene.primitives) {
+        if (std::holds_alternative<Plane>(body.shape)) continue;
         for (const FlatFace& own : faces_of(body, glm::dmat4(1))) {
             bool seen = (eye[own.axis] - own.at) * own.side > 0, within = true;
             for (int c = 0; c < 3; ++c) within &= eye[c] >= own.box.low[c] && eye[c] <= own.box.high[c];
@@ -118,6 +148,7 @@ void settle_faces(Scene& scene) {
                 }))
                 own.move_to(own.at + away * hair * (1 + std::fabs(own.at)));
         }
+    }
 }
 
 }  // namespace strahl::pov

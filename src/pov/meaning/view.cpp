@@ -296,6 +296,7 @@ Scene SceneMaker::make() {
     if (!in.options().as_text) {
         for (Primitive& body : scene.primitives) keep_faces(body);
         settle_faces(scene);
+        scene.settings.passed_over = 1e-4;
         leave_surfaces();
     }
     set_planes();

@@ -30,18 +30,6 @@ S stacks_beyond(const World<Element<S>>& world, MediumStacks& mediums, const S& 
     return after;
 }
 
-/// Returns the number of a surface's material.
-template <class T>
-int material_of(const World<T>& world, int surface) {
-    const ItemReference& reference = world.references[surface];
-    const int form = world.sort_bins[reference.bin].form;
-    int number = 0, material = 0;
-    world.groups.each([&](const auto& group) {
-        if (number++ == form) material = static_cast<int>(group.items[reference.item].material);
-    });
-    return material;
-}
-
 /// Attenuates light that crosses the nearest surfaces, all of one bin, in these lanes, where the rays go on from there.
 /// `way` is how far light has come since the surface before, which surfaces that cast no shadow leave as it is.
 template <class S>
@@ -113,7 +101,13 @@ template <class S>
     Start<S> inside = start;
     S left = distance, way(0);
     for (int i = 0; i < most_surfaces && any(active); ++i) {
-        const Nearest<S> met = nearest(world, own, active, ~BodySet(0));
+        Nearest<S> met = nearest(world, own, active, ~BodySet(0));
+        const S over(world.passed_in_shadows);
+        const Mask<S> close = active & (met.t < over);
+        if (any(close)) {
+            pass_over(world, over, close, own, met);
+            left = select(close, left - over, left), way = select(close, way + over, way);
+        }
         active = active & (met.t < left);
         left = select(active, left - met.t, left), way = select(active, way + met.t, way);
         for (Mask<S> rest = active; any(rest);) {

@@ -135,6 +135,14 @@ void intersect(const World<T>& world, const RayQueue<T>& rays, HitList<T>& hits,
         for (int i = first; i < last; i += width<S>)
             sets[(i - first) / width<S>] = world.bin_per_item ? cull(i, first_lanes<S>(rays.count - i)) : BodySet(0);
         const auto keep = [&](int i, Mask<S> active, Nearest<S> hit) __attribute__((always_inline)) {
+            if (P::passes_touching && world.passed_over > 0) [[unlikely]] {
+                const Mask<S> near = active & (hit.t < S(world.passed_over));
+                if (any(near)) {
+                    Nearest<S> copy = hit;
+                    pass_near(world, rays, i, near, copy);
+                    hit = copy;
+                }
+            }
             if (P::passes_touching && depth > 1) {
                 const Mask<S> touching = active & (hit.t <= touching_distance(pack_of(i).origin));
                 if (any(touching)) [[unlikely]] {

@@ -176,6 +176,18 @@ STRAHL_INLINE Nearest<S> nearest(const World<Element<S>>& world, const Ray<S>& r
     return best;
 }
 
+/// Lets rays start behind what they pass over, in the lanes of `close`, and finds the nearest surfaces from there.
+template <class S>
+[[gnu::noinline]] void pass_over(const World<Element<S>>& world, const S& way, Mask<S> close, Ray<S>& ray,
+                                 Nearest<S>& best) {
+    for (int c = 0; c < 3; ++c) ray.origin[c] = select(close, fma(way, ray.direction[c], ray.origin[c]), ray.origin[c]);
+    ray.source = select(close, S(-1), ray.source);
+    const Nearest<S> behind = nearest(world, ray, close, ~BodySet(0));
+    best.t = select(close, behind.t, best.t);
+    best.surface = select(close, behind.surface, best.surface);
+    best.bin = select(close, behind.bin, best.bin);
+}
+
 /// Attenuates light by the bodies in the hierarchy.
 template <class S>
 STRAHL_INLINE void occlude_in_hierarchy(const World<Element<S>>& world, const Ray<S>& ray, const S& distance,
@@ -294,10 +306,10 @@ template <class S>
     light = {select(suspects, left.share, light.share), select(suspects, left.limit, light.limit)};
 }
 
-/// Returns the share of light that is transmitted, see Visibility.
+/// Returns the share of light that is transmitted by all bodies in its way.
 template <class S>
-[[gnu::noinline]] Vec3<S> visibility(const World<Element<S>>& world, const Ray<S>& ray, const S& distance,
-                                     Mask<S> active, const Start<S>& start) {
+[[gnu::noinline]] Vec3<S> visibility_of_all(const World<Element<S>>& world, const Ray<S>& ray, const S& distance,
+                                            Mask<S> active, const Start<S>& start) {
     const S one(1);
     Transmission<S> light{{one, one, one}, select(active, distance, S(-1))};
     BodySet set = world.bin_per_item ? world.few.occluders[start.light * world.bins + start.bin] & start.only : 0;
@@ -331,6 +343,33 @@ template <class S>
         light = copy;
     }
     return select(light.limit < S(0), Vec3<S>(S(0), S(0), S(0)), light.share);
+}
+
+/// Finds the light of rays of which bodies take some once more, without those that are passed over.
+template <class S>
+[[gnu::noinline]] void look_past(const World<Element<S>>& world, const Ray<S>& ray, const S& distance, Mask<S> dimmed,
+                                 const Start<S>& start, Vec3<S>& share) {
+    const auto any_lost = [](const Vec3<S>& light) {
+        return Mask<S>((light.x < S(1)) | (light.y < S(1)) | (light.z < S(1)));
+    };
+    dimmed = dimmed & any_lost(share);
+    if (none(dimmed)) return;
+    const S way(world.passed_in_shadows);
+    const Mask<S> close = dimmed & any_lost(visibility_of_all(world, ray, min(distance, way), dimmed, start));
+    if (none(close)) return;
+    Ray<S> behind{ray.origin, ray.direction, S(-1)};
+    for (int c = 0; c < 3; ++c) behind.origin[c] = fma(way, ray.direction[c], ray.origin[c]);
+    share = select(close, visibility_of_all(world, behind, distance - way, close, start), share);
+}
+
+/// Returns the share of light that is transmitted, see Visibility.
+template <class S>
+STRAHL_INLINE Vec3<S> visibility(const World<Element<S>>& world, const Ray<S>& ray, const S& distance, Mask<S> active,
+                                 const Start<S>& start) {
+    Vec3<S> share = visibility_of_all(world, ray, distance, active, start);
+    if (world.passed_in_shadows > 0) [[unlikely]]
+        look_past(world, ray, distance, active, start, share);
+    return share;
 }
 
 }  // namespace strahl::inline STRAHL_LEVEL

@@ -124,7 +124,7 @@ STRAHL_INLINE void keep_inside(const Shading<S, P>& shading, const Hit<S>& hit, 
         select(in, refracted.weight, reflected.weight), S(0), P::either(in, refracted.own, reflected.own)};
     const Span<S> span = span_of_item(shading.world, shading.world.sort_bins[hit.bin],
                                       Ray<S>{hit.position, within.direction, hit.surface});
-    within.mask = within.mask & span.hit & (span.far > S(0));
+    within.mask = within.mask & span.hit & (span.far > S(shading.world.passed_over));
     reflected.mask = reflected.mask & (in | !within.mask);
     refracted.mask = refracted.mask & !(in & within.mask);
     compress(queue.t + queue.count, span.far, within.mask);

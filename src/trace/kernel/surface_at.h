@@ -4,6 +4,18 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
+/// Returns the number of a surface's material.
+template <class T>
+int material_of(const World<T>& world, int surface) {
+    const ItemReference& reference = world.references[surface];
+    const int form = world.sort_bins[reference.bin].form;
+    int number = 0, material = 0;
+    world.groups.each([&](const auto& group) {
+        if (number++ == form) material = static_cast<int>(group.items[reference.item].material);
+    });
+    return material;
+}
+
 /// Returns the points where rays first meet the one item of a bin, at distance `t`. Functions that are called get
 /// copies, so that all else can stay in registers.
 template <class S>

@@ -86,4 +86,33 @@ template <class S, class T>
     }
 }
 
+/// Returns false if rays go on straight through a material as if it were not there: that of what clips a body, or of
+/// bodies that not all rays see.
+template <class T>
+bool is_there(const World<T>& world, int material) {
+    if (!world.finishes.list) return true;
+    const FinishKernel<T>& own = world.finishes.list[material];
+    const MaterialKernel<T>& kernel = world.materials[material];
+    const bool nothing =
+        own.ior == 1 && kernel.refraction == 1 && kernel.filter == Vec3<T>(1) && kernel.reflection == 0;
+    return own.seen && own.mirrored && !nothing;
+}
+
+/// Lets rays pass over what is too near to their starts on other surfaces: they then start behind it, and `hit` is what
+/// they meet there. The rays are those of the queue from number `i` on, in the lanes of `near`.
+template <class S, class T>
+[[gnu::noinline]] void pass_near(const World<T>& world, const RayQueue<T>& rays, int i, Mask<S> near, Nearest<S>& hit) {
+    Ray<S> ray = rays_at<S>(rays, i);
+    alignas(64) T starts[width<S>] = {};
+    for (unsigned left = bits(near); left; left &= left - 1) {
+        const int k = std::countr_zero(left), source = static_cast<int>(lane(ray.source, k));
+        starts[k] = source < 0 || is_there(world, material_of(world, source));
+    }
+    near = near & (load_lanes<S>(starts) > S(0));
+    if (none(near)) return;
+    pass_over(world, S(world.passed_over), near, ray, hit);
+    for (int c = 0; c < 3; ++c) store_lanes(rays.origin[c] + i, ray.origin[c]);
+    store_lanes(rays.source + i, ray.source);
+}
+
 }  // namespace strahl::inline STRAHL_LEVEL

@@ -263,6 +263,12 @@ WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, Thre
 
     add_items(scene, placement, pool, proves);
     world.rounding = static_cast<T>(rounding(reach));
+    // Where rounding is as large rays would meet the surface again that they start on.
+    const double passed_over = scene.settings.passed_over * placement.scale;
+    if (!proves && passed_over > 1024 * std::numeric_limits<T>::epsilon() * reach) {
+        world.passed_over = static_cast<T>(passed_over);
+        world.passed_in_shadows = static_cast<T>(10 * passed_over);
+    }
     arrange_items(pool);
     add_composites(scene, placement, pool, proves);
     fill_groups();

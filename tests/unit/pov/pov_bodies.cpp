@@ -40,6 +40,13 @@ TEST_CASE("POV-Ray: a difference keeps the faces that its parts share") {
     CHECK(grown.opposite.x == 4);
     CHECK(std::get<Cuboid>(first("box { 0, 4 } cylinder { <1, 1, 1>, <1, 5, 1>, .5 translate -y }")).opposite.y > 4);
     CHECK(std::get<Cylinder>(first("cylinder { 0, 3*y, 2 } cylinder { y, 3*y, 1 }")).cap.y > 3);
+    CHECK(std::get<Cone>(first("cone { 0, 1, 3*y, 2 } cone { y, .5, 3*y, 1 }")).cap.y > 3);
+    CHECK(std::get<Plane>(first("plane { y, 3 } cylinder { y, 3*y, 1 }")).a.y > 3);
+    const Shape open = first("cylinder { 0, 3*y, 2 open } cone { y, .5, 3*y, 1 }");
+    CHECK(std::ranges::any_of(*std::get<Intersection>(open).parts, [](const Primitive& part) {
+        const auto* const plane = std::get_if<Plane>(&part.shape);
+        return plane && plane->a.y > 3 && plane->a.y < 3 + 1e-7;
+    }));
     // Faces beside each other, or that face each other, stay.
     CHECK(first("box { 0, 4 } box { <6, 1, 1>, <7, 4, 2> }") == Shape(Cuboid{DVec3(0), DVec3(4)}));
     CHECK(first("box { 0, 4 } box { <1, 4, 1>, <2, 5, 2> }") == Shape(Cuboid{DVec3(0), DVec3(4)}));
