@@ -124,6 +124,16 @@ inline std::string sentence(const Blob& blob) {
     return text + "\n  sturm";
 }
 
+/// The same of a sweep.
+inline std::string sentence(const SphereSweep& sweep) {
+    const std::vector<SweptBall>& balls = sweep.data->balls;
+    std::string text = "sphere_sweep { ";
+    text += balls[0].through ? "cubic_spline, " : "b_spline, ";
+    text += std::to_string(balls.size());
+    for (const SweptBall& own : balls) text += ",\n  " + text_of(own.centre) + ", " + text_of(own.radius);
+    return text + " tolerance 1e-6";
+}
+
 /// Returns a simple body without its closing brace, in the shape's own space.
 inline std::string sentence(const Shape& shape) {
     const auto join = [](const char* keyword, const auto& first, const auto&... more) {

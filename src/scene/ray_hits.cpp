@@ -86,9 +86,9 @@ void add_crossings(std::vector<RayHit>& all, const Primitive& leaf, int number, 
                 const glm::dmat4 back = glm::inverse(to_world);
                 const Ray<double> own{transform_point(back, ray.origin), glm::dmat3(back) * ray.direction, {}};
                 met_by(kind, own, trees).template emit<double>(there, look);
-            } else if constexpr (std::is_same_v<Kind, Blob>) {
+            } else if constexpr (lists_crossings<Kind> && !has_contours<Kind>) {
                 kind.template emit<double>(there, [&](const auto& kernel) {
-                    const LumpPiece* const pieces = kind.data->pieces.data();
+                    const auto* const pieces = kind.data->pieces.data();
                     kernel.each_crossing(pieces, BlobData::unlimited, ray, -1., true, [&](bool, double t, double) {
                         if (t > from && std::isfinite(t))
                             all.push_back({t, kernel.at(pieces, ray, t).normal, number, 0});

@@ -33,6 +33,8 @@ template <>
 constexpr auto words_in<Lathe> = words_in<Prism>;
 template <>
 constexpr auto words_in<Blob> = joined(blob_words, shape_words);
+template <>
+constexpr auto words_in<SphereSweep> = joined(sweep_words, shape_words);
 template <Operation operation>
 constexpr auto words_in<Composite<operation>> = composite_words;
 
@@ -265,6 +267,7 @@ void Parser::shape(std::string_view word, std::vector<Primitive>& bodies, Block&
     std::vector<Primitive> parts;
     std::vector<Contour> contours;
     std::vector<Lump> lumps;
+    std::vector<SweptBall> balls;
     reader.block(
         block, words_in<Kind>, [&] { read_arguments(reader, kind, block); },
         [&](std::string_view inner) {
@@ -272,7 +275,12 @@ void Parser::shape(std::string_view word, std::vector<Primitive>& bodies, Block&
             if (has_contours<Kind> && inner == figure_words[0])
                 return contours.push_back(read_contour(reader, inner, block)), true;
             if (std::is_same_v<Kind, Blob> && inner == blob_words[0])
-                return lumps.push_back(read_lump(reader, inner, block)), true;
+                return lumps.push_back(read_part<Lump>(reader, inner, block)), true;
+            if (std::is_same_v<Kind, SphereSweep> && contains(sweep_words, inner)) {
+                balls.push_back(read_part<SweptBall>(reader, inner, block));
+                balls.back().through = inner == sweep_words[0];
+                return true;
+            }
             if (is_composite<Kind> && (body(inner, parts, block, depth + 1) || use(inner, parts, block, depth + 1)))
                 return true;
             return finish(inner, primitive, block, ending);
@@ -281,6 +289,7 @@ void Parser::shape(std::string_view word, std::vector<Primitive>& bodies, Block&
     if constexpr (has_contours<Kind>)
         kind.data = std::make_shared<const ContourData>(std::move(contours), std::is_same_v<Kind, Lathe>);
     if constexpr (std::is_same_v<Kind, Blob>) kind.data = std::make_shared<const BlobData>(std::move(lumps));
+    if constexpr (std::is_same_v<Kind, SphereSweep>) kind.data = std::make_shared<const SweepData>(std::move(balls));
     if constexpr (is_composite<Kind>) kind.parts = std::make_shared<const std::vector<Primitive>>(std::move(parts));
     if (block.good()) check(kind, primitive, block, word, ending, depth);
     outer.absorb(block);

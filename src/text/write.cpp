@@ -95,6 +95,12 @@ std::string shape_text(const Blob& blob) {
     for (const Lump& own : blob.data->lumps) text += "\n  " + arguments_text(blob_words[0], own) + " }";
     return text;
 }
+std::string shape_text(const SphereSweep& sweep) {
+    std::string text = std::string(SphereSweep::name) + " {";
+    for (const SweptBall& own : sweep.data->balls)
+        text += "\n  " + arguments_text(sweep_words[own.through ? 0 : 1], own) + " }";
+    return text;
+}
 std::string shape_text(const Mesh& mesh) {
     if (!mesh.file.empty()) return std::string(Mesh::name) + " { file \"" + mesh.file + "\"";
     std::string text(Mesh::name);

@@ -14,6 +14,7 @@
 #include "tests/referee/pattern.h"
 #include "tests/referee/prism.h"
 #include "tests/referee/superellipsoid.h"
+#include "tests/referee/sweep.h"
 #include "tests/referee/torus.h"
 #include "tests/referee/triangle.h"
 

@@ -84,15 +84,18 @@ Shape any_kind(Dice& dice, std::type_identity<std::variant<Kinds...>>) {
         do std::apply([&](const auto&... field) { (fill(body.*field.member), ...); }, Kind::fields);
         while (body.fault() || !in_range(body));
         if constexpr (std::is_same_v<Kind, Superellipsoid>)
-            if (body.e > .5) return random_blob(dice);
+            if (body.e > .5) return dice.chance(.5) ? Shape(random_blob(dice)) : Shape(random_sweep(dice));
         return body;
     };
     Shape shape;
     do {
-        // Blobs take the place of rounder superellipsoids: all other scenes are as they were before there were blobs.
-        const int wanted = dice.upto(sizeof...(Kinds) - 2);
+        // Blobs and sweeps take the place of rounder superellipsoids: all other scenes are as they were before.
+        constexpr auto listed = []<class Kind>(Kind) {
+            return !std::is_same_v<Kind, Blob> && !std::is_same_v<Kind, SphereSweep>;
+        };
+        const int wanted = dice.upto(sizeof...(Kinds) - 3);
         int number = 0;
-        ((!std::is_same_v<Kinds, Blob> && number++ == wanted ? void(shape = make(Kinds{})) : void()), ...);
+        ((listed(Kinds{}) && number++ == wanted ? void(shape = make(Kinds{})) : void()), ...);
     } while (!std::visit([](const auto& body) { return body.bounded; }, shape));
     return shape;
 }
@@ -206,6 +209,14 @@ Blob random_blob(Dice& dice) {
         if (dice.chance(.3)) own.x = dice.in(.6, 1.5) * own.x, own.y = {dice.in(-.4, .4), 1, dice.in(-.4, .4)};
     }
     return {dice.in(.3, .6), std::make_shared<const BlobData>(std::move(lumps))};
+}
+
+SphereSweep random_sweep(Dice& dice) {
+    std::vector<SweptBall> balls(4 + static_cast<std::size_t>(dice.upto(4)));
+    const bool through = dice.chance(.5), even = dice.chance(.5);
+    const double radius = dice.in(.05, .4);
+    for (SweptBall& own : balls) own = {dice.vector(-1.2, 1.2), even ? radius : dice.in(.05, .4), through};
+    return {std::make_shared<const SweepData>(std::move(balls))};
 }
 
 Scene random_scene(std::uint64_t seed, const RandomScene& what) {

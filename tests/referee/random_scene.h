@@ -29,5 +29,7 @@ Prism random_prism(Dice& dice);
 Lathe random_lathe(Dice& dice);
 /// A blob of balls and lines, some of them stretched, and some that take away.
 Blob random_blob(Dice& dice);
+/// A sweep of either sort, through balls of one radius or of several.
+SphereSweep random_sweep(Dice& dice);
 
 }  // namespace strahl

@@ -42,6 +42,11 @@ struct Mirroring {
         }
         own.data = std::make_shared<const BlobData>(std::move(lumps));
     }
+    void operator()(SphereSweep& own) const {
+        std::vector<SweptBall> balls = own.data->balls;
+        for (SweptBall& ball : balls) turn(ball.centre);
+        own.data = std::make_shared<const SweepData>(std::move(balls));
+    }
     template <class Kind>
     void operator()(Kind&) const {}
 };
@@ -234,6 +239,7 @@ std::optional<SceneMaker::Part> SceneMaker::build(const ObjectThing& object, con
             std::shared_ptr<const void> shared;
             if (const auto* const own = std::get_if<Mesh>(&shape)) shared = own->data;
             if (const auto* const own = std::get_if<Blob>(&shape)) shared = own->data;
+            if (const auto* const own = std::get_if<SphereSweep>(&shape)) shared = own->data;
             if (!shared) {
                 shape = mirrored_shape(shape);
             } else {

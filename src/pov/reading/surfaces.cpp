@@ -304,46 +304,35 @@ bool PovReader::read_surface(Interpreter& in, std::uint16_t code, ObjectThing& o
             return true;
         }
         case word("sphere_sweep"): {
-            enum {
-                linear,
-                cubic,
-                b_spline
-            } kind = in.accept("cubic_spline") ? cubic
-                     : in.accept("b_spline")   ? b_spline
-                                               : linear;
-            in.accept("linear_spline");
+            const bool through = in.accept("cubic_spline"), linear = !through && !in.accept("b_spline");
+            if (linear) in.accept("linear_spline");
             in.skip_comma();
             const int count = in.read_integer();
-            std::vector<std::pair<DVec3, double>> given, balls;
+            std::vector<SweptBall> balls;
             for (int i = 0; i < count; ++i) {
                 in.skip_comma();
                 const DVec3 centre = in.read_vector();
                 in.skip_comma();
-                given.emplace_back(centre, in.read_number());
+                balls.push_back({centre, in.read_number(), through});
             }
             if (in.accept("tolerance")) in.read_number();
-            if (kind == linear) balls = given;
-            for (std::size_t i = 0; kind != linear && i + 3 < given.size(); ++i)
-                for (int k = i == 0 ? 0 : 1; k <= 8; ++k) {
-                    const double t = k / 8., s = 1 - t;
-                    const std::array<double, 4> w =
-                        kind == cubic ? std::array{-.5 * s * s * t, 1 - 2.5 * t * t + 1.5 * t * t * t,
-                                                   1 - 2.5 * s * s + 1.5 * s * s * s, -.5 * t * t * s}
-                                      : std::array{s * s * s / 6, (4 - 6 * t * t + 3 * t * t * t) / 6,
-                                                   (4 - 6 * s * s + 3 * s * s * s) / 6, t * t * t / 6};
-                    std::pair<DVec3, double> ball{DVec3(0), 0};
-                    for (std::size_t n = 0; n < 4; ++n)
-                        ball.first += w[n] * given[i + n].first, ball.second += w[n] * given[i + n].second;
-                    balls.push_back(ball);
-                }
-            if (kind != linear) object.approximated("'sphere_sweep' is of straight pieces");
+            if (!linear) {
+                const SphereSweep sweep{std::make_shared<const SweepData>(std::move(balls))};
+                if (const char* const fault = sweep.fault())
+                    object.left_out(std::string("a sphere_sweep: ") + fault);
+                else
+                    object.kind = ObjectKind::shape, object.shape = sweep;
+                return true;
+            }
             object.kind = ObjectKind::unite;
             for (std::size_t i = 0; i < balls.size(); ++i) {
-                const auto& [centre, radius] = balls[i];
+                const DVec3& centre = balls[i].centre;
+                const double radius = balls[i].radius;
                 if (radius > 0) object.parts.push_back(part_of(object, Sphere{centre, radius}));
                 if (i == 0) continue;
-                const auto& [before, first] = balls[i - 1];
-                const double away = length(centre - before), sine = (first - radius) / away;
+                const DVec3& before = balls[i - 1].centre;
+                const double first = balls[i - 1].radius, away = length(centre - before),
+                             sine = (first - radius) / away;
                 if (!(std::fabs(sine) < 1)) continue;
                 // The cone touches both balls where its sides are at right angles to their radii.
                 const double cosine = std::sqrt(1 - sine * sine);

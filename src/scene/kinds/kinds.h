@@ -17,13 +17,14 @@
 #include "scene/kinds/smooth_triangle.h"
 #include "scene/kinds/sphere.h"
 #include "scene/kinds/superellipsoid.h"
+#include "scene/kinds/sweep/sweep.h"
 #include "scene/kinds/torus.h"
 #include "scene/kinds/triangle.h"
 
 namespace strahl {
 
 using Shape = std::variant<Sphere, Plane, Cylinder, Cone, Cuboid, Disc, Torus, Prism, Lathe, Superellipsoid, Blob,
-                           Triangle, SmoothTriangle, Mesh, Union, Intersection, Difference>;
+                           SphereSweep, Triangle, SmoothTriangle, Mesh, Union, Intersection, Difference>;
 
 /// Can it be a part of a composite? Meshes can if they are closed.
 bool fits_composite(const Shape& shape);

@@ -26,12 +26,8 @@ struct LatheKernel : ContourKernel<T> {
         Mask<V> starts = lanes & (start >= zero) & (start < V(count));
         lanes = lanes & (starts | box.may_meet(ray));
         if (none(lanes)) return;
-        const Vec3<V> origin = turn(ray.origin - splat<V>(centre)), way = turn(ray.direction);
-        const V per = one / sqrt(dot(way, way));
-        const Vec3<V> unit = scale(per, way);
-        // Counts places from where the line is nearest to the centre: there they have the most digits.
-        const V shift = select(starts, zero, -dot(origin, unit));
-        const auto line = LineAroundAxis<V>::of(fma(shift, unit, origin), unit);
+        const auto [nearest, unit, shift, per] = this->own_line(ray, starts);
+        const auto line = LineAroundAxis<V>::of(nearest, unit);
         lanes = lanes & (starts | line.meets(V(R(1.001)), V(R(1.001))));
         // A ray that starts on a piece leaves out the place nearest to its start, on this piece or else another:
         // rounding may have moved the start over an edge.

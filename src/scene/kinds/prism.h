@@ -11,6 +11,15 @@
 
 namespace strahl {
 
+/// A line in the space of a body, by the place where it is nearest to the middle, or where it starts: there places have
+/// the most digits. Places count from there, in that space's units; shift + place is how far from the origin they are,
+/// and times `per` in the units of the ray.
+template <class V>
+struct OwnLine {
+    Vec3<V> nearest, unit;
+    V shift, per;
+};
+
 /// A body with contours, in a space of its own: own = rows * (world - centre). The world holds the pieces of all such
 /// bodies, and those of this one are `count` from number `first` on.
 template <class T>
@@ -22,6 +31,16 @@ struct ContourKernel {
     template <class V>
     STRAHL_INLINE Vec3<V> turn(const Vec3<V>& v) const {
         return {dot(splat<V>(row_x), v), dot(splat<V>(row_y), v), dot(splat<V>(row_z), v)};
+    }
+    /// Returns the lines of rays, which count from where these start in the lanes of `starts`.
+    template <class V>
+    STRAHL_INLINE OwnLine<V> own_line(const Ray<V>& ray, Mask<V> starts) const {
+        const V zero(0), one(1);
+        const Vec3<V> origin = turn(ray.origin - splat<V>(centre)), way = turn(ray.direction);
+        const V per = one / sqrt(dot(way, way));
+        const Vec3<V> unit = scale(per, way);
+        const V shift = select(starts, zero, -dot(origin, unit));
+        return {fma(shift, unit, origin), unit, shift, per};
     }
     /// Returns a normal in the world, of length 1.
     template <class S>

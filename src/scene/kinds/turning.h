@@ -33,9 +33,9 @@ struct LineAroundAxis {
 
 /// Polynomials of degree `degree` between two places by Bernstein's coefficients, one in each of `lanes`. Their signs
 /// at the ends are known better than these tell.
-template <class V>
+template <class V, std::size_t size = 7>
 struct BernsteinPart {
-    std::array<V, 7> c;
+    std::array<V, size> c;
     V low, high;
     Mask<V> above_low, above_high, lanes;
     int depth = 0;  // how often it was halved
@@ -65,15 +65,15 @@ struct BernsteinPart {
 /// Calls found(part) for parts in whose lanes the polynomial has one zero, by Descartes' rule of signs: there are at
 /// most as many as its coefficients change their signs. above_at(place) tells whether it is above 0 there. Two zeros
 /// that rounding, up to `noise`, hides from each other are left out.
-template <class V, class AboveAt, class Found>
-STRAHL_INLINE void isolate_zeros(const BernsteinPart<V>& whole, int degree, V noise, const AboveAt& above_at,
+template <class V, std::size_t size, class AboveAt, class Found>
+STRAHL_INLINE void isolate_zeros(const BernsteinPart<V, size>& whole, int degree, V noise, const AboveAt& above_at,
                                  const Found& found) {
     constexpr int deepest = 40, most_cuts = 100;  // a line in the surface has zeros everywhere
-    Room<BernsteinPart<V>, deepest + 1> waiting;
+    Room<BernsteinPart<V, size>, deepest + 1> waiting;
     waiting[0] = whole;
     V cuts(0);
     for (int count = 1; count > 0;) {
-        BernsteinPart<V> part = waiting[--count];
+        BernsteinPart<V, size> part = waiting[--count];
         V changes(0);
         Mask<V> above = part.above_low;
         const auto meet = [&](Mask<V> known, Mask<V> next) __attribute__((always_inline)) {
@@ -91,7 +91,7 @@ STRAHL_INLINE void isolate_zeros(const BernsteinPart<V>& whole, int degree, V no
         const V middle = (part.low + part.high) / V(2);
         cuts = select(several, cuts + V(1), cuts);
         ++part.depth, part.lanes = several;
-        const BernsteinPart<V> before = part.cut(degree, middle, above_at(middle), several);
+        const BernsteinPart<V, size> before = part.cut(degree, middle, above_at(middle), several);
         waiting[count++] = part, waiting[count++] = before;
     }
 }

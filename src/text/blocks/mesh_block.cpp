@@ -117,16 +117,6 @@ Contour read_contour(BlockReader& reader, std::string_view word, Block& block) {
     return contour;
 }
 
-Lump read_lump(BlockReader& reader, std::string_view word, Block& block) {
-    Lump lump;
-    Block own{word};
-    reader.block(
-        own, std::array<std::string_view, 0>{}, [&] { read_arguments(reader, lump, own); },
-        [](std::string_view) { return false; });
-    block.absorb(own);
-    return lump;
-}
-
 std::string open_mesh_fault(const Mesh& mesh) {
     const auto side = open_side(*mesh.data);
     if (!side) return "";

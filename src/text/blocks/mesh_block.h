@@ -1,12 +1,11 @@
 // Reads the contents of a `mesh` block: triangles, or the name of a file; the contours of a `prism` or a
-// `lathe`, and the lumps of a `blob`.
+// `lathe`, and the parts of a `blob` or a `sphere_sweep`.
 #pragma once
 #include <array>
 #include <memory>
 #include <string>
 
 #include "mesh/join.h"
-#include "scene/kinds/blob/blob.h"
 #include "scene/kinds/composite.h"
 #include "scene/kinds/lathe.h"
 #include "scene/kinds/mesh.h"
@@ -55,8 +54,17 @@ class MeshBlock {
 
 /// Reads the block of a contour.
 Contour read_contour(BlockReader& reader, std::string_view word, Block& block);
-/// Reads the block of a lump.
-Lump read_lump(BlockReader& reader, std::string_view word, Block& block);
+/// Reads the block of a part: a lump, or a ball of a sweep.
+template <class Part>
+Part read_part(BlockReader& reader, std::string_view word, Block& block) {
+    Part part;
+    Block own{word};
+    reader.block(
+        own, std::array<std::string_view, 0>{}, [&] { read_arguments(reader, part, own); },
+        [](std::string_view) { return false; });
+    block.absorb(own);
+    return part;
+}
 
 /// Why a body of this word cannot be part of another one; empty if it can.
 std::string open_mesh_fault(const Mesh& mesh);

@@ -18,7 +18,7 @@ using Rows = std::vector<WordHelp>;
 std::string code(std::string_view word) { return std::string("`").append(word).append("`"); }
 
 /// Describes words that no list of parameters does, or not alone.
-constexpr std::array<std::pair<std::string_view, const char*>, 37> meanings{{
+constexpr std::array<std::pair<std::string_view, const char*>, 40> meanings{{
     {"camera", "where the eye is, and how it looks; a scene has exactly one"},
     {"light", "a point, a spotlight, parallel light or a rectangle of light"},
     {"material", "changes the parameters that it names of the material in force; `material NAME` is one by `define`"},
@@ -50,6 +50,9 @@ constexpr std::array<std::pair<std::string_view, const char*>, 37> meanings{{
     {"curve", "goes on along a curve of Bezier's, which has one or two control points: `curve <control point>, <end>`"},
     {"blob", "lumps that melt into each other: all points where the fields of these add up to more than a threshold"},
     {"lump", "a ball or what is around a line: `lump { <from>, <to>, radius, strength }`"},
+    {"sphere_sweep", "what a ball fills on its way along a curve, which four or more balls lead"},
+    {"through", "a ball that the curve goes through, but for the first and the last: `through { <centre>, radius }`"},
+    {"towards", "a ball that the curve only comes near to: `towards { <centre>, radius }`"},
     {"mesh", "a body made of triangles"},
     {"file", "a PLY, OBJ or STL file of triangles, relative to the scene's folder: `file \"NAME\"`"},
     {"triangle", "a flat triangle"},
@@ -107,15 +110,16 @@ Rows body_rows() {
         if constexpr (has_contours<Kind>)
             rows.push_back(
                 {"contour", "", "blocks of a start, then `line`s and `curve`s", "its contours, one or more"});
-        if constexpr (std::is_same_v<Kind, Blob>)
-            std::apply(
-                [&](const auto&... field) {
-                    (rows.push_back({std::string(field.given == Given::optional ? "[lump: " : "lump: ") + field.name +
-                                         (field.given == Given::optional ? "]" : ""),
-                                     "", argument_range(field.range).words, field.help}),
-                     ...);
-                },
-                Lump::fields);
+        const auto add_part = [&](const std::string& word, const auto& fields) {
+            const auto add_field = [&](const auto& field) {
+                const std::string own = word + ": " + field.name;
+                rows.push_back({field.given == Given::optional ? "[" + own + "]" : own, "",
+                                argument_range(field.range).words, field.help});
+            };
+            std::apply([&](const auto&... field) { (add_field(field), ...); }, fields);
+        };
+        if constexpr (std::is_same_v<Kind, Blob>) add_part("lump", Lump::fields);
+        if constexpr (std::is_same_v<Kind, SphereSweep>) add_part("through or towards", SweptBall::fields);
         return rows;
     }
 }
@@ -199,6 +203,7 @@ std::vector<std::string> words_in(std::string_view block, std::string_view outer
     if (block == Mesh::name) add(mesh_words);
     if (block == Prism::name || block == Lathe::name) add(figure_words);
     if (block == Blob::name) add(blob_words);
+    if (block == SphereSweep::name) add(sweep_words);
     if (block == figure_words[0]) return add(contour_words), words;
     if (outer == Mesh::name) return add(triangle_words), words;
     if (pattern && contains(bump_words, block)) words.emplace_back("height");

@@ -1,4 +1,4 @@
-// Ray queries on bodies with contours, which have faces for each of their pieces, and on blobs.
+// Ray queries on bodies with contours, which have faces for each of their pieces, and on blobs and sweeps.
 #pragma once
 #include <bit>
 
@@ -81,8 +81,10 @@ struct FormFunctions<OwnForm, S> : SingleByPack<FormFunctions<OwnForm, S>, S> {
     static auto first_piece(const World<T>& world, const Item<OwnForm, T>& item) {
         if constexpr (has_contours<typename OwnForm::Kind>)
             return world.contour_pieces + static_cast<int>(item.shape.first);
-        else
+        else if constexpr (std::is_same_v<typename OwnForm::Kind, Blob>)
             return world.lump_pieces + static_cast<int>(item.shape.first);
+        else
+            return world.sweep_pieces + static_cast<int>(item.shape.first);
     }
     /// Returns the pieces of faces, of bodies with these first pieces; for caps the first piece.
     static ContourPiece<S> pieces_of(const ContourPiece<T>* pieces, const S& first, const S& face) {
@@ -101,9 +103,7 @@ struct FormFunctions<OwnForm, S> : SingleByPack<FormFunctions<OwnForm, S>, S> {
         const auto* const pieces = first_piece(world, item);
         const S surface(item.surface), start = ray.source - surface;
         const auto visit_face = [&](Mask<S> lanes, const S& t, const S& face) { visit(lanes, t, S(surface + face)); };
-        if constexpr (!has_contours<typename OwnForm::Kind>) {
-            item.shape.each_crossing(pieces, enough, ray, start, mask, visit_face);
-        } else if constexpr (requires { OwnForm::template Kernel<T>::in_double; }) {
+        if constexpr (requires { OwnForm::template Kernel<T>::in_double; }) {
             using V = Doubles<S>;
             for (int part = 0; part < width<S> / width<V>; ++part) {
                 const int first = part * width<V>;
@@ -116,6 +116,8 @@ struct FormFunctions<OwnForm, S> : SingleByPack<FormFunctions<OwnForm, S>, S> {
                                          Ray<V>{doubles_of(ray.origin, part), doubles_of(ray.direction, part), V(0)},
                                          doubles_of(start, part), own, visit_lanes);
             }
+        } else if constexpr (!has_contours<typename OwnForm::Kind>) {
+            item.shape.each_crossing(pieces, enough, ray, start, mask, visit_face);
         } else {
             const S last(T(item.shape.face_count() - 1));
             const auto piece_of = [&](const S& face) { return pieces_of(pieces, S(0), S(min(face, last))); };

@@ -28,8 +28,8 @@ struct LeafEnds {
     int list;  // of a leaf whose crossings are listed: the number of the list
 };
 
-/// Lists where rays cross the triangles of a mesh, or a body with contours or a blob, beyond some distance: the nearest
-/// places, ascending, at infinity if there are fewer, each with the least number of the surfaces there.
+/// Lists where rays cross the triangles of a mesh, or a body whose crossings are listed, beyond some distance: the
+/// nearest places, ascending, at infinity if there are fewer, each with the least number of the surfaces there.
 template <class S>
 struct MeshCrossings {
     using T = Element<S>;

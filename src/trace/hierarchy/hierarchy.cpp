@@ -21,11 +21,12 @@ constexpr int deepest_cut = 30;      // from this depth on, in the middle: 2^30 
 constexpr int shared_items = 16384;  // more than these are cut by a grid, by all threads together,
 constexpr int few_cells = 128;       // until a part has no more cells than these
 constexpr int chunk_items = 8192;    // a thread's piece of other work on all items
-// A ray asks all parts of a composite and all pieces of a contour or a blob: each of these bodies has a leaf, and so a
-// box, of its own.
+// A ray asks all parts of a composite and all pieces of a contour, a blob or a sweep: each of these bodies has a leaf,
+// and so a box, of its own.
 constexpr bool alone(int form) {
     return form == place_of<Form<Union, 0>>(Forms{}) || form == place_of<Form<Prism, 0>>(Forms{}) ||
-           form == place_of<Form<Lathe, 0>>(Forms{}) || form == place_of<Form<Blob, 0>>(Forms{});
+           form == place_of<Form<Lathe, 0>>(Forms{}) || form == place_of<Form<Blob, 0>>(Forms{}) ||
+           form == place_of<Form<SphereSweep, 0>>(Forms{});
 }
 constexpr bool triangles(int form) {
     return form == place_of<Form<Triangle, 0>>(Forms{}) || form == place_of<Form<SmoothTriangle, 0>>(Forms{});

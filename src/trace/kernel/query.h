@@ -359,7 +359,7 @@ template <class S>
     if (none(close)) return;
     Ray<S> behind{ray.origin, ray.direction, S(-1)};
     for (int c = 0; c < 3; ++c) behind.origin[c] = fma(way, ray.direction[c], ray.origin[c]);
-    share = select(close, visibility_of_all(world, behind, distance - way, close, start), share);
+    share = select(close, visibility_of_all(world, behind, max(distance - way, S(0)), close, start), share);
 }
 
 /// Returns the share of light that is transmitted, see Visibility.

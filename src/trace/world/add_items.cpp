@@ -48,24 +48,26 @@ bool may_have_pieces(const std::array<FormItems<T>, Forms::size>& forms, FormLis
 
 }  // namespace
 
-/// Adds the pieces of contours and lumps, those that bodies share once. Most worlds have none, and to look at a million
-/// bodies takes one thread a tenth of the time of building.
+/// Adds the pieces of contours, lumps and sweeps, those that bodies share once. Most worlds have none, and to look at a
+/// million bodies takes one thread a tenth of the time of building.
 template <class T>
 void WorldArrays<T>::add_pieces(const Scene& scene) {
     if (!may_have_pieces(forms, Forms{})) return;
     for (const Primitive& primitive : scene.primitives)
         for_each_leaf(primitive, [&](const Primitive& leaf, const glm::dmat4&) {
-            if (const auto* const blob = std::get_if<Blob>(&leaf.shape)) {
-                const auto& own = blob->data->pieces;
-                if (first_pieces.try_emplace(blob->data.get(), T(lump_pieces.size())).second)
-                    lump_pieces.insert(lump_pieces.end(), own.begin(), own.end());
-            }
+            const auto add = [&](const auto& data, auto& all) {
+                if (first_pieces.try_emplace(data.get(), T(all.size())).second)
+                    all.insert(all.end(), data->pieces.begin(), data->pieces.end());
+            };
+            if (const auto* const blob = std::get_if<Blob>(&leaf.shape)) add(blob->data, lump_pieces);
+            if (const auto* const sweep = std::get_if<SphereSweep>(&leaf.shape)) add(sweep->data, sweep_pieces);
             const ContourData* const own = contours_of(leaf.shape);
             if (!own || !first_pieces.try_emplace(own, T(contour_pieces.size())).second) return;
             for (const auto& [ax, ay, cx, cy, hx, hy, ex, ey, dx, dy] : own->pieces)
                 contour_pieces.push_back({T(ax), T(ay), T(cx), T(cy), T(hx), T(hy), T(ex), T(ey), T(dx), T(dy)});
         });
     world.contour_pieces = contour_pieces.data(), world.lump_pieces = lump_pieces.data();
+    world.sweep_pieces = sweep_pieces.data();
 }
 
 template <class T>

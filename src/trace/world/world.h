@@ -279,6 +279,7 @@ struct World {
     CompositeTables<T> composites;
     const ContourPiece<T>* contour_pieces = nullptr;  // of all contours
     const LumpPiece* lump_pieces = nullptr;           // of all blobs
+    const SweepPiece* sweep_pieces = nullptr;         // of all sweeps
     PatternTables<T> patterns;
     MediumTables<T> media;
     FinishTables<T> finishes;

@@ -158,8 +158,9 @@ struct WorldArrays {
     std::vector<LightKernel<T>> lights;
     FewBodiesArrays<T> few;
     CompositeArrays<T> composites;
-    std::vector<ContourPiece<T>> contour_pieces;  // of all contours and blobs, and where those of each begin
+    std::vector<ContourPiece<T>> contour_pieces;  // of all contours, blobs and sweeps, and where those of each begin
     std::vector<LumpPiece> lump_pieces;
+    std::vector<SweepPiece> sweep_pieces;
     std::unordered_map<const void*, T> first_pieces;
     PatternArrays<T> patterns;
     MediumArrays<T> media;
@@ -178,7 +179,7 @@ struct WorldArrays {
     static double rounding(double furthest) { return 32 * culling_unit<T> * furthest; }
     // add_items.cpp
     void add_pieces(const Scene& scene);
-    /// Returns the number of the first piece of a body with contours, or of a blob.
+    /// Returns the number of the first piece of a body with contours, of a blob or of a sweep.
     T first_piece_of(const Shape& shape) const {
         return std::visit(
             [&]<class Kind>(const Kind& kind) {

@@ -48,7 +48,7 @@ class DegenerateBodies {
             case 12:
                 return make(Lathe{});
             case 13:
-                return dice.chance(.5) ? make(Superellipsoid{}) : make(Blob{});
+                return dice.chance(.4) ? make(Superellipsoid{}) : dice.chance(.5) ? make(Blob{}) : make(SphereSweep{});
             default:
                 return composite();
         }
@@ -158,6 +158,15 @@ class DegenerateBodies {
             if (dice.chance(.2)) own.z = length() * own.z;
         }
         return Blob{.5, std::make_shared<const BlobData>(std::move(lumps))};
+    }
+    Shape make(const SphereSweep&) {
+        // Balls may be in one place, tiny, or without a radius; between two far ones the path is long and thin.
+        std::vector<SweptBall> balls(4 + static_cast<std::size_t>(dice.upto(2)));
+        const bool through = dice.chance(.5);
+        for (SweptBall& own : balls)
+            own = {dice.chance(.2) ? balls[0].centre : place(), dice.chance(.1) ? 0 : length(), through};
+        balls[1].radius = dice.in(.3, 1);
+        return SphereSweep{std::make_shared<const SweepData>(std::move(balls))};
     }
     Shape make(const Mesh&) {
         MeshData data = *Mesh::tetrahedron();

@@ -57,12 +57,16 @@ Kind Wild::body() {
 }
 template <class... Kinds>
 Shape Wild::shape(std::type_identity<std::variant<Kinds...>>) {
-    // Blobs take turns with superellipsoids: scenes with neither are as they were before there were blobs.
-    const int wanted = dice.upto(sizeof...(Kinds) - 2);
+    // Blobs and sweeps take turns with superellipsoids: scenes with none of these are as they were before.
+    constexpr auto listed = []<class Kind>(Kind) {
+        return !std::is_same_v<Kind, Blob> && !std::is_same_v<Kind, SphereSweep>;
+    };
+    const int wanted = dice.upto(sizeof...(Kinds) - 3);
     int number = 0;
     Shape shape;
-    ((!std::is_same_v<Kinds, Blob> && number++ == wanted ? void(shape = body<Kinds>()) : void()), ...);
-    if (std::holds_alternative<Superellipsoid>(shape) && dice.chance(.5)) shape = body<Blob>();
+    ((listed(Kinds{}) && number++ == wanted ? void(shape = body<Kinds>()) : void()), ...);
+    if (std::holds_alternative<Superellipsoid>(shape) && dice.chance(.5))
+        dice.chance(.5) ? void(shape = body<Blob>()) : void(shape = body<SphereSweep>());
     return shape;
 }
 

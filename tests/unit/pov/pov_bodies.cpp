@@ -597,6 +597,27 @@ TEST_CASE("POV-Ray: paraboloids and hyperboloids are lathes") {
     CHECK(says(notes_of("\nquadric { <-1, -1, 1>, 0, 0, 1 }"), "approximated: 'quadric' is a mesh of flat pieces"));
 }
 
+TEST_CASE("POV-Ray: sweeps along curves are exact") {
+    const Scene scene =
+        whole("sphere_sweep { b_spline, 5, <0, 0, 2>, .1, <1, 0, 2> .2 <2, 1, 2>, .3, 3*x, 0, 4*x, .1 }");
+    const std::vector<SweptBall>& balls = shape<SphereSweep>(scene).data->balls;
+    REQUIRE(balls.size() == 5);
+    CHECK(balls[2] == SweptBall{{2, 1, 2}, .3, false});
+    // Half way between two balls: the ends count 1 and the middle ones 23 of 48; or else -1 and 9 of 16.
+    const std::string line = "4, -x, 0, 0, .6, 2*x, .6, 3*x, 0 }";
+    const auto radius = [&](const std::string& kind) {
+        const Scene own = whole("sphere_sweep { " + kind + "_spline " + line);
+        double low = 0;
+        for (double step = .5; step > 1e-9; step /= 2)
+            if (contains(own.primitives[0], {1, low + step, 0})) low += step;
+        return low;
+    };
+    CHECK(radius("b") == doctest::Approx(.575).epsilon(1e-6));
+    CHECK(radius("cubic") == doctest::Approx(.675).epsilon(1e-6));
+    CHECK(says(notes_of("\nsphere_sweep { b_spline 4, 0, -1, x, 1, y, 1, z, 1 }"),
+               "left out: a sphere_sweep: one of its radii is below 0"));
+}
+
 TEST_CASE("POV-Ray: blobs are exact") {
     const Scene scene = whole(
         "blob { threshold .5 sphere { x, 1, 2 translate -x } cylinder { 0, <0, 2, 3>, .25, strength -1 }"

@@ -79,6 +79,20 @@ TEST_CASE("contours of prisms are closed lines of straight ones and curves") {
     CHECK(faults(eye + "prism { 0, 1 contour { <0,0> curv <1,1> <2,1> } }").at(0).find("'curve'") != std::string::npos);
 }
 
+TEST_CASE("sweeps have balls of one sort") {
+    const std::string three = "through { <0,0,0>, 1 } through { <1,0,0>, .5 } through { <2,0,1>, 0 } ";
+    const Scene scene = parse(eye + "sphere_sweep { " + three + "through { <3,0,0>, .25 } scale 2 }");
+    const auto& sweep = std::get<SphereSweep>(scene.primitives.at(0).shape);
+    CHECK(sweep.data->balls ==
+          std::vector<SweptBall>{{DVec3(0), 1}, {{1, 0, 0}, .5}, {{2, 0, 1}, 0}, {{3, 0, 0}, .25, true}});
+    CHECK(sweep.data->pieces.size() == 1);
+    check_fault("sphere_sweep { " + three + "}", "2:1: invalid sphere_sweep: it has fewer than four balls");
+    check_fault("sphere_sweep { " + three + "towards { <3,0,0>, .25 } }",
+                "2:1: invalid sphere_sweep: it has balls of both sorts");
+    check_fault("sphere_sweep { " + three + "through { <3,0,0>, -1 } }",
+                "2:105: 'radius' of 'through' must be from 0 to 1e9, not '-1'");
+}
+
 TEST_CASE("blobs have lumps, which may be stretched") {
     const Scene scene = parse(eye +
                               "blob { .5 lump { <0,0,0>, <0,0,0>, 1, 2 } lump { <0,0,1>, <1,0,1>, .5, -1, "

@@ -45,6 +45,8 @@ TEST_CASE("every body has its rows, and a stale table is made anew") {
                 CHECK(page.find("| `" + std::string(Kind::name) + "` | bodies |") != page.npos);
             else if constexpr (std::is_same_v<Kind, Lathe>)
                 CHECK(page.find("| `lathe` | contour |") != page.npos);
+            else if constexpr (std::is_same_v<Kind, SphereSweep>)
+                CHECK(page.find("| `sphere_sweep` | through or towards: centre |") != page.npos);
             else
                 row(Kind::name, std::get<0>(Kind::fields));
         };

@@ -228,13 +228,10 @@ struct BlobKernel : ContourKernel<T> {
             const int first = part * width<V>;
             LineSpans<V> spans;
             const Mask<V> own_starts = mask_of<V>(bits(starts) >> first);
-            const Vec3<V> way = turn(doubles_of(ray.direction, part));
-            const V per = V(1) / sqrt(dot(way, way));
-            const Vec3<V> origin = turn(doubles_of(ray.origin, part) - splat<V>(centre)), unit = scale(per, way);
-            // Counts places from where the line is nearest to the centre: there they have the most digits.
-            const V shift = select(own_starts, V(0), -dot(origin, unit));
-            store_lanes(stretches.shift + first, shift), store_lanes(stretches.per + first, per);
-            for (unsigned left = find_spans<V>(pieces, fma(shift, unit, origin), unit, -shift, own_starts,
+            const OwnLine<V> line = this->own_line(
+                Ray<V>{doubles_of(ray.origin, part), doubles_of(ray.direction, part), V(0)}, own_starts);
+            store_lanes(stretches.shift + first, line.shift), store_lanes(stretches.per + first, line.per);
+            for (unsigned left = find_spans<V>(pieces, line.nearest, line.unit, -line.shift, own_starts,
                                                mask_of<V>(bits(lanes) >> first), spans);
                  left; left &= left - 1) {
                 if (stretches.count >= stretches.few) visit();
