@@ -23,8 +23,8 @@ struct Settings {
     int max_trace_level = 20;  // generations of rays, camera rays being the first; 1 to 256
     double assumed_gamma = 0;  // values v are v^assumed_gamma of light, shown sRGB-encoded; 0: shown as they are
     double adc_bailout = 0;  // in scenes with POV-Ray's finishes rays of less weight than this are black
-    /// What is nearer than this to the start of a ray is not there for it, and 10 times as far for shadows: of
-    /// POV-Ray's scenes 1e-4, as there. Scene text has no word for it.
+    /// Hides from rays what is nearer than this to their starts, and for shadows 10 times as far: 1e-4 in scenes of
+    /// POV-Ray, as there. Scene text has no word for it.
     double passed_over = 0;
     bool operator==(const Settings&) const = default;
 };

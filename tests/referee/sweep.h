@@ -90,7 +90,7 @@ template <class R>
 bool contains(const SphereSweep& sweep, const Vector<R>& p) {
     return deepest(paths_of<R>(sweep), p) > 0;
 }
-/// Of the crossings of a line that starts on the surface the one nearest to the start is the start.
+/// Takes, of the crossings of a line that starts on the surface, the one nearest to the start for the start.
 template <class R>
 LineCrossings<R> crossings(const SphereSweep& sweep, const Line<R>& line, int source) {
     const std::vector<BallPath<R>> paths = paths_of<R>(sweep);

@@ -110,12 +110,12 @@ struct SoughtLine {
         }
     }
 };
-/// Such lines without gaps, for packs S of rays from both sides.
+/// Keeps such lines without gaps, for packs S of rays from both sides.
 template <class S>
 struct SoughtLines {
     using V = Doubles<S>;
     using R = Element<V>;
-    /// Those of doubles for floats would be rounded away.
+    /// Spares rays of floats the digits of doubles, which they would round away.
     static constexpr Digits digits = std::is_same_v<S, V> ? Digits::all : Digits::some;
     static constexpr int fields = sizeof(SoughtLine<V>) / sizeof(V), room = 3 * width<S>;
     alignas(64) R columns[fields][room];

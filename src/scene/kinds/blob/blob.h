@@ -138,7 +138,7 @@ STRAHL_INLINE void find_stretches(const LumpSpan<R>* spans, int count, R level, 
     }
 }
 
-/// Such stretches side by side, of the lines of a pack S of rays, line by line.
+/// Keeps such stretches side by side, of the lines of a pack S of rays, line by line.
 template <class S>
 struct LumpStretches {
     using V = Doubles<S>;
