@@ -105,7 +105,7 @@ template <class S>
         const S over(world.passed_in_shadows);
         const Mask<S> close = active & (met.t < over);
         if (any(close)) {
-            pass_over(world, over, close, own, met);
+            pass_over(world, over, close, S(-1), own, met);
             left = select(close, left - over, left), way = select(close, way + over, way);
         }
         active = active & (met.t < left);

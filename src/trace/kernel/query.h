@@ -176,12 +176,13 @@ STRAHL_INLINE Nearest<S> nearest(const World<Element<S>>& world, const Ray<S>& r
     return best;
 }
 
-/// Lets rays start behind what they pass over, in the lanes of `close`, and finds the nearest surfaces from there.
+/// Lets rays start `way` further on, in the lanes of `close`, as if on `source`, and finds the nearest surfaces from
+/// there.
 template <class S>
-[[gnu::noinline]] void pass_over(const World<Element<S>>& world, const S& way, Mask<S> close, Ray<S>& ray,
-                                 Nearest<S>& best) {
+[[gnu::noinline]] void pass_over(const World<Element<S>>& world, const S& way, Mask<S> close, const S& source,
+                                 Ray<S>& ray, Nearest<S>& best) {
     for (int c = 0; c < 3; ++c) ray.origin[c] = select(close, fma(way, ray.direction[c], ray.origin[c]), ray.origin[c]);
-    ray.source = select(close, S(-1), ray.source);
+    ray.source = select(close, source, ray.source);
     const Nearest<S> behind = nearest(world, ray, close, ~BodySet(0));
     best.t = select(close, behind.t, best.t);
     best.surface = select(close, behind.surface, best.surface);

@@ -18,6 +18,13 @@ STRAHL_INLINE Ray<S> rays_at(const RayQueue<Element<S>>& rays, int i) {
             at(rays.source)};
 }
 
+/// Moves the starts of a pack of rays of a queue, from number `i` on.
+template <class S>
+STRAHL_INLINE void store_starts(const RayQueue<Element<S>>& rays, int i, const Ray<S>& ray) {
+    for (int c = 0; c < 3; ++c) store_lanes(rays.origin[c] + i, ray.origin[c]);
+    store_lanes(rays.source + i, ray.source);
+}
+
 /// Returns up to which distance from their starts crossings may be rounding errors.
 template <class S>
 STRAHL_INLINE S touching_distance(const Vec3<S>& origin) {
@@ -75,14 +82,8 @@ template <class S, class T>
         }
         lanes = lanes & (load_lanes<S>(other) > S(0));
         if (none(lanes)) return;
-        const S ahead = select(lanes, step, S(0));
-        ray = {fma(ahead, ray.direction, ray.origin), ray.direction, select(lanes, hit.surface, ray.source)};
-        for (int c = 0; c < 3; ++c) store_lanes(rays.origin[c] + i, ray.origin[c]);
-        store_lanes(rays.source + i, ray.source);
-        const Nearest<S> found = nearest(world, ray, lanes, ~BodySet(0));
-        hit.t = select(lanes, found.t, hit.t);
-        hit.surface = select(lanes, found.surface, hit.surface);
-        hit.bin = select(lanes, found.bin, hit.bin);
+        pass_over(world, step, lanes, S(hit.surface), ray, hit);
+        store_starts(rays, i, ray);
     }
 }
 
@@ -110,9 +111,8 @@ template <class S, class T>
     }
     near = near & (load_lanes<S>(starts) > S(0));
     if (none(near)) return;
-    pass_over(world, S(world.passed_over), near, ray, hit);
-    for (int c = 0; c < 3; ++c) store_lanes(rays.origin[c] + i, ray.origin[c]);
-    store_lanes(rays.source + i, ray.source);
+    pass_over(world, S(world.passed_over), near, S(-1), ray, hit);
+    store_starts(rays, i, ray);
 }
 
 }  // namespace strahl::inline STRAHL_LEVEL
