@@ -54,7 +54,7 @@ void cross_surfaces(const World<Element<S>>& world, Ray<S>& ray, const Nearest<S
         hide(alike), lanes = lanes & !alike;
         if (none(lanes)) return;
     }
-    if (world.bin_per_item || (none(lanes & !alike) && !on_leaf)) {
+    if (bin.material >= 0 || (none(lanes & !alike) && !on_leaf)) {
         hit = surface_at(world, {bin.form, world.references[surface].item, material}, ray, met.t);
         std::fill_n(materials, width<S>, material);
     } else {

@@ -42,6 +42,49 @@ STRAHL_INLINE void each_cold_range(const World<T>& world, BodySet set, const Loo
         if (look(world.loops[i], 0)) return;
 }
 
+/// Returns the lanes whose rays cross the box around the body of a bin before `limit`, and sets `near` to where.
+template <class S>
+STRAHL_INLINE Mask<S> crosses_body(const World<Element<S>>& world, int bin, const TraversalRay<S>& line, const S& limit,
+                                   S& near) {
+    const BodyBox<Element<S>>& box = world.few.boxes[bin];
+    return crosses(splat<S>(box.low), splat<S>(box.high), line, limit, near);
+}
+
+/// Finds the nearest surfaces of items of other than hot forms, those in the nearest boxes first. For worlds where each
+/// item has a bin.
+template <class S>
+STRAHL_INLINE void nearest_of_cold(const World<Element<S>>& world, const Ray<S>& ray, Mask<S> active, BodySet set,
+                                   Nearest<S>& best) {
+    using T = Element<S>;
+    if (!(set & world.few.cold)) return;
+    const S inf(std::numeric_limits<T>::infinity());
+    struct BoxMet {
+        T first;  // where the first ray enters
+        const SortBin* item;
+        int number;
+    };
+    Room<BoxMet, most_item_bins> order;
+    Room<S, most_item_bins> entries;  // by number; infinite for rays that do not cross the box
+    int count = 0;
+    const TraversalRay<S> line = traversal_ray(ray);
+    each_cold_range(world, set, [&](const ItemRange&, int bin) {
+        S near;
+        const Mask<S> own = active & crosses_body(world, bin, line, best.t, near);
+        if (none(own)) return false;
+        entries[count] = select(own, near, inf);
+        const BoxMet box{least(entries[count]), &world.sort_bins[bin], count};
+        int place = count++;
+        for (; place > 0 && box.first < order[place - 1].first; --place) order[place] = order[place - 1];
+        order[place] = box;
+        return false;
+    });
+    for (int i = 0; i < count; ++i) {
+        const auto& [first, item, number] = order[i];
+        const Mask<S> own = (entries[number] <= best.t) & (entries[number] < inf);
+        if (any(own)) calls<S>(item->form).intersect(world, item->item, 1, ray, own, best);
+    }
+}
+
 /// Finds the nearest surfaces in the hierarchy, for packs that traverse it together.
 template <class S>
 STRAHL_INLINE void nearest_in_hierarchy(const World<Element<S>>& world, const Ray<S> (&rays)[together<S>],
@@ -102,6 +145,10 @@ template <class S>
     S before[together<S>];
     for (int h = 0; h < together<S>; ++h) {
         before[h] = best[h].surface;
+        if (world.bin_per_item) {
+            nearest_of_cold(world, rays[h], active[h], set, best[h]);
+            continue;
+        }
         each_cold_range(world, set, [&](const ItemRange& items, int) {
             calls<S>(items.form).intersect(world, items.first, items.count, rays[h], active[h], best[h]);
             return false;
@@ -278,8 +325,12 @@ template <class S>
                                             Transmission<S>& light) {
     bool dark = false;
     const StartAcross<S> across = start_across(world, ray, start);
+    const TraversalRay<S> line = traversal_ray(ray);
+    S near;
     each_cold_range(world, set, [&](const ItemRange& items, int bin) {
-        const Mask<S> mask = world.bin_per_item ? reached(world, bin, ray, distance, active, start, across) : active;
+        Mask<S> mask = active & (light.limit > S(0));
+        if (world.bin_per_item) mask = reached(world, bin, ray, distance, mask, start, across);
+        if (world.bin_per_item && any(mask)) mask = mask & crosses_body(world, bin, line, distance, near);
         if (none(mask)) return false;
         return dark = calls<S>(items.form).occlude(world, items.first, items.count, ray, distance, mask, light);
     });

@@ -106,7 +106,7 @@ STRAHL_INLINE Hit<S> make_hit(const Shading<S, P>& shading, int bin, const RayQu
                      {pick(from.direction.x), pick(from.direction.y), pick(from.direction.z)},
                      pick(from.source)};
     SurfaceHit<S> hit;
-    if (world.bin_per_item) {
+    if (own.material >= 0) {
         hit = surface_at(world, own, ray, pick(t));
         material.broadcast(world, own.material);
         if (world.patterns.list) [[unlikely]] {

@@ -123,7 +123,7 @@ STRAHL_INLINE HitBounds<S> bound_hits(const ProvedShading<S>& shading, const Hit
     const Mask<S> followed = hit.active & (doubt.away >= S(0));
     const SortBin& bin = world.sort_bins[hit.bin];
     int items[width<S>] = {};
-    if (!world.bin_per_item) {
+    if (bin.material < 0) {
         alignas(64) Element<S> surfaces[width<S>];
         store_lanes(surfaces, hit.surface);
         for (int k = 0; k < width<S>; ++k) items[k] = world.references[static_cast<int>(surfaces[k])].item;
@@ -132,7 +132,7 @@ STRAHL_INLINE HitBounds<S> bound_hits(const ProvedShading<S>& shading, const Hit
     if_known(world, bin.form, [&](const auto& group) {
         using Item = typename std::remove_cvref_t<decltype(group)>::template ItemOf<S>;
         const Item own =
-            world.bin_per_item ? splat_item<Item, S>(group.items[bin.item]) : gather_items<Item, S>(group.items, items);
+            bin.material >= 0 ? splat_item<Item, S>(group.items[bin.item]) : gather_items<Item, S>(group.items, items);
         found = point_bounds(own.shape, Ray<S>{ray.origin, ray.direction, ray.source - own.surface}, doubt, t,
                              SurfacePoint<S>{hit.position, hit.normal}, S(hit.surface - own.surface),
                              proving(shading.limits).slack);

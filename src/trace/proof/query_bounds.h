@@ -62,14 +62,20 @@ template <class S>
     });
 }
 
-/// Bounds the span in the ball around a body of which nothing else is known. For worlds where each item has a bin.
+/// Bounds the span in the ball around a body of which nothing else is known, where the box around it is met. For worlds
+/// where each item has a bin.
 template <class S>
 [[gnu::noinline]] SpanBounds<S> span_around(const World<Element<S>>& world, int bin, const DoubtfulRay<S>& own,
                                             const Slack<Element<S>>& slack) {
     using T = Element<S>;
     const SphereKernel<T> ball{{world.few.centres.x[bin], world.few.centres.y[bin], world.few.centres.z[bin]},
                                world.few.radii[bin]};
-    return span_bounds(ball, own.ray, own.doubt, S(-1), slack);
+    SpanBounds<S> span = span_bounds(ball, own.ray, own.doubt, S(-1), slack);
+    const BodyBox<T>& box = world.few.boxes[bin];
+    S near;
+    span.maybe = span.maybe & crosses(splat<S>(box.low), splat<S>(box.high), traversal_ray(own, slack),
+                                      S(std::numeric_limits<T>::infinity()), near);
+    return span;
 }
 
 /// Returns more than the errors of rays and of bodies where they come near to each other within the world. The balls

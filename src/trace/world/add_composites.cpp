@@ -316,8 +316,16 @@ void WorldArrays<T>::add_composites(const Scene& scene, const Placement& placeme
     for (const Hierarchy& own : composites.mesh_hierarchies) add_columns(own, pool);
     auto& [list, leaves, balls, steps, planes, hierarchies, face_keys, leaf_faces] = composites;
     leaf_faces.assign(surfaces, -1);
-    const auto refer_to = [&](int form, std::int32_t surface, std::int32_t item, int face) {
-        references[1 + surface] = {item, form};  // each form has one bin
+    // Also where each item has a bin, all leaves of a form share one.
+    std::array<std::int32_t, Forms::size> first_bins, leaf_bins;
+    for (int form = 0, bin = 0; form < Forms::size; bin += forms[form++].count) {
+        first_bins[form] = world.bin_per_item ? bin : form, leaf_bins[form] = form;
+        if (!world.bin_per_item || leaf_numbers[form].empty()) continue;
+        leaf_bins[form] = static_cast<std::int32_t>(sort_bins.size());
+        sort_bins.push_back({form});
+    }
+    const auto refer_to = [&](std::int32_t bin, std::int32_t surface, std::int32_t item, int face) {
+        references[1 + surface] = {item, bin};
         leaf_faces[surface] = face;
     };
     const auto refer_to_all = [&]<class Own>(std::type_identity<Own>) {
@@ -325,13 +333,14 @@ void WorldArrays<T>::add_composites(const Scene& scene, const Placement& placeme
         const auto* const all = reinterpret_cast<const Item<Own, T>*>(forms[form].numbers.get());
         for (int i = 0; i < forms[form].count; ++i)
             for (int face = 0; face < all[i].shape.face_count(); ++face)
-                refer_to(form, static_cast<int>(all[i].surface) + face, i, face);
+                refer_to(first_bins[form] + (world.bin_per_item ? i : 0), static_cast<int>(all[i].surface) + face, i,
+                         face);
     };
     refer_to_all(std::type_identity<Form<Prism, 0>>()), refer_to_all(std::type_identity<Form<Lathe, 0>>());
     refer_to_all(std::type_identity<Form<Blob, 0>>()), refer_to_all(std::type_identity<Form<SphereSweep, 0>>());
     for (const CompositeLeaf& leaf : leaves) {
         const auto refer = [&](std::int32_t surface, std::int32_t item, int face) {
-            refer_to(leaf.form, surface, item, face);
+            refer_to(leaf_bins[leaf.form], surface, item, face);
         };
         const std::size_t fields = traits[leaf.form].fields;
         const T* const numbers = forms[leaf.form].numbers.get();

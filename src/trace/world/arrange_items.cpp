@@ -147,7 +147,7 @@ void WorldArrays<T>::number_bins(ThreadPool& pool) {
                 if (materials[material].refraction > 0) few.glass |= body;
                 if (!traits[form].hot) world.few.cold |= body;
                 if (traits[form].convex) world.few.convex |= body;
-                sort_bins.push_back({form, i, material});
+                sort_bins.push_back({form, i, traits[form].listed ? -1 : material});
             }
         }
         share_out(pool, own.count, share_items, [&](std::int32_t first, std::int32_t last) {
@@ -157,8 +157,6 @@ void WorldArrays<T>::number_bins(ThreadPool& pool) {
                         i, world.bin_per_item ? first_bin + i : first_bin};
         });
     }
-    world.sort_bins = sort_bins.data();
-    world.bins = references[0].bin = static_cast<int>(sort_bins.size());
     if (hierarchy_forms > 1 || forms[place_of<CompositeForm>(Forms{})].count > 0) world.hierarchy_bin = -1;
     world.loops = loops.data();
     world.loop_count = static_cast<int>(loops.size());
@@ -174,8 +172,8 @@ void WorldArrays<T>::arrange_items(ThreadPool& pool) {
         own.count = remove_items(own, fields, duplicates(own.numbers.get(), own.count, fields, fields - 2, pool));
         items += own.count;
     }
-    const bool listed = forms[place_of<CompositeForm>(Forms{})].count > 0 || !first_pieces.empty();
-    world.bin_per_item = items <= most_item_bins && !listed;
+    const bool composites = forms[place_of<CompositeForm>(Forms{})].count > 0;
+    world.bin_per_item = items <= (composites ? most_item_bins - Forms::size : most_item_bins);
     if (!world.bin_per_item) make_hierarchy(pool);
     number_bins(pool);
 }

@@ -35,6 +35,8 @@ BoundingVolume bounding_volume_of(const K& kernel, const ItemBox& rounded, doubl
         return {box, {}, true, to_double(kernel.normal), static_cast<double>(kernel.distance)};
     } else if constexpr (requires { kernel.ball(); }) {
         return {box, kernel.ball()};
+    } else if (!box.finite()) {
+        return {box, {DVec3(0), std::numeric_limits<double>::infinity()}};
     } else {
         const DVec3 size = box.size();
         return {box, {box.centre(), std::hypot(size.x, size.y, size.z) / 2}};
@@ -161,7 +163,7 @@ void WorldArrays<T>::list_transparent(const Scene& scene) {
 template <class T>
 void WorldArrays<T>::bound_bodies() {
     const double margin = rounding(reach);
-    auto& [volumes, glass, balls, cones, shadows, columns, occluders] = few;
+    auto& [volumes, glass, balls, boxes, cones, shadows, columns, occluders] = few;
     const std::size_t stride = most_item_bins + widest_pack;
     balls.assign(4 * stride, -std::numeric_limits<T>::infinity());
     std::fill_n(balls.begin(), 3 * stride, T(0));
@@ -169,6 +171,7 @@ void WorldArrays<T>::bound_bodies() {
         const auto [centre, radius] = volumes[i].ball;
         for (int c = 0; c < 3; ++c) balls[c * stride + i] = static_cast<T>(centre[c]);
         balls[3 * stride + i] = volumes[i].plane ? std::numeric_limits<T>::infinity() : static_cast<T>(radius + margin);
+        boxes.push_back({cast<T>(volumes[i].box.low - DVec3(margin)), cast<T>(volumes[i].box.high + DVec3(margin))});
         const bool follows = world.nested || world.finishes.list;  // rays carry more than their queue inside bodies
         if ((glass & world.few.convex) >> i & 1 && !follows && isolated(volumes, i, margin))
             world.few.enclosed |= BodySet(1) << i;
@@ -176,11 +179,12 @@ void WorldArrays<T>::bound_bodies() {
     const T* const first = balls.data();
     world.few.centres = {first, first + stride, first + 2 * stride};
     world.few.radii = first + 3 * stride;
+    world.few.boxes = boxes.data();
 }
 
 template <class T>
 void WorldArrays<T>::cull_for_lights() {
-    auto& [volumes, glass, balls, cones, shadows, columns, occluders] = few;
+    auto& [volumes, glass, balls, boxes, cones, shadows, columns, occluders] = few;
     for (LightKernel<T>& light : lights) {
         const LightPlace place{to_double(light.position), light.finite == 0};
         const DVec3& point = place.point;
@@ -189,9 +193,10 @@ void WorldArrays<T>::cull_for_lights() {
         const LightAxes axes = across ? axes_across(volumes, point) : LightAxes{};
         if (across) light.u = Vec3<T>(axes.u), light.v = Vec3<T>(axes.v);
         shadows.push_back(shadows_of<T>(across ? volumes : std::vector<BoundingVolume>(), axes, margin));
-        for (std::size_t i = 0; i < volumes.size(); ++i) {
-            cones.push_back(light.area ? LightCone<T>() : cone_of<T>(volumes[i], place, margin));
-            occluders.push_back(light.area ? ~BodySet(0) : occluders_of(volumes, i, place, margin));
+        for (std::size_t i = 0; i < sort_bins.size(); ++i) {
+            const bool known = i < volumes.size() && !light.area;
+            cones.push_back(known ? cone_of<T>(volumes[i], place, margin) : LightCone<T>());
+            occluders.push_back(known ? occluders_of(volumes, i, place, margin) : ~BodySet(0));
         }
     }
     world.few.cones = cones.data();
@@ -200,7 +205,7 @@ void WorldArrays<T>::cull_for_lights() {
     constexpr std::size_t stride = FewBodies<T>::cone_stride;
     columns.resize(5 * stride * lights.size());
     for (std::size_t n = 0; n < cones.size(); ++n) {
-        T* const to = columns.data() + n / volumes.size() * 5 * stride + n % volumes.size();
+        T* const to = columns.data() + n / world.bins * 5 * stride + n % world.bins;
         const auto& [axis, cosine, distance] = cones[n];
         to[0] = axis.x, to[stride] = axis.y, to[2 * stride] = axis.z, to[3 * stride] = cosine,
         to[4 * stride] = distance;
@@ -271,6 +276,8 @@ WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, Thre
     }
     arrange_items(pool);
     add_composites(scene, placement, pool, proves);
+    world.sort_bins = sort_bins.data();
+    world.bins = references[0].bin = static_cast<int>(sort_bins.size());
     fill_groups();
     if (world.bin_per_item) {
         bound_bodies();

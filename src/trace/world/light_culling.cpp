@@ -40,10 +40,10 @@ struct Breadth {
     double low, high;
     double size() const { return high - low; }
 };
-/// Returns where a body lies along a unit vector. Of a plane both are infinite.
+/// Returns where a body lies along a unit vector. Of an unbounded one both are infinite.
 Breadth breadth_of(const BoundingVolume& body, const DVec3& axis) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    if (body.plane) return {-infinity, infinity};
+    if (!body.bounded()) return {-infinity, infinity};
     double reach = 0;  // of the box
     for (int c = 0; c < 3; ++c) reach += std::abs(axis[c]) * body.box.size()[c] / 2;
     const double box = dot_product(axis, body.box.centre()), ball = dot_product(axis, body.ball.centre);
@@ -91,7 +91,7 @@ LightAxes axes_across(const std::vector<BoundingVolume>& bodies, const DVec3& to
         const LightAxes axes{u, cross_product(towards, u), towards};
         double area = 0;
         for (const BoundingVolume& body : bodies)
-            if (!body.plane) area += breadth_of(body, axes.u).size() * breadth_of(body, axes.v).size();
+            if (body.bounded()) area += breadth_of(body, axes.u).size() * breadth_of(body, axes.v).size();
         if (area < least) least = area, best = axes;
     }
     return best;
@@ -130,7 +130,7 @@ BodySet occluders_of(const std::vector<BoundingVolume>& bodies, std::size_t body
 }
 
 bool isolated(const std::vector<BoundingVolume>& bodies, std::size_t body, double margin) {
-    if (bodies[body].plane) return false;
+    if (!bodies[body].bounded()) return false;
     for (std::size_t i = 0; i < bodies.size(); ++i)
         if (i != body && !(bodies[i].plane ? clear_of(bodies[i], bodies[body], margin)
                                            : clear_of_each_other(bodies[i], bodies[body], margin)))

@@ -1,6 +1,7 @@
 // Finds which of few bodies can be between a light and a body, and how lights see them.
 #pragma once
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -14,13 +15,15 @@ template <class T>
 inline constexpr double culling_unit = static_cast<double>(
     std::max<long double>(std::numeric_limits<T>::epsilon(), std::numeric_limits<double>::epsilon()));
 
-/// A body's surroundings in world coordinates: a ball and a box, or for a plane normal . x = distance.
+/// A body's surroundings in world coordinates: a ball and a box, or for a plane normal . x = distance. Those of other
+/// unbounded bodies are infinite.
 struct BoundingVolume {
     Box box;
     Ball ball;
     bool plane = false;
     DVec3 normal{0};
     double distance = 0;
+    bool bounded() const { return !plane && std::isfinite(ball.radius); }
 };
 
 /// The place of a light, or the unit direction towards parallel light.

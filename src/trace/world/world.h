@@ -88,6 +88,7 @@ struct ItemReference {
     std::int32_t item, bin;
 };
 /// The items that hits of a bin are on: one of this form with its material, or any item of the form if these are -1.
+/// An item without a material has hits on any of its faces, or as a composite none: these are in its leaves' bins.
 struct SortBin {
     std::int32_t form, item = -1, material = -1;
 };
@@ -174,11 +175,18 @@ struct ParallelShadows {
     std::array<T, most_item_bins + 16> left, right, bottom, top, end;
 };
 
+/// A box around a body; infinite if none is known.
+template <class T>
+struct BodyBox {
+    Vec3<T> low, high;
+};
+
 /// Bodies of a world with a bin for each item, by bin. Empty in other worlds.
 template <class T>
 struct FewBodies {
     Vec3<const T*> centres{nullptr};      // of balls around the bodies; a pack may be read past the end
     const T* radii = nullptr;             // of these; infinite for planes, and -infinite past the end
+    const BodyBox<T>* boxes = nullptr;    // around the bodies
     const LightCone<T>* cones = nullptr;  // by light * bins + bin: each body as seen from the light
     const BodySet* occluders = nullptr;   // likewise: bodies that can keep the light from it, itself only from inside
     BodySet cold = 0;                     // bodies of other than hot forms

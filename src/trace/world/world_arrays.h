@@ -77,13 +77,14 @@ DVec3 to_double(const Vec3<T>& v) {
 
 /// The traits of a form.
 struct FormTraits {
-    bool hot, bounded, convex;
+    bool hot, bounded, convex, listed;  // listed: rays list where they cross its items
     int faces;   // of an item
     int fields;  // numbers in an item, the last two being its surface and its material
 };
 template <class T, class... F>
 constexpr std::array<FormTraits, sizeof...(F)> traits_of(FormList<F...>) {
-    return {{{F::hot, F::Kind::bounded, F::Kind::convex, F::Kind::faces, int(sizeof(Item<F, T>) / sizeof(T))}...}};
+    return {{{F::hot, F::Kind::bounded, F::Kind::convex, lists_crossings<typename F::Kind>, F::Kind::faces,
+              int(sizeof(Item<F, T>) / sizeof(T))}...}};
 }
 
 /// The items of a form as plain numbers, one item after the other, so that code which moves them is compiled once.
@@ -99,6 +100,7 @@ struct FewBodiesArrays {
     std::vector<BoundingVolume> volumes;  // by bin
     BodySet glass = 0;                    // the transparent ones
     std::vector<T> balls;
+    std::vector<BodyBox<T>> boxes;
     std::vector<LightCone<T>> cones;
     std::vector<ParallelShadows<T>> shadows;
     std::vector<T> cone_columns;
