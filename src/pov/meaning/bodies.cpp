@@ -115,6 +115,42 @@ Shape share_of(std::vector<Primitive> solid, std::vector<Primitive> hollow) {
     return composite<Difference>(std::move(hollow));
 }
 
+/// Returns -1 for each axis along which a box is turned over before it is moved in any other way than along the axes:
+/// POV-Ray counts its faces anew then.
+DVec3 turned_factors(const Steps& steps) {
+    DVec3 factors(1);
+    for (const Step& step : steps)
+        if (const auto* const scale = std::get_if<Scale>(&step))
+            for (int i = 0; i < 3; ++i) factors[i] = std::copysign(factors[i], factors[i] * scale->by[i]);
+        else if (!std::holds_alternative<Translate>(step))
+            break;
+    return factors;
+}
+
+/// Returns the moves from a simple body's own space to its places by uv, as POV-Ray finds them; none for a flat box.
+Moves moves_by_uv(const ObjectThing& object, const Steps& to_scene) {
+    const auto back = [](const Steps& steps) { return glm::inverse(matrix_of(steps)); };
+    switch (object.word) {
+        case word("sphere"):
+            return {back({Translate{std::get<Sphere>(*object.shape).centre}}),
+                    Warp(RoundWarp{.shape = RoundWarp::Shape::ball})};
+        case word("torus"):
+            return {back({Scale{{-1, 1, 1}}}), Warp(RoundWarp{.shape = RoundWarp::Shape::torus,
+                                                              .major_radius = std::get<Torus>(*object.shape).major})};
+        case word("box"): {
+            const auto* const box = std::get_if<Cuboid>(&*object.shape);
+            if (!box) return {};
+            const DVec3 half = turned_factors(to_scene) * abs(box->opposite - box->corner) / 2.;
+            return {back({Scale{half}, Translate{(box->corner + box->opposite) / 2.}}), Warp(CubicWarp{})};
+        }
+        case word("mesh"):
+        case word("mesh2"):
+            return {glm::dmat4(0)};  // all places are 0
+        default:
+            return {matrix_of(to_scene)};  // x and y of the scene
+    }
+}
+
 const Primitive& first_leaf(const Primitive& primitive) {
     const Primitive* first = nullptr;
     for_each_leaf(primitive, [&](const Primitive& leaf, const glm::dmat4&) { first = first ? first : &leaf; });
@@ -176,18 +212,29 @@ SceneMaker::Around SceneMaker::inside(const ObjectThing& object, const Around& a
 }
 
 int SceneMaker::number_of(Shared& shared) {
-    if (!shared.number)
-        shared.number = number_of(*shared.within, false, [&] { return inverse(shared.within->to_owner); });
+    if (!shared.number) shared.number = number_of(*shared.within, {}, [&] { return inverse(shared.within->to_owner); });
     return *shared.number;
 }
 /// Returns the number of a material; `way()` leads from its texture's space into that where it holds.
 template <class Way>
-int SceneMaker::number_of(const Looks& own, bool mapped, const Way& way) {
-    const MaterialUse use{.mapped = mapped,
+int SceneMaker::number_of(const Looks& own, const UvMapping& uv, const Way& way) {
+    const MaterialUse use{.uv = uv,
                           .shadow_only = own.no_image && own.no_reflection,
                           .no_shadow = own.no_shadow,
                           .both_sides = own.both_sides};
     return materials.number(own.texture, own.interior, use, way);
+}
+
+/// Returns how a simple body finds places by uv; `mapped` says that it is a mesh with uv_vectors.
+UvMapping SceneMaker::uv_of(const ObjectThing& object, const Around& around, bool mapped) {
+    UvMapping::Found found{.moves = {}, .to_scene = object.steps, .ball_centre = {}};
+    append(found.to_scene, around.after);
+    if (!mapped) {
+        found.moves = moves_by_uv(object, found.to_scene);
+        if (found.moves.empty()) return {};
+        if (object.word == word("sphere")) found.ball_centre = std::get<Sphere>(*object.shape).centre;
+    }
+    return {.mesh = mapped, .found = std::make_shared<const UvMapping::Found>(std::move(found))};
 }
 
 /// Returns the number of an object's material, whose pattern is in the object's own space or, if the material is that
@@ -201,12 +248,14 @@ int SceneMaker::material_of(const ObjectThing& object, const Around& around, boo
         const Steps way = inverse(to_owner(object, around));
         if (const auto mixed = materials.blended(blob, *object.lump_textures, *own.texture, way)) {
             own.texture = mixed;
-            return number_of(own, mapped, [] { return Steps(); });
+            return number_of(own, {}, [] { return Steps(); });
         }
         notes.approximated(object.place, "the parts of a blob have the texture of the whole");
     }
+    const auto way = [&] { return inverse(to_owner(object, around)); };
+    if (materials.by_uv(own.texture)) return number_of(own, uv_of(object, around, mapped), way);
     if (own.shared) return number_of(*own.shared);
-    const int number = number_of(own, mapped, [&] { return inverse(to_owner(object, around)); });
+    const int number = number_of(own, {.mesh = mapped, .found = nullptr}, way);
     const bool doubtful = around.shared && materials[number].patterned() && number == number_of(*around.shared);
     return doubtful ? materials.apart(number) : number;
 }

@@ -82,7 +82,7 @@ using Shown = std::vector<LayerValues>;
 
 /// Moves a layer from the space of a pattern that shows it into the space around this.
 void move_out(LayerValues& layer, const Blend& around) {
-    if (around.uv) set_by_uv(layer);
+    if (around.uv) set_by_uv(layer, around.moved_by_uv);
     PigmentThing& own = layer.pigment;
     const bool moves = !around.warps.empty() || around.turbulence != DVec3(0);
     append(layer.normal.blend.steps, around.steps);
@@ -184,6 +184,21 @@ bool MaterialMaker::has_pattern(const TextureThing& texture) {
     return std::ranges::any_of(texture.layers, [](const LayerValues& layer) {
         return layer.blend || layer.pigment.blend || layer.pigment.colors || layer.normal.blend;
     });
+}
+
+bool MaterialMaker::by_uv(const std::shared_ptr<const TextureThing>& texture) {
+    bool holds = false, any = false;
+    for (const LayerValues& layer : texture->layers) {
+        any |= layer.pigment.blend.uv || layer.normal.blend.uv || layer.blend.uv;
+        holds |= layer.blend.map != nullptr;
+    }
+    if (any || !holds) return any;
+    const auto [known, is_new] = known_by_uv.try_emplace(texture, false);
+    if (!is_new) return known->second;
+    for (const LayerValues& layer : texture->layers)
+        for (const MapEntry& entry : layer.blend.map ? layer.blend.map->entries : std::vector<MapEntry>())
+            if (const auto inner = std::dynamic_pointer_cast<const TextureThing>(entry.thing)) any |= by_uv(inner);
+    return known_by_uv[texture] = any;
 }
 
 std::shared_ptr<const TextureThing> MaterialMaker::blended(
@@ -315,8 +330,8 @@ void MaterialMaker::set_layer(Material& layer, const FinishThing& finish) {
 }
 
 /// Returns a layer of a surface by its pigment and its finish.
-Material MaterialMaker::layer_of(const LayerValues& values, const Steps& way, bool mapped) {
-    Look look = pigments.look_of(values.pigment, way, mapped);
+Material MaterialMaker::layer_of(const LayerValues& values, const Steps& way, const UvMapping& uv) {
+    Look look = pigments.look_of(values.pigment, way, uv);
     if (look.pigment.pattern && std::holds_alternative<ImagePattern>(look.pigment.pattern->kind) &&
         look.filter + look.transmit > 0)
         notes.approximated(values.place, "a picture that lets light through is opaque");
@@ -328,11 +343,11 @@ Material MaterialMaker::layer_of(const LayerValues& values, const Steps& way, bo
 }
 
 /// Returns the layers of a texture, the lowest with the others as its coats.
-Material MaterialMaker::layers_of(std::span<const LayerValues> layers, const Steps& way, bool mapped) {
+Material MaterialMaker::layers_of(std::span<const LayerValues> layers, const Steps& way, const UvMapping& uv) {
     Material whole;
     for (const LayerValues& each : layers) {
         const auto shown = without_blend(each, notes);
-        Material layer = layer_of(*shown, way, mapped);
+        Material layer = layer_of(*shown, way, uv);
         if (shown->normal.blend && shown->normal.amount != 0 && layers.size() > 1)
             notes.approximated(shown->normal.blend.place, &each != &layers.back()
                                                               ? "only the uppermost layer has bumps"
@@ -348,7 +363,8 @@ Material MaterialMaker::layers_of(std::span<const LayerValues> layers, const Ste
 /// Returns the layers of all textures that a pattern of textures shows, each with its share, unless there is no such
 /// pattern, or there are more than the scene can have. If all have one finish and are opaque, a pattern of their
 /// pigments is the same.
-std::optional<Material> MaterialMaker::mixed_layers_of(const TextureThing& texture, const Steps& way, bool mapped) {
+std::optional<Material> MaterialMaker::mixed_layers_of(const TextureThing& texture, const Steps& way,
+                                                       const UvMapping& uv) {
     const Blend* const blend = blend_of(texture);
     std::vector<const Blend*> around;
     std::vector<Shown> textures;
@@ -357,14 +373,14 @@ std::optional<Material> MaterialMaker::mixed_layers_of(const TextureThing& textu
         return std::nullopt;
     const bool simple = texture.corners.empty() && std::ranges::all_of(textures, [&](const Shown& layers) {
                             return layers.size() == 1 && same_finish(layers[0], textures[0][0]) &&
-                                   !pigments.look_of(layers[0].pigment, way, mapped).clear().clear();
+                                   !pigments.look_of(layers[0].pigment, way, uv).clear().clear();
                         });
     if (simple) return std::nullopt;
     std::vector<Material> stacks;
     std::vector<std::size_t> numbers;
     std::size_t layers = 0;
     for (const Shown& each : textures) {
-        Material own = layers_of(each, way, mapped);
+        Material own = layers_of(each, way, uv);
         const auto known = std::ranges::find(stacks, own);
         numbers.push_back(std::size_t(known - stacks.begin()));
         if (known != stacks.end()) continue;
@@ -377,9 +393,8 @@ std::optional<Material> MaterialMaker::mixed_layers_of(const TextureThing& textu
         std::size_t next = 0;
         Material& own = stacks[i];
         if (stacks.size() > 1)
-            own.share = texture.corners.empty()
-                            ? pigments.look_of(share_of(texture, numbers, i, next), way, mapped).pigment
-                            : share_of_corners(numbers, i, contents.adc_bailout);
+            own.share = texture.corners.empty() ? pigments.look_of(share_of(texture, numbers, i, next), way, uv).pigment
+                                                : share_of_corners(numbers, i, contents.adc_bailout);
         const std::vector<Material> coats = std::exchange(own.coats, {});
         if (i == 0)
             whole = own;
@@ -393,13 +408,13 @@ std::optional<Material> MaterialMaker::mixed_layers_of(const TextureThing& textu
     if (bends) {
         notes.approximated(texture.layers[0].place, "bumps of textures in a pattern are one of them");
     }
-    whole.bump = pigments.bump_of(normal, way, mapped);
+    whole.bump = pigments.bump_of(normal, way, uv);
     return whole;
 }
 
 Material MaterialMaker::layered_material_of(const TextureThing& texture, const InteriorThing* interior,
                                             const MaterialUse& use, const Steps& way) {
-    std::optional<Material> mixed = mixed_layers_of(texture, way, use.mapped);
+    std::optional<Material> mixed = mixed_layers_of(texture, way, use.uv);
     Material whole;
     if (mixed) {
         whole = std::move(*mixed);
@@ -409,8 +424,8 @@ Material MaterialMaker::layered_material_of(const TextureThing& texture, const I
             notes.approximated(layers[0].place, "of the layers of a texture the upper eight are shown");
             layers = layers.last(most_layers);
         }
-        whole = layers_of(layers, way, use.mapped);
-        whole.bump = pigments.bump_of(texture.layers.back().normal, way, use.mapped);
+        whole = layers_of(layers, way, use.uv);
+        whole.bump = pigments.bump_of(texture.layers.back().normal, way, use.uv);
     }
     if (interior) whole.ior = std::clamp(decimal(static_cast<float>(interior->ior)), 1e-9, 1e9);
     if (interior && std::fabs(interior->ior - 1) < 1.5e-7) whole.ior = 1;
@@ -481,7 +496,7 @@ Material MaterialMaker::plain_material_of(const TextureThing& texture, const Int
     std::vector<Layer> layers;
     for (const LayerValues& own : texture.layers) {
         Layer layer{.values = without_blend(own, notes), .look = {}};
-        layer.look = pigments.look_of(layer.values->pigment, way, use.mapped);
+        layer.look = pigments.look_of(layer.values->pigment, way, use.uv);
         if (layer.look.varies)
             notes.approximated(layer.values->place, "transparency that varies in a pattern is its mean");
         if (notes.only_asked && *notes.only_asked) return {};
@@ -521,7 +536,7 @@ Material MaterialMaker::plain_material_of(const TextureThing& texture, const Int
     material.ambient = coefficient(mean(ambient) * shown.opacity * above);
     if (!is_grey(ambient) && !use.shadow_only)
         notes.approximated(finish.place, "coloured ambient light of a body is grey");
-    material.bump = pigments.bump_of(layers.back().values->normal, way, use.mapped);
+    material.bump = pigments.bump_of(layers.back().values->normal, way, use.uv);
     const double lost = finish.refraction.value_or(1);
     through = through * lost;
     material.refraction = share(mean(through));

@@ -14,7 +14,7 @@ namespace strahl::pov {
 
 /// How a body with a material is seen.
 struct MaterialUse {
-    bool mapped = false;       // it is a mesh with uv_vectors
+    UvMapping uv{};            // the places of its texture, if that is by uv
     bool shadow_only = false;  // no_image and no_reflection
     bool no_shadow = false;
     bool both_sides = false;  // double_illuminate
@@ -37,6 +37,8 @@ class MaterialMaker {
         if (!moves) plain[key] = own;
         return own;
     }
+    /// Is a pattern of a texture by uv?
+    bool by_uv(const std::shared_ptr<const TextureThing>& texture);
     /// Returns the texture that a blob's lumps blend to, in the blob's space: `whole` is that of lumps without one, and
     /// `way` leads from its space into the blob's. Null if they differ in more than their pigments.
     std::shared_ptr<const TextureThing> blended(const Blob& blob,
@@ -61,9 +63,9 @@ class MaterialMaker {
 
   private:
     void set_layer(Material& layer, const FinishThing& finish);
-    Material layer_of(const LayerValues& values, const Steps& way, bool mapped);
-    Material layers_of(std::span<const LayerValues> layers, const Steps& way, bool mapped);
-    std::optional<Material> mixed_layers_of(const TextureThing& texture, const Steps& way, bool mapped);
+    Material layer_of(const LayerValues& values, const Steps& way, const UvMapping& uv);
+    Material layers_of(std::span<const LayerValues> layers, const Steps& way, const UvMapping& uv);
+    std::optional<Material> mixed_layers_of(const TextureThing& texture, const Steps& way, const UvMapping& uv);
     void approximate_opacity(Material& layer, const LayerValues& values);
     Material plain_material_of(const TextureThing& texture, const InteriorThing* interior, const MaterialUse& use,
                                const Steps& way);
@@ -80,6 +82,7 @@ class MaterialMaker {
     PigmentMaker pigments;
     const PovContents& contents;
     std::optional<bool> any_light;
+    std::map<std::shared_ptr<const TextureThing>, bool> known_by_uv;  // patterns of textures
     std::map<std::tuple<std::shared_ptr<const TextureThing>, std::shared_ptr<const InteriorThing>, MaterialUse>, int>
         plain;  // materials without patterns
 };

@@ -170,7 +170,7 @@ ColorStop PigmentMaker::stop_of(const Blend& blend, const MapEntry& entry, doubl
     const bool alike = inside.empty();  // wherever the pattern around it is
     ++patterns_around;
     std::swap(around, inside);
-    const Look look = look_of(*nested, {}, false);
+    const Look look = look_of(*nested, {}, {});
     std::swap(around, inside);
     --patterns_around;
     if (!look.pigment.pattern) {
@@ -351,6 +351,28 @@ PigmentMaker::Brightest PigmentMaker::brightest_of(const PigmentThing& pigment) 
 
 namespace {
 
+/// Lets a pattern by uv find its places by moves of points.
+void place(Blend& blend, Moves moves) {
+    blend.uv = false, blend.values = nullptr;
+    const Warp warp = PlaceWarp{std::make_shared<const PlaceMoves>(PlaceMoves{std::move(moves)})};
+    blend.warps.push_back({std::exchange(blend.steps, {}), warp});
+}
+
+/// Returns a pigment by uv whose places are found from points of a body. A picture around a ball stays a picture.
+PigmentThing placed(PigmentThing pigment, const UvMapping::Found& found) {
+    Blend& blend = pigment.blend;
+    const bool still = blend.warps.empty() && blend.steps.empty() && blend.turbulence == DVec3(0);
+    if (found.ball_centre && still && blend.word == word("image_map") && blend.image->map_type == 0) {
+        auto image = std::make_shared<ImageThing>(*blend.image);
+        image->map_type = 1, image->colors = nullptr;
+        blend.image = std::move(image), blend.uv = false;
+        if (*found.ball_centre != DVec3(0)) blend.steps = {Translate{*found.ball_centre}};
+    } else {
+        place(blend, found.moves);
+    }
+    return pigment;
+}
+
 /// Makes the patterns among a pattern's colours patterns by uv, as it is one.
 void spread_uv(Pattern& pattern) {
     for (ColorStop& stop : pattern.colors) {
@@ -366,8 +388,9 @@ void spread_uv(Pattern& pattern) {
 
 }  // namespace
 
-Look PigmentMaker::look_of(const PigmentThing& pigment, const Steps& way, bool mapped) {
-    Look look = shown_look_of(pigment, way, mapped);
+Look PigmentMaker::look_of(const PigmentThing& pigment, const Steps& way, const UvMapping& uv) {
+    if (pigment.blend.uv && uv.found && !uv.mesh) return look_of(placed(pigment, *uv.found), {}, {});
+    Look look = shown_look_of(pigment, way, uv);
     if (patterns_around == 0 && std::exchange(too_deep, false)) {
         Pattern pattern{.kind = Checker{}, .colors = {}, .transformations = {}};
         const Brightest most = brightest_of(pigment);
@@ -386,7 +409,7 @@ Look PigmentMaker::look_of(const PigmentThing& pigment, const Steps& way, bool m
     return look;
 }
 
-Look PigmentMaker::shown_look_of(const PigmentThing& pigment, const Steps& way, bool mapped) {
+Look PigmentMaker::shown_look_of(const PigmentThing& pigment, const Steps& way, const UvMapping& uv) {
     const Mean mean = mean_of(pigment);
     Look look{Pigment(mean.color), mean.filter, mean.transmit};
     const Blend& blend = pigment.blend;
@@ -405,7 +428,7 @@ Look PigmentMaker::shown_look_of(const PigmentThing& pigment, const Steps& way, 
         notes.approximated(blend.place, why + " is its mean colour");
         return look;
     };
-    if (blend.uv && !mapped) return as_mean("a pigment by uv of a body that is no mesh");
+    if (blend.uv && !uv.mesh) return as_mean("a pigment by uv that is within another one, or of this body,");
     if (blend.map && !blend.map->entries.empty()) {
         const Mean first = mean_of(blend.map->entries[0]);
         for (const MapEntry& entry : blend.map->entries) {
@@ -489,7 +512,7 @@ Look PigmentMaker::shown_look_of(const PigmentThing& pigment, const Steps& way, 
     return look;
 }
 
-Bump PigmentMaker::bump_of(const NormalThing& normal, const Steps& way, bool mapped) {
+Bump PigmentMaker::bump_of(const NormalThing& normal, const Steps& way, const UvMapping& uv) {
     Bump bump;
     const Blend& blend = normal.blend;
     if (!blend || normal.amount == 0) return bump;
@@ -497,13 +520,30 @@ Bump PigmentMaker::bump_of(const NormalThing& normal, const Steps& way, bool map
         notes.left_out(blend.place, what + " on the surface");
         return Bump();
     };
-    if (blend.uv && !mapped) return none("bumps by uv of a body that is no mesh");
+    Steps from;  // the space of directions by uv, into that of the body
+    if (blend.uv && uv.found) {
+        from = blend.moved_by_uv ? *blend.moved_by_uv : inverse(uv.found->to_scene);
+        if (blend.moved_by_uv) append(from, way);
+    }
+    if (blend.uv && uv.found && !uv.mesh) {
+        Moves moves = uv.found->moves;
+        moves.insert(moves.begin(), matrix_of(from));
+        NormalThing placed = normal;
+        place(placed.blend, std::move(moves));
+        return bump_of(placed, from, {});
+    }
+    if (blend.uv && !uv.mesh) return none("bumps by uv of this body");
     tell_ignored(blend);
     Pattern pattern{.kind = Noise{}, .colors = {}, .transformations = {}, .by_uv = blend.uv};
     const bool picture = blend.image && blend.word == word("bump_map"), facets = blend.word == word("facets");
     const auto own_bends = [&]() -> std::shared_ptr<const SolidFunction> {
-        if ((!blend.map && !picture && !facets) || notes.in.options().as_text) return nullptr;
-        return bends_of(normal, notes.in.noise_generator);
+        if ((!blend.map && !picture && !facets && !blend.uv) || notes.in.options().as_text) return nullptr;
+        if (!blend.uv) return bends_of(normal, notes.in.noise_generator);
+        NormalThing own = normal;
+        own.blend.uv = false;
+        auto bends = bends_of(own, notes.in.noise_generator);
+        append(from, uv.found->to_scene);
+        return bends && blend.moved_by_uv ? turned_bends(glm::inverse(matrix_of(from)), std::move(bends)) : bends;
     };
     auto bends = own_bends();
     if (picture && !bends) {
@@ -515,13 +555,15 @@ Bump PigmentMaker::bump_of(const NormalThing& normal, const Steps& way, bool map
         notes.approximated(blend.place, "a bump_map bends normals a little differently");
     } else {
         std::optional<SolidPattern> solid;
+        const bool weighed = bends || blend.map || picture || facets;
         if (bends)
             solid = of_function(std::move(bends));
         else if (!blend.map)
             solid = solid_of(blend, true);
         if (!solid) return none("'" + word_text(blend.word) + "'");
         pattern.kind = *solid;
-        bump.height = blend.map || picture || facets ? 1 : decimal(static_cast<float>(normal.amount));
+        bump.height = weighed ? 1 : decimal(static_cast<float>(normal.amount));
+        if (blend.uv && !weighed) notes.approximated(blend.place, "bumps by uv bend normals along u and v");
     }
     pattern.transformations = space_of(blend, way);
     if (mirrored && std::holds_alternative<SolidPattern>(pattern.kind))

@@ -25,9 +25,9 @@ class PigmentMaker {
   public:
     PigmentMaker(NoteTaker notes, bool mirrored) : notes(notes), mirrored(mirrored) {}
 
-    /// `way` leads from the texture's space into that of the body; `mapped` says that it is a mesh with uv_vectors.
-    Look look_of(const PigmentThing& pigment, const Steps& way, bool mapped);
-    Bump bump_of(const NormalThing& normal, const Steps& way, bool mapped);
+    /// `way` leads from the texture's space into that of the body, whose places by uv are `uv`.
+    Look look_of(const PigmentThing& pigment, const Steps& way, const UvMapping& uv);
+    Bump bump_of(const NormalThing& normal, const Steps& way, const UvMapping& uv);
     /// Returns the largest value of a pigment's colours, at least 1.
     static double largest_of(const PigmentThing& pigment) { return brightest_of(pigment).value; }
     /// Do any of a pigment's colours let light through?
@@ -41,7 +41,7 @@ class PigmentMaker {
         Color color{0};
         double filter = 0, transmit = 0;
     };
-    Look shown_look_of(const PigmentThing& pigment, const Steps& way, bool mapped);
+    Look shown_look_of(const PigmentThing& pigment, const Steps& way, const UvMapping& uv);
     Mean mean_of(const MapEntry& entry);
     Mean mean_of(const PigmentThing& pigment);
     Mean mean_of(const MapThing& map, bool list);

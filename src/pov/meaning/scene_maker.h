@@ -70,7 +70,8 @@ class SceneMaker {
     std::optional<Part> clipped(const ObjectThing& object, const Around& around, Part part);
     int number_of(Shared& shared);
     template <class Way>
-    int number_of(const Looks& own, bool mapped, const Way& way);
+    int number_of(const Looks& own, const UvMapping& uv, const Way& way);
+    static UvMapping uv_of(const ObjectThing& object, const Around& around, bool mapped);
     int cells_of(const ObjectThing& object, const Around& around);
     int material_of(const ObjectThing& object, const Around& around, bool mapped);
     void push(Part part, const ObjectThing& object, const Around& around);

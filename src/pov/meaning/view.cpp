@@ -148,7 +148,7 @@ void SceneMaker::set_background() {
         const std::vector<PigmentThing>& pigments = contents.sky->pigments;
         std::vector<Look> looks;
         for (const PigmentThing& pigment : pigments)
-            looks.push_back(materials.pigment_maker().look_of(pigment, {}, false));
+            looks.push_back(materials.pigment_maker().look_of(pigment, {}, {}));
         if (const Color emission = max(contents.sky->emission, Color(0)); emission != Color(1))
             for (Look& look : looks) {
                 const Pigment& own = look.pigment;

@@ -192,7 +192,7 @@ void set_meshes(ObjectThing& object, std::vector<MeshPart>& parts,
         if (!smooth) data.normals.clear(), data.corner_normals.clear();
         if (!mapped) data.places.clear(), data.corner_places.clear();
         auto part = std::make_shared<ObjectThing>();
-        part->kind = ObjectKind::shape, part->place = object.place;
+        part->kind = ObjectKind::shape, part->word = object.word, part->place = object.place;
         part->shape = Mesh{std::make_shared<const MeshData>(std::move(data)), ""};
         if (i > 0) part->texture = PlacedTexture{textures[i - 1], {}};
         object.parts.push_back(std::move(part));
@@ -477,6 +477,7 @@ void PovReader::read_shape(Interpreter& in, std::uint16_t code, ObjectThing& obj
         object.kind = ObjectKind::shape;
         object.shape = shape;
     };
+    object.word = code;
     switch (code) {
         case word("sphere"): {
             const DVec3 centre = in.read_vector();

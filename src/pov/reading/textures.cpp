@@ -81,6 +81,9 @@ void PovReader::read_normal_body(Interpreter& in, NormalThing& normal) {
     for (bool changed = false;; changed = true) {
         if (in.accept("bump_size")) {
             normal.amount = in.read_number();
+        } else if (in.accept("uv_mapping")) {
+            if (const auto known = in.accept_thing<NormalThing>(ValueKind::normal)) normal = *known;
+            normal.blend.uv = true;
         } else if (read_pattern_word(in, normal.blend, ValueKind::normal)) {
             in.skip_comma();
             if (normal.blend.image) normal.amount = normal.blend.image->bump_size.value_or(normal.amount);
@@ -250,7 +253,7 @@ void PovReader::read_interior(Interpreter& in, InteriorThing& interior) {
 /// Reads the inside of a texture.
 std::shared_ptr<const TextureThing> PovReader::read_texture_body(Interpreter& in) {
     if (in.accept("texture")) return read_texture(in);
-    if (in.accept("uv_mapping")) return by_uv(*read_texture_body(in));
+    if (in.accept("uv_mapping")) return by_uv(*read_texture_body(in), Steps());
     const auto known = in.accept_thing<TextureThing>(ValueKind::texture);
     if (known && (in.at('}') || in.at(']'))) return known;
     auto texture = std::make_shared<TextureThing>(known ? *known : *default_texture);

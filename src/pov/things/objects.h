@@ -68,6 +68,7 @@ struct ObjectThing : Thing {
     std::optional<bool> no_shadow, no_image, no_reflection, both_sides;
     bool inverse = false, hollow = false;
     bool uv = false;                                          // textures that come after are by uv
+    std::uint16_t word = end_code;                            // of its shape, such as "sphere"
     std::vector<std::pair<Remark::Kind, std::string>> notes;  // to be told where the object is shown
     MadeBodies made;
 

@@ -43,6 +43,18 @@ struct MovedValues : SolidFunction {
     const SolidPattern values;
 };
 
+struct TurnedBends : SolidFunction {
+    TurnedBends(const Moves& turn, std::shared_ptr<const SolidFunction> bends)
+        : normals(turn), bends(std::move(bends)) {}
+    double value_at(const DVec3& point) const override { return bends->value_at(point); }
+    std::optional<DVec3> bend_at(const DVec3& point, const DVec3& normal) const override {
+        const std::optional<DVec3> own = bends->bend_at(point, normals.moved(normal));
+        return own ? std::optional(normals.unmoved(*own, normal)) : own;
+    }
+    const MovedNormals normals;
+    const std::shared_ptr<const SolidFunction> bends;
+};
+
 struct QuiltedValues : SolidFunction {
     explicit QuiltedValues(std::array<double, 2> controls) : controls(controls) {}
     double value_at(const DVec3& point) const override { return quilt_value(quilt(point, controls[0], controls[1])); }
@@ -517,6 +529,10 @@ std::shared_ptr<const SolidFunction> slope_values(const SolidPattern& values, co
 
 std::shared_ptr<const SolidFunction> bends_of(const NormalThing& normal, int generator) {
     return bends_of(normal, false, generator);
+}
+
+std::shared_ptr<const SolidFunction> turned_bends(const glm::dmat4& turn, std::shared_ptr<const SolidFunction> bends) {
+    return std::make_shared<const TurnedBends>(Moves{turn}, std::move(bends));
 }
 
 std::shared_ptr<const FunctionThing> colors_of(const PigmentThing& pigment, int generator) {

@@ -23,8 +23,10 @@ std::shared_ptr<const SolidFunction> powers_of(const SolidPattern& values, doubl
 /// Returns the heights of a slope_map at the values of a pattern.
 std::shared_ptr<const SolidFunction> slope_values(const SolidPattern& values, const std::vector<MapEntry>& entries);
 
-/// Returns what a normal { ... } with a map adds to normals, in the space behind all warps; null if it is not known.
+/// Returns what a normal { ... } adds to normals, in the space behind all warps; null if it is not known.
 std::shared_ptr<const SolidFunction> bends_of(const NormalThing& normal, int generator);
+/// Returns the same bends of normals that are turned before by a matrix, and turned back.
+std::shared_ptr<const SolidFunction> turned_bends(const glm::dmat4& turn, std::shared_ptr<const SolidFunction> bends);
 
 /// Returns the moves from the space around a pattern to where its values are found. With `last` its transformations
 /// behind all warps are among them. Turbulence that moves points is the last move.

@@ -87,6 +87,18 @@ struct WarpEntry {
 
 struct PigmentThing;
 
+/// How a body finds places by uv: a mesh has them at its corners, others move points there.
+struct UvMapping {
+    struct Found {
+        Moves moves;                       // from the body's space
+        Steps to_scene;                    // from the body's space
+        std::optional<DVec3> ball_centre;  // if it is a ball
+    };
+    bool mesh = false;
+    std::shared_ptr<const Found> found;
+    auto operator<=>(const UvMapping&) const = default;
+};
+
 /// The pattern of a pigment, a normal or a texture, with its map.
 struct Blend {
     std::uint16_t word = end_code;  // the pattern's, such as "bozo"; end_code if there is none
@@ -102,6 +114,9 @@ struct Blend {
     std::array<double, 2> controls{1, 1};  // of quilted
     double agate_turbulence = 1;
     bool uv = false;
+    /// If a texture is by uv as a whole, what has moved it since: directions of its normal move with it. Those of other
+    /// normals by uv are the scene's.
+    std::optional<Steps> moved_by_uv;
     std::optional<int> noise_generator;  // if it is not the scene's
     std::uint16_t ignored = end_code;    // a word that changes the pattern in a way that is not shown
     std::shared_ptr<const ImageThing> image;
@@ -186,11 +201,14 @@ struct TransformThing : Thing {
     Steps steps;
 };
 
-/// Makes the patterns of a layer patterns by uv.
-inline void set_by_uv(LayerValues& layer) { layer.pigment.blend.uv = layer.normal.blend.uv = layer.blend.uv = true; }
-inline std::shared_ptr<const TextureThing> by_uv(const TextureThing& given) {
+/// Makes the patterns of a layer patterns by uv, see Blend::moved_by_uv.
+inline void set_by_uv(LayerValues& layer, const std::optional<Steps>& moved = {}) {
+    layer.pigment.blend.uv = layer.normal.blend.uv = layer.blend.uv = true;
+    layer.normal.blend.moved_by_uv = layer.blend.moved_by_uv = moved;
+}
+inline std::shared_ptr<const TextureThing> by_uv(const TextureThing& given, const std::optional<Steps>& moved = {}) {
     auto texture = std::make_shared<TextureThing>(given);
-    for (LayerValues& layer : texture->layers) set_by_uv(layer);
+    for (LayerValues& layer : texture->layers) set_by_uv(layer, moved);
     return texture;
 }
 
@@ -198,7 +216,10 @@ inline std::shared_ptr<const TextureThing> by_uv(const TextureThing& given) {
 inline void transform(LayerValues& layer, std::span<const Step> steps) {
     for (Blend* const own : {&layer.pigment.blend, &layer.normal.blend, &layer.blend})
         // As in POV-Ray a colour moves, and a pattern in its place later, but there is no normal before it is given.
-        if (!own->uv && (own != &layer.normal.blend || *own)) append(own->steps, steps);
+        if (own->uv && own->moved_by_uv)
+            append(*own->moved_by_uv, steps);
+        else if (!own->uv && (own != &layer.normal.blend || *own))
+            append(own->steps, steps);
 }
 
 /// Returns a texture with the layers of another on top.

@@ -85,6 +85,10 @@ struct WarpPoint {
         return oriented({across * factor, up, away}, own.orientation);
     }
     DVec3 operator()(const PlanarWarp& own) const { return oriented({p.x, p.y, own.offset}, own.orientation); }
+    DVec3 operator()(const PlaceWarp& own) const {
+        const DVec3 to = moved(own.moves->list, p);
+        return {to.x, to.y, 0};
+    }
     DVec3 operator()(const CubicWarp&) const {
         const double x = std::fabs(p.x), y = std::fabs(p.y), z = std::fabs(p.z);
         const auto third = [](double part, double t) { return part / 3 + (t + 1) / 6; };

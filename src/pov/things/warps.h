@@ -1,5 +1,6 @@
 // Moves of the points at which a pattern is evaluated: by warps, turbulence and transformations.
 #pragma once
+#include <memory>
 #include <span>
 #include <variant>
 #include <vector>
@@ -41,11 +42,19 @@ struct PlanarWarp {
 };
 /// Wraps the unit square around a cube.
 struct CubicWarp {};
-using Warp = std::variant<TurbulenceWarp, RepeatWarp, BlackHoleWarp, RoundWarp, PlanarWarp, CubicWarp>;
+struct PlaceMoves;
+/// Makes a point the place by uv that its x and y are once it has been moved.
+struct PlaceWarp {
+    std::shared_ptr<const PlaceMoves> moves;
+};
+using Warp = std::variant<TurbulenceWarp, RepeatWarp, BlackHoleWarp, RoundWarp, PlanarWarp, CubicWarp, PlaceWarp>;
 
 /// A matrix, or a warp. Moves are applied to points in the order in which they stand.
 using Move = std::variant<glm::dmat4, Warp>;
 using Moves = std::vector<Move>;
+struct PlaceMoves {
+    Moves list;
+};
 
 DVec3 moved(std::span<const Move> moves, DVec3 point);
 

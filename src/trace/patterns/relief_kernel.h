@@ -37,6 +37,10 @@ template <class S>
 Vec3<S> bent_by(const World<Element<S>>& world, const BumpKernel<Element<S>>& bump, const Vec3<S>& position,
                 const S& surface, const Vec3<S>& flat, const Vec3<S>& normal) {
     if (!bump.pattern.by_uv) return bent_at(bump, in_space_of(bump.pattern, position), normal);
+    if (bump.by_vectors && bump.pattern.solid->function) {  // it knows the directions of the scene
+        const Vec3<S> place = place_in(placed_triangles(world, bump.pattern.places, surface), position);
+        return bent_at(bump, in_space_of(bump.pattern, place), normal);
+    }
     // The space of u, v and the normal is left-handed where the picture is mirrored or seen from behind.
     const PlacedTriangles<S> triangles = placed_triangles(world, bump.pattern.places, surface);
     const Tangents<S> along = tangents(triangles, flat);
