@@ -127,7 +127,8 @@ DVec3 turned_factors(const Steps& steps) {
     return factors;
 }
 
-/// Returns the moves from a simple body's own space to its places by uv, as POV-Ray finds them; none for a flat box.
+/// Returns the moves from a simple body's own space to its places by uv, as POV-Ray finds them; none for a flat box and
+/// for lathes, whose places are not known.
 Moves moves_by_uv(const ObjectThing& object, const Steps& to_scene) {
     const auto back = [](const Steps& steps) { return glm::inverse(matrix_of(steps)); };
     switch (object.word) {
@@ -146,6 +147,9 @@ Moves moves_by_uv(const ObjectThing& object, const Steps& to_scene) {
         case word("mesh"):
         case word("mesh2"):
             return {glm::dmat4(0)};  // all places are 0
+        case word("lathe"):
+        case word("sor"):
+            return {};
         default:
             return {matrix_of(to_scene)};  // x and y of the scene
     }
@@ -227,14 +231,14 @@ int SceneMaker::number_of(const Looks& own, const UvMapping& uv, const Way& way)
 
 /// Returns how a simple body finds places by uv; `mapped` says that it is a mesh with uv_vectors.
 UvMapping SceneMaker::uv_of(const ObjectThing& object, const Around& around, bool mapped) {
-    UvMapping::Found found{.moves = {}, .to_scene = object.steps, .ball_centre = {}};
+    UvMapping::Places found{.moves = {}, .to_scene = object.steps, .ball_centre = {}};
     append(found.to_scene, around.after);
     if (!mapped) {
         found.moves = moves_by_uv(object, found.to_scene);
         if (found.moves.empty()) return {};
         if (object.word == word("sphere")) found.ball_centre = std::get<Sphere>(*object.shape).centre;
     }
-    return {.mesh = mapped, .found = std::make_shared<const UvMapping::Found>(std::move(found))};
+    return {.mesh = mapped, .found = std::make_shared<const UvMapping::Places>(std::move(found))};
 }
 
 /// Returns the number of an object's material, whose pattern is in the object's own space or, if the material is that

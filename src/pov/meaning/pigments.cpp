@@ -359,7 +359,7 @@ void place(Blend& blend, Moves moves) {
 }
 
 /// Returns a pigment by uv whose places are found from points of a body. A picture around a ball stays a picture.
-PigmentThing placed(PigmentThing pigment, const UvMapping::Found& found) {
+PigmentThing placed(PigmentThing pigment, const UvMapping::Places& found) {
     Blend& blend = pigment.blend;
     const bool still = blend.warps.empty() && blend.steps.empty() && blend.turbulence == DVec3(0);
     if (found.ball_centre && still && blend.word == word("image_map") && blend.image->map_type == 0) {

@@ -229,13 +229,16 @@ void PovReader::read_parametric(Interpreter& in, ObjectThing& object) {
         };
         const double du = last[0] - first[0], dv = last[1] - first[1];
         constexpr double step = 1e-5;
-        return patch(2 * cells, [&](double a, double b) {
+        const auto at = [&](double a, double b) {
             const double u = first[0] + a * du, v = first[1] + b * dv;
             DVec3 p = point(u, v);
             if (within.beyond(p) > 1e-6 * length(within.box.size())) p = DVec3(NAN);
             const DVec3 normal = cross_product(point(u + step * du, v) - point(u - step * du, v),
                                                point(u, v + step * dv) - point(u, v - step * dv));
             return std::pair(p, std::isfinite(dot_product(normal, normal)) ? normal : DVec3(0));
+        };
+        return patch(2 * cells, at, [&](const std::array<double, 2>& own) {
+            return std::array{first[0] + own[0] * du, first[1] + own[1] * dv};
         });
     });
 }

@@ -265,6 +265,7 @@ bool PovReader::read_surface(Interpreter& in, std::uint16_t code, ObjectThing& o
         }
         case word("bicubic_patch"): {
             int steps[2]{0, 0};
+            std::array<Point2, 4> places{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
             if (in.at_expression() && !in.at('<')) {  // an old form
                 in.read_number(), in.skip_comma(), in.read_number(), in.skip_comma();
                 for (int& own : steps) own = in.read_integer(), in.skip_comma();
@@ -277,14 +278,14 @@ bool PovReader::read_surface(Interpreter& in, std::uint16_t code, ObjectThing& o
                 else if (in.accept("v_steps"))
                     steps[1] = in.read_integer();
                 else if (in.accept("uv_vectors"))
-                    for (int i = 0; i < 4; ++i) in.read_uv(), in.skip_comma();
+                    for (Point2& place : places) place = in.read_uv(), in.skip_comma();
                 else
                     break;
                 in.skip_comma();
             }
             std::array<DVec3, 16> points;
             for (DVec3& p : points) in.skip_comma(), p = in.read_vector();
-            set_mesh(object, bicubic(points, 1 << std::clamp(std::max(steps[0], steps[1]), 0, 5)));
+            set_mesh(object, bicubic(points, 1 << std::clamp(std::max(steps[0], steps[1]), 0, 5), places));
             object.approximated("'bicubic_patch" + mesh);
             return true;
         }

@@ -15,7 +15,9 @@ namespace strahl::pov {
 /// Collects triangles; those without area are left out.
 class MeshBuilder {
   public:
-    void add_triangle(const std::array<DVec3, 3>& points, const std::array<DVec3, 3>& normals, bool smooth) {
+    /// Adds a triangle. `places`, if given, are the numbers of its corners' places by uv; all triangles have some then.
+    void add_triangle(const std::array<DVec3, 3>& points, const std::array<DVec3, 3>& normals, bool smooth,
+                      const MeshData::Corners* places = nullptr) {
         const std::array<std::int32_t, 3> corners{joined.number_of(points[0]), joined.number_of(points[1]),
                                                   joined.number_of(points[2])};
         if (Triangle{points[0], points[1], points[2]}.fault()) return;
@@ -28,6 +30,7 @@ class MeshBuilder {
             own[k] = directions.number_of(given ? normals[k] : flat);
         }
         mesh.corner_normals.push_back(own);
+        if (places) mesh.corner_places.push_back(*places);
     }
     /// Adds a quadrilateral whose corners go round.
     void add_square(const std::array<DVec3, 4>& p, const std::array<DVec3, 4>& n, bool smooth = true) {

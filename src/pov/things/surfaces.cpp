@@ -186,7 +186,8 @@ MeshData superellipsoid(double e, double n, int cells) {
     return mesh.finish();
 }
 
-MeshData patch(int pieces, const std::function<std::pair<DVec3, DVec3>(double u, double v)>& at) {
+MeshData patch(int pieces, const std::function<std::pair<DVec3, DVec3>(double u, double v)>& at,
+               const std::function<Point2(const Point2& uv)>& place) {
     const auto side = std::size_t(pieces) + 1;
     std::vector<std::pair<DVec3, DVec3>> corners;
     for (std::size_t i = 0; i < side; ++i)
@@ -194,19 +195,25 @@ MeshData patch(int pieces, const std::function<std::pair<DVec3, DVec3>(double u,
     MeshBuilder mesh;
     for (std::size_t i = 0; i + 1 < side; ++i)
         for (std::size_t j = 0; j + 1 < side; ++j) {
-            std::array<DVec3, 4> p, n;
-            double sum = 0;
-            const std::size_t first = i * side + j, square[4]{first, first + side, first + side + 1, first + 1};
-            for (std::size_t k = 0; k < 4; ++k) {
-                std::tie(p[k], n[k]) = corners[square[k]];
-                sum += p[k].x + p[k].y + p[k].z;
+            const auto first = std::int32_t(i * side + j), next = first + std::int32_t(side);
+            for (const MeshData::Corners& own :
+                 {MeshData::Corners{first, next, next + 1}, {first, next + 1, first + 1}}) {
+                std::array<DVec3, 3> p, n;
+                double sum = 0;
+                for (std::size_t k = 0; k < 3; ++k) {
+                    std::tie(p[k], n[k]) = corners[std::size_t(own[k])];
+                    sum += p[k].x + p[k].y + p[k].z;
+                }
+                if (std::isfinite(sum)) mesh.add_triangle(p, n, true, &own);
             }
-            if (std::isfinite(sum)) mesh.add_square(p, n);
         }
-    return mesh.finish();
+    MeshData made = mesh.finish();
+    for (std::size_t i = 0; i < side; ++i)
+        for (std::size_t j = 0; j < side; ++j) made.places.push_back(place({double(i) / pieces, double(j) / pieces}));
+    return made;
 }
 
-MeshData bicubic(const std::array<DVec3, 16>& points, int pieces) {
+MeshData bicubic(const std::array<DVec3, 16>& points, int pieces, const std::array<Point2, 4>& places) {
     const auto weights = [](double t) {
         const double s = 1 - t;
         return std::array{s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t};
@@ -221,9 +228,16 @@ MeshData bicubic(const std::array<DVec3, 16>& points, int pieces) {
             for (std::size_t j = 0; j < 4; ++j) p += v[i] * u[j] * points[4 * i + j];
         return p;
     };
-    return patch(pieces, [&](double v, double u) {
+    const auto at = [&](double v, double u) {
         return std::pair(sum(weights(v), weights(u)),
                          cross_product(sum(slopes(v), weights(u)), sum(weights(v), slopes(u))));
+    };
+    return patch(pieces, at, [&](const Point2& own) {
+        const auto [v, u] = own;
+        Point2 to;
+        for (std::size_t k = 0; k < 2; ++k)
+            to[k] = std::lerp(std::lerp(places[0][k], places[1][k], u), std::lerp(places[3][k], places[2][k], u), v);
+        return to;
     });
 }
 

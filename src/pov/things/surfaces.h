@@ -37,10 +37,13 @@ MeshData swept(std::vector<Outline> outlines, const Sweep& sweep);
 /// (|x|^(2/e) + |y|^(2/e))^(e/n) + |z|^(2/n) = 1.
 MeshData superellipsoid(double e, double n, int cells);
 /// The surface of the points that `at` returns with their normals for (u, v), each from 0 to 1, in `pieces` by `pieces`
-/// squares. A square is left out if a corner is not finite; a normal is if it is 0.
-MeshData patch(int pieces, const std::function<std::pair<DVec3, DVec3>(double u, double v)>& at);
-/// The bicubic surface of 16 control points, row by row, in `pieces` by `pieces` squares.
-MeshData bicubic(const std::array<DVec3, 16>& points, int pieces);
+/// squares of two triangles. One is left out if a corner is not finite; a normal is if it is 0. `place` returns places
+/// by uv.
+MeshData patch(int pieces, const std::function<std::pair<DVec3, DVec3>(double u, double v)>& at,
+               const std::function<Point2(const Point2& uv)>& place);
+/// The bicubic surface of 16 control points, row by row, in `pieces` by `pieces` squares. `places` are those of its
+/// corners by uv.
+MeshData bicubic(const std::array<DVec3, 16>& points, int pieces, const std::array<Point2, 4>& places);
 /// The field of heights over x and z from 0 to 1, from the lower row of z on; what is below `water` is left out.
 MeshData height_field(int width, int height, std::span<const double> heights, double water, bool smooth);
 

@@ -89,13 +89,13 @@ struct PigmentThing;
 
 /// How a body finds places by uv: a mesh has them at its corners, others move points there.
 struct UvMapping {
-    struct Found {
+    struct Places {
         Moves moves;                       // from the body's space
         Steps to_scene;                    // from the body's space
         std::optional<DVec3> ball_centre;  // if it is a ball
     };
     bool mesh = false;
-    std::shared_ptr<const Found> found;
+    std::shared_ptr<const Places> found;
     auto operator<=>(const UvMapping&) const = default;
 };
 

@@ -72,6 +72,7 @@ void add_lights(const Shading<S, P>& shading, const Hit<S>& hit, const int* numb
     const Vec3<S> reflected = reflect(hit), nothing = splat<S>(Vec3<T>(0));
     const Visibility<S> visible = world.finishes.fades ? faded_visibility<S> : visibility<S>;
     const Mask<S> both = world.finishes.behind ? FinishCalls<S>::lit_behind(world, numbers) : first_lanes<S>(0);
+    const bool through = lights_bent_sides(world);
     for (int i = 0; i < world.light_count; ++i) {
         const LightKernel<T>& light = world.lights[i];
         const Vec3<S> to_light = fma(S(-light.finite), hit.position, splat<S>(light.position));
@@ -85,13 +86,14 @@ void add_lights(const Shading<S, P>& shading, const Hit<S>& hit, const int* numb
             way.distance = select(lost, near.distance, way.distance);
         }
         if (light.starts) way.distance = S(light.start) - dot(hit.position, way.l);
-        const Mask<S> behind = both & (way.cosine < zero), inwards = both & (dot(flat, way.l) < zero);
+        const Mask<S> behind = both & (way.cosine < zero);
+        const Mask<S> inwards = through ? dot(flat, way.l) < zero : both & (dot(flat, way.l) < zero);
         const Mask<S> outside = (hit.outside & !inwards) | (inwards & !hit.outside);
         way.cosine = select(behind, -way.cosine, way.cosine);
         Mask<S> faces = hit.active & (way.cosine > zero);
         // As in POV-Ray a light without shadows also lights bent normals on the side away from it, and so do those
-        // points of a grid that face the surface.
-        if (world.patterns.bends && !light.shadowless && light.columns == 0)
+        // points of a grid that face the surface; and others unless the body itself hides them.
+        if (world.patterns.bends && !through && !light.shadowless && light.columns == 0)
             faces = faces & (both | (dot(flat, way.l) > zero));
         S strength(1);
         if (light.spot) strength = spot_share(light, way.l);

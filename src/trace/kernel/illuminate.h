@@ -78,6 +78,13 @@ template <class S, class P>
         sum[c] = fma(S(light.color[c]), fma(material.diffuse[c], means.diffuse[c], means.highlight[c]), sum[c]);
 }
 
+/// Are points with bent normals lit from behind the surface too, unless their body itself is in the way? So it is in
+/// POV-Ray's scenes.
+template <class T>
+bool lights_bent_sides(const World<T>& world) {
+    return world.patterns.bends && world.passed_over > 0;
+}
+
 /// Returns Ia Ka Of + sum over lights S Il [Kd Of (n.l) + Ks (h.l)^p]. At `dim` hits lights are skipped that bring no
 /// more than `faint_share` times the diffuse term of that light straight above, together no more than
 /// `MaterialKernel::scattered`. Of `notes` all but the policy's data are only read if `Shading::has_notes`.
@@ -88,6 +95,7 @@ STRAHL_INLINE Vec3<S> illumination(const Shading<S, P>& shading, const Hit<S>& h
     const auto& world = shading.world;
     const S zero(0);
     Vec3<S> sum = material.ambient;
+    const bool through = lights_bent_sides(world);
     const Vec3<S> reflected = reflect(hit);
     const S strongest = largest(material.diffuse);
     const S possible = P::diffuse(notes.own, strongest);
@@ -133,11 +141,17 @@ STRAHL_INLINE Vec3<S> illumination(const Shading<S, P>& shading, const Hit<S>& h
             if (none(P::lit(faces, hit, own))) continue;
         }
         shading.counts.shadow += count(faces);
-        const Start<S> start{i, hit.bin, hit.outside};
+        Mask<S> outside = hit.outside;
+        if (through) [[unlikely]] {
+            const Mask<S> inwards = dot(notes.flat, l) < S(0);
+            outside = (outside & !inwards) | (inwards & !outside);
+        }
+        const Start<S> start{i, hit.bin, outside};
         Vec3<S> share = P::arriving(shading, hit, own, l, distance, faces, cosine, highlight, start, notes.own);
         if (shading.has_notes) [[unlikely]] {
             // A light that only the bent normal faces is behind the surface.
-            if (world.patterns.bends) share = select(dot(notes.flat, l) > S(0), share, splat<S>(Vec3<Element<S>>(0)));
+            if (world.patterns.bends && !through)
+                share = select(dot(notes.flat, l) > S(0), share, splat<S>(Vec3<Element<S>>(0)));
             if (notes_sights(shading)) note_light(shading, hit, notes, i, Vec3<S>(share), S(dot(reflected, l)), faces);
         }
         if (light.spot) [[unlikely]]

@@ -230,3 +230,42 @@ TEST_CASE("POV-Ray: uv_mapping of a pigment, a texture or a body") {
         CHECK(material(other.scene).rgb.pattern->transformations == pattern.transformations);
     }
 }
+
+TEST_CASE("POV-Ray: places by uv of bodies that are no meshes") {
+    const Opener open([](const std::string&) { return Pixels{1, 1, false, {0, 0, 0}, Color(1)}; });
+    const std::string picture = " pigment { uv_mapping image_map { png \"a.png\" } ";
+    const auto pattern_of = [&](const std::string& text) {
+        const pov::OpenedPov shown = open("camera { right -4/3*x } " + text);
+        CHECK(shown.notes.empty());
+        REQUIRE(material(shown.scene).rgb.pattern);
+        return *material(shown.scene).rgb.pattern;
+    };
+    // Around a ball a picture stays one, unless it is moved by uv.
+    const Pattern around = pattern_of("sphere { <1, 2, 3>, 1" + picture + "} rotate 20*y }");
+    REQUIRE(std::holds_alternative<ImagePattern>(around.kind));
+    CHECK(std::get<ImagePattern>(around.kind).map == ImageMap::spherical);
+    CHECK(around.transformations.back() == Transformation(Translate{{1, 2, 3}}));
+    CHECK_FALSE(around.by_uv);
+    CHECK(std::holds_alternative<SolidPattern>(pattern_of("sphere { 0, 1" + picture + "scale .5 } }").kind));
+    // Values of u and v, as the colours of ramps.
+    const auto place_of = [&](const std::string& body, const DVec3& p) {
+        DVec3 place(0);
+        for (const int axis : {0, 1}) {
+            const std::string way = axis == 0 ? "x" : "y";
+            const Pattern own = pattern_of(body + " pigment { uv_mapping gradient " + way + " scale 4 } }");
+            const auto seen = referee::Paint<double>(Pigment(own), glm::dmat4(1)).at(referee::Vector<double>(p));
+            place[axis] = 4 * double(seen.x);
+        }
+        return place;
+    };
+    const auto near = [](const DVec3& a, const DVec3& b) { return length(a - b) < 1e-6; };
+    CHECK(near(place_of("sphere { 0, 2", {0, 0, 2}), {.25, .5, 0}));
+    CHECK(near(place_of("sphere { <0, 1, 0>, 2", {std::sqrt(2), 1 - std::sqrt(2), 0}), {0, .25, 0}));
+    CHECK(near(place_of("box { 0, <1, 2, 4>", {1, 1, 1}), {11. / 16, .5, 0}));
+    CHECK(near(place_of("box { 0, <1, 2, 4> scale <1, 1, -1>", {1, 1, 1}), {9. / 16, .5, 0}));
+    CHECK(near(place_of("torus { 3, 1", {0, 1, 3}), {.25, .75, 0}));
+    CHECK(near(place_of("cylinder { 0, y, 1", {.5, .25, 2}), {.5, .25, 0}));
+    CHECK(near(place_of("mesh { triangle { 0, x, y }", {.5, .25, 0}), {0, 0, 0}));
+    CHECK(notes_of("lathe { linear_spline 3, <1, 0>, <2, 1>, <1, 2> pigment { uv_mapping granite } }").find("by uv") !=
+          std::string::npos);
+}
