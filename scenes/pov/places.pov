@@ -43,3 +43,8 @@ polygon {
   4, <-1, 0, 0>, <1, 0, 0>, <1, 1.2, .6>, <-1, 1.2, .6>
   pigment { uv_mapping gradient x + y scale .4 } normal { bumps 1 scale .2 } translate <1.2, -1.4, -2.5>
 }
+// As the converter writes a torus: its place first.
+torus {
+  .4, .2 matrix <1, 0, 0, 0, 0, 1, 0, -1, 0, 3, -.9, -2.5>
+  pigment { gradient y scale .3 } normal { bumps .4 scale .1 } rotate 5*z
+}

@@ -58,23 +58,27 @@ Shape mirrored_shape(Shape shape) {
 }
 
 /// A body that is moved as a whole needs no transformation if its arguments can say so, and a prism that was turned up
-/// and down again stays as it is.
-void fold_matrix(Shape& shape, Steps& steps) {
+/// and down again stays as it is. Returns the steps that were taken away.
+Steps fold_matrix(Shape& shape, Steps& steps) {
+    const auto take = [&](std::ptrdiff_t count) {
+        const Steps taken(steps.begin(), steps.begin() + count);
+        steps.erase(steps.begin(), steps.begin() + count);
+        return taken;
+    };
     const auto turns = [&](std::size_t i, double degrees) {
         const auto* const rotate = i < steps.size() ? std::get_if<Rotate>(&steps[i]) : nullptr;
         return rotate && rotate->degrees == DVec3(degrees, 0, 0);
     };
-    if (std::holds_alternative<Prism>(shape) && turns(0, -90) && turns(1, 90))
-        steps.erase(steps.begin(), steps.begin() + 2);
+    if (std::holds_alternative<Prism>(shape) && turns(0, -90) && turns(1, 90)) return take(2);
     auto* const torus = std::get_if<Torus>(&shape);
     const auto* const step = steps.empty() ? nullptr : std::get_if<MatrixStep>(&steps[0]);
-    if (!torus || !step) return;
+    if (!torus || !step) return {};
     const glm::dmat3 m(step->m()), squares = glm::transpose(m) * m;
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
-            if (std::fabs(squares[i][j] - (i == j)) > 1e-14) return;
+            if (std::fabs(squares[i][j] - (i == j)) > 1e-14) return {};
     torus->centre = transform_point(step->m(), torus->centre), torus->axis = m * torus->axis;
-    steps.erase(steps.begin());
+    return take(1);
 }
 
 /// Why scene text could not hold the body, or null.
@@ -229,21 +233,25 @@ int SceneMaker::number_of(const Looks& own, const UvMapping& uv, const Way& way)
     return materials.number(own.texture, own.interior, use, way);
 }
 
-/// Returns how a simple body finds places by uv; `mapped` says that it is a mesh with uv_vectors.
-UvMapping SceneMaker::uv_of(const ObjectThing& object, const Around& around, bool mapped) {
+/// Returns how a simple body finds places by uv; `mapped` says that it is a mesh with uv_vectors. Its first steps,
+/// `folded`, are in its arguments.
+UvMapping SceneMaker::uv_of(const ObjectThing& object, const Around& around, bool mapped, const Steps& folded) {
     UvMapping::Places found{.moves = {}, .to_scene = object.steps, .ball_centre = {}};
     append(found.to_scene, around.after);
     if (!mapped) {
         found.moves = moves_by_uv(object, found.to_scene);
         if (found.moves.empty()) return {};
+        if (!folded.empty()) found.moves.insert(found.moves.begin(), matrix_of(inverse(folded)));
         if (object.word == word("sphere")) found.ball_centre = std::get<Sphere>(*object.shape).centre;
     }
+    found.to_scene.erase(found.to_scene.begin(), found.to_scene.begin() + std::ptrdiff_t(folded.size()));
     return {.mesh = mapped, .found = std::make_shared<const UvMapping::Places>(std::move(found))};
 }
 
 /// Returns the number of an object's material, whose pattern is in the object's own space or, if the material is that
-/// of the composites around it, in the space of the outermost of these.
-int SceneMaker::material_of(const ObjectThing& object, const Around& around, bool mapped) {
+/// of the composites around it, in the space of the outermost of these. `folded` leads from the object's space into
+/// that of the body.
+int SceneMaker::material_of(const ObjectThing& object, const Around& around, bool mapped, const Steps& folded) {
     if (around.clips) return materials.nothing();
     Looks own = around;
     take_over(object, own);
@@ -256,8 +264,16 @@ int SceneMaker::material_of(const ObjectThing& object, const Around& around, boo
         }
         notes.approximated(object.place, "the parts of a blob have the texture of the whole");
     }
-    const auto way = [&] { return inverse(to_owner(object, around)); };
-    if (materials.by_uv(own.texture)) return number_of(own, uv_of(object, around, mapped), way);
+    const auto way = [&] {
+        Steps own = to_owner(object, around);
+        const bool both =
+            own.size() >= folded.size() && std::ranges::equal(folded, std::span(own).first(folded.size()));
+        if (both) own.erase(own.begin(), own.begin() + std::ptrdiff_t(folded.size()));
+        Steps back = inverse(own);
+        if (!both) append(back, folded);
+        return back;
+    };
+    if (materials.by_uv(own.texture)) return number_of(own, uv_of(object, around, mapped, folded), way);
     if (own.shared) return number_of(*own.shared);
     const int number = number_of(own, {.mesh = mapped, .found = nullptr}, way);
     const bool doubtful = around.shared && materials[number].patterned() && number == number_of(*around.shared);
@@ -287,7 +303,7 @@ std::optional<SceneMaker::Part> SceneMaker::build(const ObjectThing& object, con
         Shape shape = *object.shape;
         if (object.surface) shape = Mesh{object.surface->mesh(cells_of(object, around)), ""};
         Steps steps = object.steps;
-        fold_matrix(shape, steps);
+        const Steps folded = fold_matrix(shape, steps);
         if (mirrored) {
             std::shared_ptr<const void> shared;
             if (const auto* const own = std::get_if<Mesh>(&shape)) shared = own->data;
@@ -307,7 +323,7 @@ std::optional<SceneMaker::Part> SceneMaker::build(const ObjectThing& object, con
         }
         const auto* const mesh = std::get_if<Mesh>(&shape);
         const bool mapped = mesh && !mesh->data->places.empty();
-        const int material = material_of(object, around, mapped);
+        const int material = material_of(object, around, mapped, folded);
         if (object.hollow && !contents.fogs.empty() && materials[material].transmits())
             notes.approximated(object.place, "there is no fog inside a hollow body that light passes");
         part = Part{{std::move(shape), material, transformations_of(steps, mirrored)}, object.inverse};

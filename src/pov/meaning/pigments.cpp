@@ -542,7 +542,7 @@ Bump PigmentMaker::bump_of(const NormalThing& normal, const Steps& way, const Uv
         NormalThing own = normal;
         own.blend.uv = false;
         auto bends = bends_of(own, notes.in.noise_generator);
-        append(from, uv.found->to_scene);
+        if (uv.found) append(from, uv.found->to_scene);
         return bends && blend.moved_by_uv ? turned_bends(glm::inverse(matrix_of(from)), std::move(bends)) : bends;
     };
     auto bends = own_bends();

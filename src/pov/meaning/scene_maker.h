@@ -71,9 +71,9 @@ class SceneMaker {
     int number_of(Shared& shared);
     template <class Way>
     int number_of(const Looks& own, const UvMapping& uv, const Way& way);
-    static UvMapping uv_of(const ObjectThing& object, const Around& around, bool mapped);
+    static UvMapping uv_of(const ObjectThing& object, const Around& around, bool mapped, const Steps& folded);
     int cells_of(const ObjectThing& object, const Around& around);
-    int material_of(const ObjectThing& object, const Around& around, bool mapped);
+    int material_of(const ObjectThing& object, const Around& around, bool mapped, const Steps& folded);
     void push(Part part, const ObjectThing& object, const Around& around);
     void count_surfaces(const ObjectThing& object);
     void tell_notes(const ObjectThing& object) const;
