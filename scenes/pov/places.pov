@@ -1,6 +1,6 @@
-// Textures by uv: on balls, boxes and a torus, where POV-Ray has a map of its own, on a mesh, and by x and y of the
-// scene on all other bodies; in parts of composites; normals by uv, whose directions are those of the scene; and bumps
-// of a body without an inside, which light from behind reaches.
+// Textures by uv: on balls, boxes, toruses and turned bodies, where POV-Ray has a map of its own, on a mesh, and by x
+// and y of the scene on all other bodies; in parts of composites; normals by uv, whose directions are those of the
+// scene; and bumps of a body without an inside, which light from behind reaches.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 
@@ -42,6 +42,14 @@ mesh {
 polygon {
   4, <-1, 0, 0>, <1, 0, 0>, <1, 1.2, .6>, <-1, 1.2, .6>
   pigment { uv_mapping gradient x + y scale .4 } normal { bumps 1 scale .2 } translate <1.2, -1.4, -2.5>
+}
+lathe {
+  cubic_spline 6, <0, -1>, <.4, -.6>, <.5, 0>, <.3, .4>, <.2, .8>, <.2, 1>
+  pigment { Tiles } scale .7 rotate -20*x translate <-3.2, -.9, -2.5>
+}
+sor {
+  5, <.2, -1>, <.5, -.5>, <.4, .2>, <.2, .6>, <.2, 1>
+  pigment { Tiles } scale .7 rotate -20*x translate <3, -.9, -2.5>
 }
 // As the converter writes a torus: its place first.
 torus {

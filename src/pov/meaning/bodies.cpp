@@ -131,8 +131,7 @@ DVec3 turned_factors(const Steps& steps) {
     return factors;
 }
 
-/// Returns the moves from a simple body's own space to its places by uv, as POV-Ray finds them; none for a flat box and
-/// for lathes, whose places are not known.
+/// Returns the moves from a simple body's own space to its places by uv, as POV-Ray finds them; none for a flat box.
 Moves moves_by_uv(const ObjectThing& object, const Steps& to_scene) {
     const auto back = [](const Steps& steps) { return glm::inverse(matrix_of(steps)); };
     switch (object.word) {
@@ -151,10 +150,9 @@ Moves moves_by_uv(const ObjectThing& object, const Steps& to_scene) {
         case word("mesh"):
         case word("mesh2"):
             return {glm::dmat4(0)};  // all places are 0
-        case word("lathe"):
-        case word("sor"):
-            return {};
         default:
+            if (object.places) return object.places->list;
+
             return {matrix_of(to_scene)};  // x and y of the scene
     }
 }

@@ -428,7 +428,7 @@ Look PigmentMaker::shown_look_of(const PigmentThing& pigment, const Steps& way, 
         notes.approximated(blend.place, why + " is its mean colour");
         return look;
     };
-    if (blend.uv && !uv.mesh) return as_mean("a pigment by uv that is within another one, or of this body,");
+    if (blend.uv && !uv.mesh) return as_mean("a pigment by uv of a flat box, or within another pigment,");
     if (blend.map && !blend.map->entries.empty()) {
         const Mean first = mean_of(blend.map->entries[0]);
         for (const MapEntry& entry : blend.map->entries) {
@@ -532,7 +532,7 @@ Bump PigmentMaker::bump_of(const NormalThing& normal, const Steps& way, const Uv
         place(placed.blend, std::move(moves));
         return bump_of(placed, from, {});
     }
-    if (blend.uv && !uv.mesh) return none("bumps by uv of this body");
+    if (blend.uv && !uv.mesh) return none("bumps by uv of a flat box");
     tell_ignored(blend);
     Pattern pattern{.kind = Noise{}, .colors = {}, .transformations = {}, .by_uv = blend.uv};
     const bool picture = blend.image && blend.word == word("bump_map"), facets = blend.word == word("facets");

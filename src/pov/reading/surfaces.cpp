@@ -46,6 +46,10 @@ void set_lathe(ObjectThing& object, std::vector<Contour> contours) {
     object.shape = Lathe{std::make_shared<const ContourData>(std::move(contours), true)};
 }
 
+void set_places(ObjectThing& object, Moves moves) {
+    object.places = std::make_shared<const PlaceMoves>(PlaceMoves{std::move(moves)});
+}
+
 std::shared_ptr<const ObjectThing> part_of(const ObjectThing& whole, const Shape& shape, Steps steps = {}) {
     auto part = std::make_shared<ObjectThing>();
     part->kind = ObjectKind::shape, part->place = whole.place, part->shape = shape, part->steps = std::move(steps);
@@ -178,12 +182,15 @@ bool PovReader::read_surface(Interpreter& in, std::uint16_t code, ObjectThing& o
     switch (code) {
         case word("lathe"): {
             const SplineKind kind = read_spline_kind(in);
-            set_lathe(object, contours_of(kind, read_points(in), true));
+            const std::vector<Point2> points = read_points(in);
+            set_lathe(object, contours_of(kind, points, true));
+            set_places(object, places_of_lathe(kind, points));
             return true;
         }
         case word("sor"): {
             const std::vector<Point2> points = read_points(in);
             set_lathe(object, {contour_of_sor(points, in.accept("open"))});
+            set_places(object, places_of_sor(points));
             return true;
         }
         case word("ovus"): {
@@ -192,6 +199,9 @@ bool PovReader::read_surface(Interpreter& in, std::uint16_t code, ObjectThing& o
             const double top = in.read_number();
             if (bottom < 0 || top < 0) in.fail("a radius of an ovus is below 0");
             set_lathe(object, {contour_of_ovus(bottom, top)});
+            const DVec3 middle(0, top / 2, 0);
+            set_places(object, {glm::inverse(matrix_of(Steps{Translate{middle}})),
+                                Warp(RoundWarp{.shape = RoundWarp::Shape::ball})});
             return true;
         }
         case word("prism"): {

@@ -69,6 +69,7 @@ struct ObjectThing : Thing {
     bool inverse = false, hollow = false;
     bool uv = false;                                          // textures that come after are by uv
     std::uint16_t word = end_code;                            // of its shape, such as "sphere"
+    std::shared_ptr<const PlaceMoves> places;                 // to places by uv from its own space, of a turned body
     std::vector<std::pair<Remark::Kind, std::string>> notes;  // to be told where the object is shown
     MadeBodies made;
 

@@ -127,6 +127,81 @@ Contour contour_of_sor(std::span<const Point2> points, bool open) {
     return contour;
 }
 
+namespace {
+
+Moves turned_moves(std::function<double(double away, double y)> height) {
+    return {Warp(TurnedWarp{std::make_shared<const std::function<double(double, double)>>(std::move(height))})};
+}
+
+/// A piece of a spline: a t^3 + b t^2 + c t + d for t from 0 to 1.
+struct SplinePiece {
+    Point2 a{}, b{}, c{}, d{};
+    double at(std::size_t k, double t) const { return d[k] + t * (c[k] + t * (b[k] + t * a[k])); }
+    double slope(std::size_t k, double t) const { return c[k] + t * (2 * b[k] + t * 3 * a[k]); }
+    double away(double t, const Point2& p) const { return std::hypot(at(0, t) - p[0], at(1, t) - p[1]); }
+    /// Returns where the piece is nearest to a point on it, from a place near there, by Newton's steps.
+    double nearest(double t, const Point2& p) const {
+        for (int i = 0; i < 8; ++i) {
+            const double x = slope(0, t), y = slope(1, t), squared = x * x + y * y;
+            if (!(squared > 0)) break;
+            t = std::clamp(t - (x * (at(0, t) - p[0]) + y * (at(1, t) - p[1])) / squared, 0., 1.);
+        }
+        return t;
+    }
+};
+
+/// Returns the pieces of a lathe's spline, as POV-Ray has them.
+std::vector<SplinePiece> pieces_of(SplineKind kind, std::span<const Point2> points) {
+    const std::size_t needs = kind == SplineKind::linear ? 2 : kind == SplineKind::quadratic ? 3 : 4;
+    std::vector<SplinePiece> all;
+    for (std::size_t i = 0; i + needs <= points.size(); i += kind == SplineKind::bezier ? 4 : 1) {
+        SplinePiece& own = all.emplace_back();
+        for (std::size_t k = 0; k < 2; ++k) {
+            const auto p = [&](std::size_t n) { return points[i + n][k]; };
+            if (kind == SplineKind::linear) {
+                own.c[k] = p(1) - p(0), own.d[k] = p(0);
+            } else if (kind == SplineKind::quadratic) {
+                own.b[k] = (p(0) - 2 * p(1) + p(2)) / 2, own.c[k] = (p(2) - p(0)) / 2, own.d[k] = p(1);
+            } else if (kind == SplineKind::cubic) {
+                own.a[k] = (3 * (p(1) - p(2)) + p(3) - p(0)) / 2, own.b[k] = p(0) - 2.5 * p(1) + 2 * p(2) - p(3) / 2;
+                own.c[k] = (p(2) - p(0)) / 2, own.d[k] = p(1);
+            } else {
+                own.a[k] = p(3) - p(0) + 3 * (p(1) - p(2)), own.b[k] = 3 * (p(2) - 2 * p(1) + p(0));
+                own.c[k] = 3 * (p(1) - p(0)), own.d[k] = p(0);
+            }
+        }
+    }
+    return all;
+}
+
+}  // namespace
+
+Moves places_of_lathe(SplineKind kind, std::span<const Point2> points) {
+    return turned_moves([pieces = pieces_of(kind, points)](double away, double y) {
+        constexpr int starts = 8;
+        double least = HUGE_VAL, place = 0;
+        for (std::size_t i = 0; i < pieces.size(); ++i)
+            for (int k = 0; k <= starts; ++k) {
+                const double t = pieces[i].nearest(double(k) / starts, {away, y}), off = pieces[i].away(t, {away, y});
+                if (off < least) least = off, place = (double(i) + t) / double(pieces.size());
+            }
+        return place;
+    });
+}
+
+Moves places_of_sor(std::span<const Point2> points) {
+    if (points.size() < 4) return turned_moves([](double, double) { return 0; });
+    return turned_moves([p = std::vector<Point2>(points.begin() + 1, points.end() - 1)](double away, double y) {
+        constexpr double tolerance = 1e-9;
+        const Point2 &base = p.front(), &cap = p.back();
+        if (std::fabs(y - base[1]) < tolerance && base[0] > 0) return away / base[0] - 1;
+        if (std::fabs(y - cap[1]) < tolerance && cap[0] > 0) return 2 - away / cap[0];
+        std::size_t i = 0;
+        while (i + 2 < p.size() && y > p[i + 1][1]) ++i;
+        return (double(i) + (y - p[i][1]) / (p[i + 1][1] - p[i][1])) / double(p.size() - 1);
+    });
+}
+
 Contour contour_of_ovus(double bottom, double top) {
     constexpr double right = std::numbers::pi / 2;
     Contour contour{{0, -bottom}, {}};

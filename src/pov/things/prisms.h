@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "pov/things/surfaces.h"
+#include "pov/things/warps.h"
 #include "scene/kinds/contours.h"
 
 namespace strahl::pov {
@@ -13,6 +14,10 @@ std::vector<Contour> contours_of(SplineKind kind, std::span<const Point2> points
 /// Returns the contour of a sor, whose squared radius is a cubic of the height between points, as cubic curves: these
 /// are off by no more than 2e-7 of the largest radius. It is empty if heights of points are equal.
 Contour contour_of_sor(std::span<const Point2> points, bool open);
+/// Returns the moves to places by uv of a lathe, and of a sor: around it, and along the pieces of its spline, or by the
+/// heights of those of a sor, whose flat ends are at -1 to 0 and at 1 to 2.
+Moves places_of_lathe(SplineKind kind, std::span<const Point2> points);
+Moves places_of_sor(std::span<const Point2> points);
 /// Returns the contour of an ovus: of balls of two radii, the upper one's middle at the top of the lower one, and of an
 /// arc that touches both, whose radius is twice the larger one. Its cubic curves are off by no more than 1e-8 of it.
 Contour contour_of_ovus(double bottom, double top);

@@ -85,6 +85,10 @@ struct WarpPoint {
         return oriented({across * factor, up, away}, own.orientation);
     }
     DVec3 operator()(const PlanarWarp& own) const { return oriented({p.x, p.y, own.offset}, own.orientation); }
+    DVec3 operator()(const TurnedWarp& own) const {
+        const double away = std::sqrt(p.x * p.x + p.z * p.z);
+        return {away == 0 ? 0 : turn_of(p.x, p.z, away), (*own.height)(away, p.y), 0};
+    }
     DVec3 operator()(const PlaceWarp& own) const {
         const DVec3 to = moved(own.moves->list, p);
         return {to.x, to.y, 0};

@@ -1,5 +1,6 @@
 // Moves of the points at which a pattern is evaluated: by warps, turbulence and transformations.
 #pragma once
+#include <functional>
 #include <memory>
 #include <span>
 #include <variant>
@@ -42,12 +43,17 @@ struct PlanarWarp {
 };
 /// Wraps the unit square around a cube.
 struct CubicWarp {};
+/// Gives a point its angle around the y axis, from 0 to 1, and what `height` says of its distance from it and of y.
+struct TurnedWarp {
+    std::shared_ptr<const std::function<double(double away, double y)>> height;
+};
 struct PlaceMoves;
 /// Makes a point the place by uv that its x and y are once it has been moved.
 struct PlaceWarp {
     std::shared_ptr<const PlaceMoves> moves;
 };
-using Warp = std::variant<TurbulenceWarp, RepeatWarp, BlackHoleWarp, RoundWarp, PlanarWarp, CubicWarp, PlaceWarp>;
+using Warp =
+    std::variant<TurbulenceWarp, RepeatWarp, BlackHoleWarp, RoundWarp, PlanarWarp, CubicWarp, TurnedWarp, PlaceWarp>;
 
 /// A matrix, or a warp. Moves are applied to points in the order in which they stand.
 using Move = std::variant<glm::dmat4, Warp>;

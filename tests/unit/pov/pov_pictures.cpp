@@ -266,6 +266,11 @@ TEST_CASE("POV-Ray: places by uv of bodies that are no meshes") {
     CHECK(near(place_of("torus { 3, 1", {0, 1, 3}), {.25, .75, 0}));
     CHECK(near(place_of("cylinder { 0, y, 1", {.5, .25, 2}), {.5, .25, 0}));
     CHECK(near(place_of("mesh { triangle { 0, x, y }", {.5, .25, 0}), {0, 0, 0}));
-    CHECK(notes_of("lathe { linear_spline 3, <1, 0>, <2, 1>, <1, 2> pigment { uv_mapping granite } }").find("by uv") !=
-          std::string::npos);
+    CHECK(near(place_of("lathe { linear_spline 3, <1, 0>, <2, 1>, <1, 3>", {0, 2, 1.5}), {.25, .75, 0}));
+    CHECK(near(place_of("lathe { cubic_spline 5, <0, 0>, <1, 0>, <2, 1>, <1, 3>, <0, 3>", {-2, 1, 0}), {.5, .5, 0}));
+    const std::string sor = "sor { 5, <1, -1>, <1, 0>, <1, 1>, <2, 3>, <2, 4>";
+    CHECK(near(place_of(sor, {0, 2, -1.5}), {.75, .75, 0}));
+    CHECK(near(place_of(sor, {1, 3, 0}), {0, 1.5, 0}));
+    CHECK(near(place_of("ovus { 2, 1", {0, 2.5, 1}), {.25, .5 + std::atan(2) / std::numbers::pi, 0}));
+    CHECK(notes_of("box { 0, <1, 1, 0> pigment { uv_mapping granite } }").find("by uv") != std::string::npos);
 }
