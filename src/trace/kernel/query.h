@@ -312,7 +312,8 @@ STRAHL_INLINE Mask<S> reached(const World<Element<S>>& world, int bin, const Ray
         mask = mask & across.shadowed([bin](const auto& column) { return S(column[bin]); });
     } else {
         const LightCone<Element<S>>& cone = world.few.cones[number];
-        mask = mask & (dot(splat<S>(cone.axis), ray.direction) <= S(-cone.cosine)) & (distance > S(cone.distance));
+        mask = mask & (dot(splat<S>(cone.axis), ray.direction) <= S(-cone.cosine));
+        if (!start.ends_early) mask = mask & (distance > S(cone.distance));
     }
     if (bin == start.bin && (world.few.convex >> bin & 1)) mask = mask & !start.outside;
     return mask;
@@ -336,7 +337,7 @@ template <class S>
     });
     if (!world.nodes || dark) return;
     Mask<S> left = light.limit > S(0);
-    if (world.light_buffers && world.light_buffers[start.light].faces) {
+    if (world.light_buffers && world.light_buffers[start.light].faces && !start.ends_early) {
         left = LightBufferCalls<S>::occlude(world, start.light, ray, distance, light);
         if (none(left)) return;
     }
@@ -407,7 +408,9 @@ template <class S>
     dimmed = dimmed & any_lost(share);
     if (none(dimmed)) return;
     const S way(world.passed_in_shadows);
-    const Mask<S> close = dimmed & any_lost(visibility_of_all(world, ray, min(distance, way), dimmed, start));
+    Start<S> near = start;
+    near.ends_early = true;
+    const Mask<S> close = dimmed & any_lost(visibility_of_all(world, ray, min(distance, way), dimmed, near));
     if (none(close)) return;
     Ray<S> behind{ray.origin, ray.direction, S(-1)};
     for (int c = 0; c < 3; ++c) behind.origin[c] = fma(way, ray.direction[c], ray.origin[c]);

@@ -21,6 +21,7 @@ struct Start {
     BodySet only = ~BodySet(0);
     S medium{0};  // the numbers of medium stacks, in nested worlds in whose bodies light fades
     MediumStacks* mediums = nullptr;
+    bool ends_early = false;  // the rays end before the light: how far bodies are from it tells nothing
 };
 
 /// Returns the share of light, per channel, that arrives from `distance` away along the ray: opaque bodies between
