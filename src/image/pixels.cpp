@@ -44,7 +44,9 @@ FilePixels read_pixels(const std::string& path) {
         fail("it has " + std::to_string(picture.channels) + " channels; a picture of colours has at most 4");
     const bool grey = picture.channels < 3, alpha = picture.channels % 2 == 0;
     FilePixels pixels(Pixels{picture.width, picture.height, picture.bits == 32, {}});
-    pixels.gamma = png_gamma(RegularFile(path));
+    const RegularFile file(path);
+    pixels.gamma = png_gamma(file);
+    pixels.grey_png = picture.channels == 1 && picture.bits <= 8 && file.bytes(0, 8).starts_with("\x89PNG");
     const auto count = std::size_t(picture.width) * static_cast<unsigned>(picture.height);
     pixels.values.reserve(3 * count);
     double lowest = 0;

@@ -290,11 +290,16 @@ void PovReader::load(Interpreter& in, ImageThing& image, bool of_colors, std::op
     if (in.assumed_gamma) image.working = contents.assumes_srgb ? 0 : *in.assumed_gamma;
     const bool netpbm = image.path.ends_with("pm") || image.path.ends_with("PM");
     const bool decodes = in.version_given() && in.version() >= 3.7;
-    if (gamma || netpbm || (!decodes && !in.assumed_gamma)) return;
-    if (image.pixels->gamma)
-        image.encoding = image.pixels->gamma;
-    else if (decodes)
-        image.encoding = image.pixels->linear ? 1 : 0;
+    if (!gamma && !netpbm && (decodes || in.assumed_gamma)) {
+        if (image.pixels->gamma)
+            image.encoding = image.pixels->gamma;
+        else if (decodes)
+            image.encoding = image.pixels->linear ? 1 : 0;
+    }
+    if (!image.pixels->grey_png) return;
+    LoadedPicture& grey = grey_pictures[{image.path, image.encoding.value_or(-1), image.working}];
+    if (!grey.pixels) grey.pixels = grey_values_of(image);
+    image.pixels = grey.pixels, image.facts = grey.facts, image.encoding = std::nullopt;
 }
 
 /// Reads a picture from '{' to '}'; `of_colors`, not of heights or other values.

@@ -110,6 +110,8 @@ class PovReader : public SceneLayer {
         std::shared_ptr<PictureFacts> facts = std::make_shared<PictureFacts>();
     };
     std::map<std::string, LoadedPicture> pictures;  // so far, by their paths
+    // Grey .png files by their encoding, -1 if they have none, and that of the scene.
+    std::map<std::tuple<std::string, double, double>, LoadedPicture> grey_pictures;
 };
 
 }  // namespace strahl::pov

@@ -51,6 +51,20 @@ std::vector<float> scene_values_of(const std::vector<float>& given, double encod
     return values;
 }
 
+/// Returns one value as POV-Ray computes it in single precision; gammas that differ by a hundredth are the same there.
+float single_value_of(float value, double encoding, double working) {
+    const auto same = [](double a, double b) { return std::fabs(1 - a / b) <= .01; };
+    const auto power = [](float base, double exponent) { return std::pow(base, static_cast<float>(exponent)); };
+    if (encoding != 0 && working != 0) return same(working, encoding) ? value : power(value, encoding / working);
+    if (encoding == working) return value;
+    if (encoding != 0) {
+        const float light = power(value, encoding);
+        return light <= .0031308f ? light * 12.92f : 1.055f * power(light, 1 / 2.4) - .055f;
+    }
+    const float light = value < .04045f ? value / 12.92f : power((value + .055f) / 1.055f, 2.4);
+    return same(working, 1) ? light : power(light, 1 / working);
+}
+
 struct PictureColors : FunctionThing {
     explicit PictureColors(const ImageThing& given) : image(given), pixels(*given.pixels) {
         results = 5;
@@ -189,6 +203,18 @@ std::shared_ptr<const FunctionThing> colors_of(const ImageThing& image) {
     if (!image.pixels) return nullptr;
     if (!image.colors) image.colors = std::make_shared<const PictureColors>(image);
     return image.colors;
+}
+
+std::shared_ptr<const FilePixels> grey_values_of(const ImageThing& image) {
+    auto made = std::make_shared<FilePixels>(*image.pixels);
+    made->largest = Color(0);
+    for (float& value : made->values) {
+        const float own = image.encoding ? single_value_of(value, *image.encoding, image.working) : value;
+        const float grey = own * .297f + own * .589f + own * .114f;
+        value = std::floor(std::min(grey, 1.f) * 255.f) / 255.f;
+        made->largest = max(made->largest, Color(double(value)));
+    }
+    return made;
 }
 
 std::shared_ptr<const Pixels> shown_pixels(const ImageThing& image, double gamma) {

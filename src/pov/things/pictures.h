@@ -10,6 +10,10 @@ namespace strahl::pov {
 /// scene. Null if the picture could not be read.
 std::shared_ptr<const FunctionThing> colors_of(const ImageThing& image);
 
+/// Returns the values of a grey .png file as POV-Ray keeps them: as values of the scene, computed in single precision,
+/// of which each is rounded down to a whole 255th.
+std::shared_ptr<const FilePixels> grey_values_of(const ImageThing& image);
+
 /// Returns the pixels that a scene with this assumed_gamma, or 0, decodes to the picture's values of the scene.
 std::shared_ptr<const Pixels> shown_pixels(const ImageThing& image, double gamma);
 
