@@ -286,11 +286,10 @@ void PovReader::load(Interpreter& in, ImageThing& image, bool of_colors, std::op
     image.pixels = known.pixels, image.fault = known.fault, image.facts = known.facts;
     if (!image.pixels) return;
     image.encoding = gamma;
-    if (!of_colors) return;
-    if (in.assumed_gamma) image.working = contents.assumes_srgb ? 0 : *in.assumed_gamma;
+    if (of_colors && in.assumed_gamma) image.working = contents.assumes_srgb ? 0 : *in.assumed_gamma;
     const bool netpbm = image.path.ends_with("pm") || image.path.ends_with("PM");
     const bool decodes = in.version_given() && in.version() >= 3.7;
-    if (!gamma && !netpbm && (decodes || in.assumed_gamma)) {
+    if (of_colors && !gamma && !netpbm && (decodes || in.assumed_gamma)) {
         if (image.pixels->gamma)
             image.encoding = image.pixels->gamma;
         else if (decodes)

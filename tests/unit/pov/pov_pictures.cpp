@@ -141,14 +141,15 @@ TEST_CASE("POV-Ray: pictures that scenes have themselves stay pictures") {
 }
 
 TEST_CASE("POV-Ray: values of grey .png files are rounded down to whole 255ths") {
-    const auto value_of = [](const std::string& before, int code, std::optional<double> gamma) {
+    const auto value_of = [](const std::string& before, int code, std::optional<double> gamma,
+                             const std::string& kind = "image_map") {
         const Opener open([&](const std::string&) {
             const float value = static_cast<float>(code) / 255;
             FilePixels pixels(Pixels{1, 1, false, {value, value, value}, Color(1)});
             pixels.gamma = gamma, pixels.grey_png = true;
             return pixels;
         });
-        const Scene scene = open(before + "sphere { 0, 1 pigment { image_map { png \"a.png\" once } } }").scene;
+        const Scene scene = open(before + "sphere { 0, 1 pigment { " + kind + " { png \"a.png\" once } } }").scene;
         const referee::Paint<double> paint(material(scene).rgb, glm::dmat4(1));
         return 255 * double(paint.at(referee::Vector<double>(DVec3(.5, .5, 0))).x);
     };
@@ -158,6 +159,7 @@ TEST_CASE("POV-Ray: values of grey .png files are rounded down to whole 255ths")
     // Rounded down although it is whole: .297 v + .589 v + .114 v is below v.
     CHECK(value_of("", 124, {}) == near(123));
     CHECK(value_of("", 125, {}) == near(125));
+    CHECK(value_of("#version 3.7; global_settings { assumed_gamma 1 } ", 124, {}, "image_pattern") == near(123));
     CHECK(value_of("#version 3.7; global_settings { assumed_gamma 2.2 } ", 125, 1e5 / 45455) == near(125));
 }
 
