@@ -134,6 +134,17 @@ inline std::string sentence(const SphereSweep& sweep) {
     return text + " tolerance 1e-6";
 }
 
+/// The same of a Julia set.
+inline std::string sentence(const JuliaFractal& own) {
+    const auto four = [](const DVec3& v, double w) {
+        return "<" + text_of(v.x) + ", " + text_of(v.y) + ", " + text_of(v.z) + ", " + text_of(w) + ">";
+    };
+    std::string text = "julia_fractal { " + four(own.constant, own.fourth) + " " + own.words();
+    if (own.step == JuliaStep::power) text += "(" + text_of(own.exponent) + ", " + text_of(own.imaginary) + ")";
+    text += " max_iteration " + text_of(own.iterations) + " precision " + text_of(own.precision);
+    return text + " slice " + four(own.slice, own.slice_fourth) + ", " + text_of(own.distance);
+}
+
 /// Returns a simple body without its closing brace, in the shape's own space.
 inline std::string sentence(const Shape& shape) {
     const auto join = [](const char* keyword, const auto& first, const auto&... more) {

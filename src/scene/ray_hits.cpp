@@ -60,6 +60,15 @@ Mesh met_by(const Mesh& mesh, const Ray<double>& ray, MeshTrees* trees) {
     return {std::make_shared<const MeshData>(std::move(some)), ""};
 }
 
+/// Returns the pieces of a body whose crossings are listed; null if it has none.
+template <class Kind>
+auto pieces_of(const Kind& kind) {
+    if constexpr (has_pieces<Kind>)
+        return kind.data->pieces.data();
+    else
+        return static_cast<const void*>(nullptr);
+}
+
 /// Adds where a ray crosses the surface of a simple body.
 void add_crossings(std::vector<RayHit>& all, const Primitive& leaf, int number, const glm::dmat4& to_world,
                    const Ray<double>& ray, double from, MeshTrees* trees) {
@@ -88,7 +97,7 @@ void add_crossings(std::vector<RayHit>& all, const Primitive& leaf, int number, 
                 met_by(kind, own, trees).template emit<double>(there, look);
             } else if constexpr (lists_crossings<Kind> && !has_contours<Kind>) {
                 kind.template emit<double>(there, [&](const auto& kernel) {
-                    const auto* const pieces = kind.data->pieces.data();
+                    const auto* const pieces = pieces_of(kind);
                     kernel.each_crossing(pieces, BlobData::unlimited, ray, -1., true, [&](bool, double t, double) {
                         if (t > from && std::isfinite(t))
                             all.push_back({t, kernel.at(pieces, ray, t).normal, number, 0});

@@ -35,6 +35,8 @@ template <>
 constexpr auto words_in<Blob> = joined(blob_words, shape_words);
 template <>
 constexpr auto words_in<SphereSweep> = joined(sweep_words, shape_words);
+template <>
+constexpr auto words_in<JuliaFractal> = joined(julia_set_words, shape_words);
 template <Operation operation>
 constexpr auto words_in<Composite<operation>> = composite_words;
 
@@ -281,6 +283,8 @@ void Parser::shape(std::string_view word, std::vector<Primitive>& bodies, Block&
                 balls.back().through = inner == sweep_words[0];
                 return true;
             }
+            if constexpr (std::is_same_v<Kind, JuliaFractal>)
+                if (kind.take_word(inner)) return true;
             if (is_composite<Kind> && (body(inner, parts, block, depth + 1) || use(inner, parts, block, depth + 1)))
                 return true;
             return finish(inner, primitive, block, ending);

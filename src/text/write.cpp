@@ -101,6 +101,7 @@ std::string shape_text(const SphereSweep& sweep) {
         text += "\n  " + arguments_text(sweep_words[own.through ? 0 : 1], own) + " }";
     return text;
 }
+std::string shape_text(const JuliaFractal& own) { return arguments_text(JuliaFractal::name, own) + "  " + own.words(); }
 std::string shape_text(const Mesh& mesh) {
     if (!mesh.file.empty()) return std::string(Mesh::name) + " { file \"" + mesh.file + "\"";
     std::string text(Mesh::name);

@@ -48,8 +48,8 @@ TEST_CASE("what proofs do not know is undecided") {
     CHECK(share_bounded(scene) < .9);  // the body and its shadow
     CHECK(share_bounded(scene) > .3);
     scene = plain;
-    for (const Shape& shape :
-         {Shape(Prism{}), Shape(Lathe{}), Shape(Superellipsoid{}), Shape(Blob{}), Shape(SphereSweep{})}) {
+    for (const Shape& shape : {Shape(Prism{}), Shape(Lathe{}), Shape(Superellipsoid{}), Shape(Blob{}),
+                               Shape(SphereSweep{}), Shape(JuliaFractal{})}) {
         scene.primitives.push_back({shape, 0, {Translate{{-.6, -1.5, -.5}}}});
         CHECK(share_bounded(scene) < .9);
         CHECK(share_bounded(scene) > .3);

@@ -10,6 +10,7 @@
 #include "tests/referee/box.h"
 #include "tests/referee/cone.h"
 #include "tests/referee/disc.h"
+#include "tests/referee/julia.h"
 #include "tests/referee/lathe.h"
 #include "tests/referee/pattern.h"
 #include "tests/referee/prism.h"

@@ -91,9 +91,10 @@ Shape any_kind(Dice& dice, std::type_identity<std::variant<Kinds...>>) {
     do {
         // Blobs and sweeps take the place of rounder superellipsoids: all other scenes are as they were before.
         constexpr auto listed = []<class Kind>(Kind) {
-            return !std::is_same_v<Kind, Blob> && !std::is_same_v<Kind, SphereSweep>;
+            return !std::is_same_v<Kind, Blob> && !std::is_same_v<Kind, SphereSweep> &&
+                   !std::is_same_v<Kind, JuliaFractal>;
         };
-        const int wanted = dice.upto(sizeof...(Kinds) - 3);
+        const int wanted = dice.upto(sizeof...(Kinds) - 4);
         int number = 0;
         ((listed(Kinds{}) && number++ == wanted ? void(shape = make(Kinds{})) : void()), ...);
     } while (!std::visit([](const auto& body) { return body.bounded; }, shape));

@@ -294,6 +294,14 @@ int SceneMaker::cells_of(const ObjectThing& object, const Around& around) {
 }
 
 std::optional<SceneMaker::Part> SceneMaker::build(const ObjectThing& object, const Around& around) {
+    if (!mirrored || !object.shape || !std::holds_alternative<JuliaFractal>(*object.shape))
+        return build_turned(object, around);
+    // Not all Julia sets have a mirror image among them: it is turned back in its own space.
+    ObjectThing turned = object;
+    turned.steps.insert(turned.steps.begin(), Scale{{1, 1, -1}});
+    return build_turned(turned, around);
+}
+std::optional<SceneMaker::Part> SceneMaker::build_turned(const ObjectThing& object, const Around& around) {
     tell_notes(object);
     std::optional<Part> part;
     if (object.kind == ObjectKind::shape) {

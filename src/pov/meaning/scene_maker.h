@@ -66,6 +66,7 @@ class SceneMaker {
     static Steps to_owner(const ObjectThing& object, const Around& around);
     Around inside(const ObjectThing& object, const Around& around) const;
     std::optional<Part> build(const ObjectThing& object, const Around& around);
+    std::optional<Part> build_turned(const ObjectThing& object, const Around& around);
     std::optional<Part> build_parts(const ObjectThing& object, const Around& around);
     std::optional<Part> clipped(const ObjectThing& object, const Around& around, Part part);
     int number_of(Shared& shared);

@@ -353,6 +353,42 @@ bool PovReader::read_surface(Interpreter& in, std::uint16_t code, ObjectThing& o
             }
             return true;
         }
+        case word("julia_fractal"): {
+            JuliaFractal own;
+            const auto read_four = [&](DVec3& three, double& fourth) {
+                const Components all = in.read_components();
+                const auto at = [&](std::size_t i) { return all.value[all.count == 1 ? 0 : i]; };
+                three = {at(0), at(1), at(2)}, fourth = at(3);
+            };
+            read_four(own.constant, own.fourth);
+            for (;;) {
+                if (in.accept("max_iteration")) {
+                    own.iterations = std::max(std::floor(in.read_number()), 1.);
+                } else if (in.accept("precision")) {
+                    own.precision = std::max(in.read_number(), 1.);
+                } else if (in.accept("slice")) {
+                    read_four(own.slice, own.slice_fourth);
+                    in.skip_comma();
+                    own.distance = in.read_number();
+                } else if (in.accept("pwr")) {
+                    own.step = JuliaStep::power;
+                    in.expect('(');
+                    own.exponent = in.read_number();
+                    in.skip_comma();
+                    own.imaginary = in.read_number();
+                    in.expect(')');
+                } else if (own.take_word(name_of_code(in.code()))) {
+                    in.skip();
+                } else {
+                    break;
+                }
+            }
+            if (const char* const fault = own.fault())
+                object.left_out(std::string("a julia_fractal: ") + fault);
+            else
+                object.kind = ObjectKind::shape, object.shape = own;
+            return true;
+        }
         case word("height_field"):
             read_height_field(in, object);
             return true;

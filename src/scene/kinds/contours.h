@@ -145,6 +145,12 @@ inline constexpr bool lists_crossings = requires(const Kind kind) {
     kind.face_count();
 };
 
+/// Do these have pieces, which worlds keep?
+template <class Kind>
+inline constexpr bool has_pieces = requires(const Kind kind) {
+    kind.data->pieces;
+};
+
 /// A line in the plane: a point of it, from which on places along it are counted, and its direction, of length 1.
 template <class S>
 struct PlaneLine {

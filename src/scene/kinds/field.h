@@ -5,7 +5,7 @@
 namespace strahl {
 
 /// Ranges of numbers. text/reading/parameter.h has their limits.
-enum class Range { any, direction, positive, length_or_zero, zero_or_more, zero_to_one, octaves, quarter_turn };
+enum class Range { any, direction, positive, length_or_zero, zero_or_more, zero_to_one, octaves, quarter_turn, steps };
 
 /// May the parameter be left out, so that its default applies? Only the last ones of a list may.
 enum class Given : bool { always, optional };

@@ -85,7 +85,8 @@ consteval bool check_kind() {
         "a kind emits its items: `emit<T>(to_world, emit)`");
     static_assert(
         std::tuple_size_v<std::remove_cvref_t<decltype(Kind::fields)>> == 0 ||
-            requires(const Kind k) { std::tuple_size<decltype(k.pov())>::value; } || requires(const Kind k) { k.data; },
+            requires(const Kind k) { std::tuple_size<decltype(k.pov())>::value; } ||
+            requires(const Kind k) { k.data; } || requires(const Kind k) { k.face_count(); },
         "a kind has its POV-Ray words: `pov()`, a tuple of keyword and arguments; `pov_more()`, if it has that, "
         "follows");
     return true;

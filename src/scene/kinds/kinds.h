@@ -9,6 +9,7 @@
 #include "scene/kinds/cone.h"
 #include "scene/kinds/cylinder.h"
 #include "scene/kinds/disc.h"
+#include "scene/kinds/julia/julia.h"
 #include "scene/kinds/kind.h"
 #include "scene/kinds/lathe.h"
 #include "scene/kinds/mesh.h"
@@ -24,7 +25,7 @@
 namespace strahl {
 
 using Shape = std::variant<Sphere, Plane, Cylinder, Cone, Cuboid, Disc, Torus, Prism, Lathe, Superellipsoid, Blob,
-                           SphereSweep, Triangle, SmoothTriangle, Mesh, Union, Intersection, Difference>;
+                           SphereSweep, JuliaFractal, Triangle, SmoothTriangle, Mesh, Union, Intersection, Difference>;
 
 /// Can it be a part of a composite? Meshes can if they are closed.
 bool fits_composite(const Shape& shape);

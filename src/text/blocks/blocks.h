@@ -31,9 +31,11 @@ inline constexpr std::array<std::string_view, 1> triangle_words{"uv_vectors"};
 inline constexpr std::array<std::string_view, 1> figure_words{"contour"};
 inline constexpr std::array<std::string_view, 2> contour_words{"line", "curve"};
 
-/// The words that may stand in a blob, and in a sweep, besides those.
+/// The words that may stand in a blob, in a sweep and in a Julia set besides those.
 inline constexpr std::array<std::string_view, 1> blob_words{"lump"};
 inline constexpr std::array<std::string_view, 2> sweep_words{"through", "towards"};
+inline constexpr auto julia_set_words =
+    joined(std::array<std::string_view, 2>{"quaternion", "hypercomplex"}, julia_words);
 
 /// The words that open the block of a body.
 inline constexpr auto body_words = names_of(std::type_identity<Shape>{});

@@ -18,7 +18,7 @@ using Rows = std::vector<WordHelp>;
 std::string code(std::string_view word) { return std::string("`").append(word).append("`"); }
 
 /// Describes words that no list of parameters does, or not alone.
-constexpr std::array<std::pair<std::string_view, const char*>, 40> meanings{{
+constexpr std::array<std::pair<std::string_view, const char*>, 43> meanings{{
     {"camera", "where the eye is, and how it looks; a scene has exactly one"},
     {"light", "a point, a spotlight, parallel light or a rectangle of light"},
     {"material", "changes the parameters that it names of the material in force; `material NAME` is one by `define`"},
@@ -53,6 +53,9 @@ constexpr std::array<std::pair<std::string_view, const char*>, 40> meanings{{
     {"sphere_sweep", "what a ball fills on its way along a curve, which four or more balls lead"},
     {"through", "a ball that the curve goes through, but for the first and the last: `through { <centre>, radius }`"},
     {"towards", "a ball that the curve only comes near to: `towards { <centre>, radius }`"},
+    {"julia_fractal", "the points that stay near the origin when they are squared, or the like, and moved many times"},
+    {"quaternion", "its numbers of four parts are multiplied as quaternions, unless it says otherwise"},
+    {"hypercomplex", "they are multiplied as two complex numbers side by side"},
     {"mesh", "a body made of triangles"},
     {"file", "a PLY, OBJ or STL file of triangles, relative to the scene's folder: `file \"NAME\"`"},
     {"triangle", "a flat triangle"},
@@ -204,6 +207,7 @@ std::vector<std::string> words_in(std::string_view block, std::string_view outer
     if (block == Prism::name || block == Lathe::name) add(figure_words);
     if (block == Blob::name) add(blob_words);
     if (block == SphereSweep::name) add(sweep_words);
+    if (block == JuliaFractal::name) add(julia_set_words);
     if (block == figure_words[0]) return add(contour_words), words;
     if (outer == Mesh::name) return add(triangle_words), words;
     if (pattern && contains(bump_words, block)) words.emplace_back("height");

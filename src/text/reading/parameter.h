@@ -38,6 +38,7 @@ inline constexpr NumberRange wide_angles{2 * smallest_positive, 720, "greater th
 inline constexpr NumberRange depths{1, 256, "a whole number from 1 to 256", true};
 inline constexpr NumberRange quarter_turns{0, 90, "from 0 to 90 degrees"};
 inline constexpr NumberRange octave_counts{1, 10, "a whole number from 1 to 10", true};
+inline constexpr NumberRange step_counts{1, 1000, "a whole number from 1 to 1000", true};
 inline constexpr NumberRange grid_sizes{1, 64, "a whole number from 1 to 64", true};
 inline constexpr NumberRange grid_levels{0, 100, "a whole number from 0 to 100", true};
 inline constexpr NumberRange row_counts{1, 256, "a whole number from 1 to 256", true};
@@ -61,6 +62,8 @@ constexpr NumberRange range_of(Range range) {
             return quarter_turns;
         case Range::octaves:
             return octave_counts;
+        case Range::steps:
+            return step_counts;
         default:
             return anything;
     }

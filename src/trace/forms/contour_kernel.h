@@ -1,4 +1,4 @@
-// Ray queries on bodies with contours, which have faces for each of their pieces, and on blobs and sweeps.
+// Ray queries on bodies with contours, which have faces for each of their pieces, and on blobs, sweeps and Julia sets.
 #pragma once
 #include <bit>
 
@@ -83,8 +83,10 @@ struct FormFunctions<OwnForm, S> : SingleByPack<FormFunctions<OwnForm, S>, S> {
             return world.contour_pieces + static_cast<int>(item.shape.first);
         else if constexpr (std::is_same_v<typename OwnForm::Kind, Blob>)
             return world.lump_pieces + static_cast<int>(item.shape.first);
-        else
+        else if constexpr (std::is_same_v<typename OwnForm::Kind, SphereSweep>)
             return world.sweep_pieces + static_cast<int>(item.shape.first);
+        else
+            return static_cast<const void*>(nullptr);
     }
     /// Returns the pieces of faces, of bodies with these first pieces; for caps the first piece.
     static ContourPiece<S> pieces_of(const ContourPiece<T>* pieces, const S& first, const S& face) {

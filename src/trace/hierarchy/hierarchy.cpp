@@ -26,7 +26,7 @@ constexpr int chunk_items = 8192;    // a thread's piece of other work on all it
 constexpr bool alone(int form) {
     return form == place_of<Form<Union, 0>>(Forms{}) || form == place_of<Form<Prism, 0>>(Forms{}) ||
            form == place_of<Form<Lathe, 0>>(Forms{}) || form == place_of<Form<Blob, 0>>(Forms{}) ||
-           form == place_of<Form<SphereSweep, 0>>(Forms{});
+           form == place_of<Form<SphereSweep, 0>>(Forms{}) || form == place_of<Form<JuliaFractal, 0>>(Forms{});
 }
 constexpr bool triangles(int form) {
     return form == place_of<Form<Triangle, 0>>(Forms{}) || form == place_of<Form<SmoothTriangle, 0>>(Forms{});

@@ -286,7 +286,7 @@ int faces_of(const Shape& shape) {
 }
 
 /// Adds the leaves of all composites, which follow the items of their forms, and notes where the faces of bodies with
-/// contours, of blobs and of sweeps are.
+/// contours, of blobs, of sweeps and of Julia sets are.
 template <class T>
 void WorldArrays<T>::add_composites(const Scene& scene, const Placement& placement, ThreadPool& pool, bool proves) {
     if (forms[place_of<CompositeForm>(Forms{})].count == 0 && first_pieces.empty()) return;
@@ -338,6 +338,7 @@ void WorldArrays<T>::add_composites(const Scene& scene, const Placement& placeme
     };
     refer_to_all(std::type_identity<Form<Prism, 0>>()), refer_to_all(std::type_identity<Form<Lathe, 0>>());
     refer_to_all(std::type_identity<Form<Blob, 0>>()), refer_to_all(std::type_identity<Form<SphereSweep, 0>>());
+    refer_to_all(std::type_identity<Form<JuliaFractal, 0>>());
     for (const CompositeLeaf& leaf : leaves) {
         const auto refer = [&](std::int32_t surface, std::int32_t item, int face) {
             refer_to(leaf_bins[leaf.form], surface, item, face);

@@ -61,6 +61,7 @@ void WorldArrays<T>::add_pieces(const Scene& scene) {
             };
             if (const auto* const blob = std::get_if<Blob>(&leaf.shape)) add(blob->data, lump_pieces);
             if (const auto* const sweep = std::get_if<SphereSweep>(&leaf.shape)) add(sweep->data, sweep_pieces);
+            if (std::holds_alternative<JuliaFractal>(leaf.shape)) first_pieces.try_emplace(nullptr, T(0));  // none
             const ContourData* const own = contours_of(leaf.shape);
             if (!own || !first_pieces.try_emplace(own, T(contour_pieces.size())).second) return;
             for (const auto& [ax, ay, cx, cy, hx, hy, ex, ey, dx, dy] : own->pieces)

@@ -23,6 +23,8 @@ double most_crossings(const Shape& shape) {
                 return 8. * static_cast<double>(kind.data->pieces.size());  // 4 between each two of their ends
             else if constexpr (std::is_same_v<Kind, SphereSweep>)
                 return 6. * static_cast<double>(kind.data->pieces.size());  // in and out, up to three times each
+            else if constexpr (std::is_same_v<Kind, JuliaFractal>)
+                return 2 * kind.precision * kind.radius();  // one for each step through the ball around it
             else if constexpr (lists_crossings<Kind>)
                 return (std::is_same_v<Kind, Lathe> ? 6. : 2.) * kind.face_count();
             else

@@ -185,7 +185,7 @@ struct WorldArrays {
     T first_piece_of(const Shape& shape) const {
         return std::visit(
             [&]<class Kind>(const Kind& kind) {
-                if constexpr (lists_crossings<Kind>) return first_pieces.at(kind.data.get());
+                if constexpr (has_pieces<Kind>) return first_pieces.at(kind.data.get());
                 return T(0);
             },
             shape);

@@ -59,14 +59,15 @@ template <class... Kinds>
 Shape Wild::shape(std::type_identity<std::variant<Kinds...>>) {
     // Blobs and sweeps take turns with superellipsoids: scenes with none of these are as they were before.
     constexpr auto listed = []<class Kind>(Kind) {
-        return !std::is_same_v<Kind, Blob> && !std::is_same_v<Kind, SphereSweep>;
+        return !std::is_same_v<Kind, Blob> && !std::is_same_v<Kind, SphereSweep> && !std::is_same_v<Kind, JuliaFractal>;
     };
-    const int wanted = dice.upto(sizeof...(Kinds) - 3);
+    const int wanted = dice.upto(sizeof...(Kinds) - 4);
     int number = 0;
     Shape shape;
     ((listed(Kinds{}) && number++ == wanted ? void(shape = body<Kinds>()) : void()), ...);
     if (std::holds_alternative<Superellipsoid>(shape) && dice.chance(.5))
         dice.chance(.5) ? void(shape = body<Blob>()) : void(shape = body<SphereSweep>());
+    if (std::holds_alternative<SphereSweep>(shape) && dice.chance(.3)) shape = body<JuliaFractal>();
     return shape;
 }
 

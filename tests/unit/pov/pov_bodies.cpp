@@ -618,6 +618,33 @@ TEST_CASE("POV-Ray: sweeps along curves are exact") {
                "left out: a sphere_sweep: one of its radii is below 0"));
 }
 
+TEST_CASE("POV-Ray: Julia sets are exact") {
+    const JuliaFractal plain = shape<JuliaFractal>(whole("julia_fractal { <.2, .1, -.3, .4> }"));
+    CHECK(plain == JuliaFractal{{.2, .1, -.3}, .4, 20, 20});
+    const Scene scene = whole(
+        "julia_fractal { <.2, .1, -.3, .4> pwr(2, .5) hypercomplex max_iteration 7.9 precision 60"
+        " slice <0, .1, 0, .5>, .2 }");
+    const JuliaFractal& full = shape<JuliaFractal>(scene);
+    CHECK(full.step == JuliaStep::power);
+    CHECK(std::array{full.exponent, full.imaginary, full.iterations, full.precision, full.slice_fourth,
+                     full.distance} == std::array{2., .5, 7., 60., .5, .2});
+    CHECK(full.hypercomplex);
+    // The set is not symmetric: what is at z is at -z in a right-handed scene.
+    const std::string text = "julia_fractal { <-.083, 0, -.83, -.025> max_iteration 8 ";
+    const Scene left = whole(text + "rotate 30*y }"),
+                right = opened("camera { right -x } " + text + "rotate 30*y }").scene;
+    int inside = 0, same = 0;
+    for (int i = 0; i < 1000; ++i) {
+        const DVec3 p(i % 10 * .2 - .9, i / 10 % 10 * .2 - .9, i / 100 * .2 - .9);
+        const bool here = contains(left.primitives.at(0), {p.x, p.y, -p.z});
+        CHECK(here == contains(right.primitives.at(0), p));
+        inside += here, same += here == contains(left.primitives.at(0), p);
+    }
+    CHECK((inside > 20 && same < 990));
+    CHECK(says(notes_of("\njulia_fractal { 0 sin }"),
+               "left out: a julia_fractal: quaternions are only squared or cubed"));
+}
+
 TEST_CASE("POV-Ray: blobs are exact") {
     const Scene scene = whole(
         "blob { threshold .5 sphere { x, 1, 2 translate -x } cylinder { 0, <0, 2, 3>, .25, strength -1 }"

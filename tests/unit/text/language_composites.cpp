@@ -97,7 +97,8 @@ TEST_CASE("composites that are not allowed") {
     check_fault(
         "union { " + ball + "camera_ }",
         "2:31: unknown word 'camera_' in 'union'; known here: material, motion, rotate, translate, scale, sphere, "
-        "plane, cylinder, cone, box, disc, torus, prism, lathe, superellipsoid, blob, sphere_sweep, triangle, "
+        "plane, cylinder, cone, box, disc, torus, prism, lathe, superellipsoid, blob, sphere_sweep, julia_fractal, "
+        "triangle, "
         "smooth_triangle, mesh, union, intersection, difference");
     check_fault("union { material { }\nmaterial { } " + ball + "}", "3:1: a second 'material'; the first is in line 2");
     check_fault("union { " + ball + "\nlight { position <0,0,0> color <1,1,1> }",

@@ -93,6 +93,27 @@ TEST_CASE("sweeps have balls of one sort") {
                 "2:105: 'radius' of 'through' must be from 0 to 1e9, not '-1'");
 }
 
+TEST_CASE("Julia sets have numbers and words") {
+    const auto first = [](const std::string& text) {
+        return std::get<JuliaFractal>(parse(eye + text).primitives.at(0).shape);
+    };
+    JuliaFractal wanted{{1, 0, .5}, -.2, 8, 60};
+    CHECK(first("julia_fractal { <1,0,.5>, -.2, 8, 60 }") == wanted);
+    wanted.step = JuliaStep::cube;
+    CHECK(first("julia_fractal { <1,0,.5>, -.2, 8, 60 cube scale 2 }") == wanted);
+    wanted.step = JuliaStep::power, wanted.hypercomplex = true, wanted.slice = {0, 0, .5}, wanted.slice_fourth = .8;
+    wanted.distance = .1, wanted.exponent = 2, wanted.imaginary = .5;
+    CHECK(first("julia_fractal { <1,0,.5>, -.2, 8, 60, <0,0,.5>, .8, .1, 2, .5 hypercomplex pwr }") == wanted);
+    check_fault("julia_fractal { <1,0,.5>, -.2, 8, 60 exp }",
+                "2:1: invalid julia_fractal: quaternions are only squared or cubed");
+    check_fault("julia_fractal { <1,0,.5>, -.2, 8, 60, <0,0,1>, 0 }",
+                "2:1: invalid julia_fractal: the fourth part of its slice is 0");
+    check_fault("julia_fractal { <1,0,.5>, -.2, 8, .5 }",
+                "2:1: invalid julia_fractal: its precision is not from 1 to 100000");
+    check_fault("julia_fractal { <1,0,.5>, -.2, 8.5, 60 }",
+                "2:33: 'iterations' of 'julia_fractal' must be a whole number from 1 to 1000, not '8.5'");
+}
+
 TEST_CASE("blobs have lumps, which may be stretched") {
     const Scene scene = parse(eye +
                               "blob { .5 lump { <0,0,0>, <0,0,0>, 1, 2 } lump { <0,0,1>, <1,0,1>, .5, -1, "

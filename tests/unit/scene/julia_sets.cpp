@@ -1,0 +1,125 @@
+// Julia sets: which points are inside, where rays enter, and the normals there, against the referee's formulas.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "num/vec_math.h"
+#include "scene/kinds/julia/julia.h"
+#include "tests/referee/dice.h"
+#include "tests/referee/julia.h"
+
+using namespace strahl;
+
+namespace {
+
+std::vector<JuliaFractal> some_sets() {
+    std::vector<JuliaFractal> all(7);
+    for (JuliaFractal& own : all) own.iterations = 7, own.precision = 60;
+    all[1].step = JuliaStep::cube, all[1].constant = {-.03, .5, -.2}, all[1].fourth = -.5;
+    all[2].hypercomplex = true, all[2].constant = {.2, .1, .59}, all[2].fourth = -.2;
+    all[3].hypercomplex = true, all[3].step = JuliaStep::cube, all[3].slice = {.1, -.2, .05}, all[3].distance = .1;
+    all[4].slice = {.3, .1, -.2}, all[4].slice_fourth = .8, all[4].distance = -.1;
+    all[5].hypercomplex = true, all[5].step = JuliaStep::sin, all[5].constant = {.4, .1, .5}, all[5].iterations = 3;
+    all[6].hypercomplex = true, all[6].step = JuliaStep::reciprocal, all[6].constant = {.3, .2, .1};
+    all[6].iterations = 4;
+    return all;
+}
+
+template <class T>
+std::vector<T> crossings(const JuliaFractal& body, const Ray<T>& ray, int enough, Vec3<T>* normal = nullptr) {
+    using V = Doubles<T>;
+    std::vector<T> found;
+    body.emit<T>(WorldTransform(), [&](const JuliaKernel<T>& kernel) {
+        const Ray<V> own{Vec3<V>(ray.origin), Vec3<V>(ray.direction), V(0)};
+        kernel.each_crossing(nullptr, enough, own, V(ray.source), true,
+                             [&](bool, V t, V) { found.push_back(static_cast<T>(t)); });
+        if (normal && !found.empty()) *normal = kernel.at(nullptr, ray, found[0]).normal;
+    });
+    return found;
+}
+
+}  // namespace
+
+TEST_CASE("Julia sets: points are inside as the referee says, for each step") {
+    Dice dice{1};
+    int inside = 0;
+    for (JuliaFractal own : some_sets())
+        for (int n = 0; n < 300; ++n) {
+            const DVec3 p = dice.vector(-1.2, 1.2);
+            CHECK(own.contains(p) == referee::contains<long double>(own, p));
+            inside += own.contains(p);
+        }
+    CHECK(inside > 300);
+    for (const JuliaStep step : {JuliaStep::exp, JuliaStep::cosh, JuliaStep::atan, JuliaStep::acos, JuliaStep::power}) {
+        JuliaFractal own{.constant = {-.4, .3, .2}, .fourth = .1, .iterations = 4, .exponent = 2.5, .imaginary = .2};
+        own.hypercomplex = true, own.step = step;
+        int differ = 0, in = 0;
+        for (int n = 0; n < 200; ++n) {
+            const DVec3 p = dice.vector(-3, 3);
+            differ += own.contains(p) != referee::contains<long double>(own, p), in += own.contains(p);
+        }
+        CAPTURE(julia_words[static_cast<std::size_t>(step)]);
+        CHECK(differ == 0);
+        CHECK((in > 0 && in < 200));
+    }
+}
+
+TEST_CASE("Julia sets: rays enter where the referee says, and the field grows along the normals") {
+    Dice dice{2};
+    int hits = 0, missed = 0, far = 0, wrong = 0;
+    for (const JuliaFractal& own : some_sets()) {
+        if (own.step > JuliaStep::cube) continue;  // those have parts thinner than steps, or two sorts of inside
+        for (int n = 0; n < 60; ++n) {
+            const DVec3 from = 5. * dice.direction(), way = normalize(dice.vector(-.6, .6) - from);
+            Vec3<double> normal;
+            const auto found = crossings<double>(own, {Vec3<double>(from), Vec3<double>(way), -1.}, 1, &normal);
+            const auto wanted = referee::crossings<long double>(own, {from, way}, -1).list;
+            const auto ahead = std::ranges::find_if(wanted, [](const auto& at) { return at.t > 0; });
+            if (found.empty() || ahead == wanted.end()) {
+                missed += found.empty() != (ahead == wanted.end());
+                continue;
+            }
+            ++hits;
+            const auto off = static_cast<double>(found[0] - ahead->t);
+            far += std::fabs(off) > 2e-7;
+            CHECK(own.contains(from + found[0] * way));
+            CHECK_FALSE(own.contains(from + (found[0] - 2.5e-7) * way));
+            wrong += dot_product(normal, way) > 0;
+        }
+    }
+    CHECK(hits > 150);
+    CHECK(missed + far < 5);  // of what is thinner than the steps
+    CHECK(wrong == 0);
+}
+
+TEST_CASE("Julia sets: normals are where the last number grows, and rays that start on it go on") {
+    Dice dice{3};
+    const JuliaFractal own{.iterations = 5, .precision = 100};
+    int tried = 0;
+    for (int n = 0; n < 100; ++n) {
+        const DVec3 from = 3. * dice.direction(), way = normalize(dice.vector(-.4, .4) - from);
+        Vec3<double> normal;
+        const auto found = crossings<double>(own, {Vec3<double>(from), Vec3<double>(way), -1.}, 1, &normal);
+        if (found.empty()) continue;
+        const DVec3 p = from + found[0] * way, n_(normal);
+        if (dot_product(n_, way) > -.3) continue;
+        ++tried;
+        // The last number grows along it, and not across it.
+        const auto size = [&](const DVec3& at) { return referee::size_after<long double>(own, at, 5); };
+        const auto growth = [&](const DVec3& along) { return size(p + 1e-6 * along) - size(p - 1e-6 * along); };
+        const DVec3 side = normalize(cross_product(n_, way)), other = cross_product(n_, side);
+        CHECK(growth(n_) > 0);
+        CHECK(std::fabs(growth(side)) < 1e-6 * growth(n_));
+        CHECK(std::fabs(growth(other)) < 1e-6 * growth(n_));
+        // Inwards there is a way out, outwards none back at the start.
+        const auto inwards = crossings<double>(own, {Vec3<double>(p), Vec3<double>(-n_), 0.}, 1);
+        CHECK((!inwards.empty() && inwards[0] > 1e-4));
+        for (const double t : crossings<double>(own, {Vec3<double>(p), Vec3<double>(n_), 0.}, 1)) CHECK(t > 1e-4);
+        const Ray<float> rough{Vec3<float>(p), Vec3<float>(-n_), 0.F};
+        const auto in_float = crossings<float>(own, rough, 1);
+        CHECK((!in_float.empty() && std::fabs(in_float[0] - inwards[0]) < 1e-3));
+    }
+    CHECK(tried > 20);
+}
