@@ -387,6 +387,9 @@ bool PovReader::read_surface(Interpreter& in, std::uint16_t code, ObjectThing& o
                 object.left_out(std::string("a julia_fractal: ") + fault);
             else
                 object.kind = ObjectKind::shape, object.shape = own;
+            if (own.step > JuliaStep::reciprocal)
+                object.approximated("the light on a 'julia_fractal' by a function, whose normals POV-Ray makes of what "
+                                    "the last point left");
             return true;
         }
         case word("height_field"):

@@ -621,9 +621,9 @@ TEST_CASE("POV-Ray: sweeps along curves are exact") {
 TEST_CASE("POV-Ray: Julia sets are exact") {
     const JuliaFractal plain = shape<JuliaFractal>(whole("julia_fractal { <.2, .1, -.3, .4> }"));
     CHECK(plain == JuliaFractal{{.2, .1, -.3}, .4, 20, 20});
-    const Scene scene = whole(
+    const Scene scene = opened(
         "julia_fractal { <.2, .1, -.3, .4> pwr(2, .5) hypercomplex max_iteration 7.9 precision 60"
-        " slice <0, .1, 0, .5>, .2 }");
+        " slice <0, .1, 0, .5>, .2 }").scene;
     const JuliaFractal& full = shape<JuliaFractal>(scene);
     CHECK(full.step == JuliaStep::power);
     CHECK(std::array{full.exponent, full.imaginary, full.iterations, full.precision, full.slice_fourth,
