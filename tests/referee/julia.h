@@ -26,26 +26,29 @@ struct Units {
         return all;
     }
 };
-/// Returns a function of a hypercomplex number, for which j is another i, and k = i j.
+/// Returns a function of a hypercomplex number, for which j is another i, and k = i j. There are functions of long
+/// doubles alone.
 template <class R, class Function>
 Units<R> of_both(const Units<R>& z, const Function& function) {
-    using C = std::complex<R>;
+    using C = std::complex<long double>;
     const auto& [x, y, u, v] = z.part;
-    const C first = function(C(x - v, y + u)), second = function(C(x + v, y - u));
-    return {{(first.real() + second.real()) / 2, (first.imag() + second.imag()) / 2, (first.imag() - second.imag()) / 2,
-             (second.real() - first.real()) / 2},
+    const auto of = [&](R a, R b) { return function(C(static_cast<long double>(a), static_cast<long double>(b))); };
+    const C first = of(x - v, y + u), second = of(x + v, y - u);
+    const auto half = [](long double a, long double b) { return static_cast<R>((a + b) / 2); };
+    return {{half(first.real(), second.real()), half(first.imag(), second.imag()), half(first.imag(), -second.imag()),
+             half(second.real(), -first.real())},
             false};
 }
 template <class R>
 Units<R> step_of(const JuliaFractal& julia, const Units<R>& z) {
-    using C = std::complex<R>;
+    using C = std::complex<long double>;
     switch (julia.step) {
         case JuliaStep::cube:
             return julia.hypercomplex ? z * z : z * z * z;
         case JuliaStep::square:
             return z * z;
         case JuliaStep::reciprocal:
-            return of_both(z, [](const C& a) { return R(1) / a; });
+            return of_both(z, [](const C& a) { return 1.L / a; });
         case JuliaStep::exp:
             return of_both(z, [](const C& a) { return std::exp(a); });
         case JuliaStep::sin:
@@ -57,7 +60,7 @@ Units<R> step_of(const JuliaFractal& julia, const Units<R>& z) {
         case JuliaStep::acos:
             return of_both(z, [](const C& a) { return std::acos(a); });
         default:
-            return of_both(z, [&](const C& a) { return std::pow(a, C(R(julia.exponent), R(julia.imaginary))); });
+            return of_both(z, [&](const C& a) { return std::pow(a, C(julia.exponent, julia.imaginary)); });
     }
 }
 /// Returns the square of how far from the origin a number is after so many steps from a point.

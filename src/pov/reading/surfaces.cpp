@@ -377,10 +377,10 @@ bool PovReader::read_surface(Interpreter& in, std::uint16_t code, ObjectThing& o
                     in.skip_comma();
                     own.imaginary = in.read_number();
                     in.expect(')');
-                } else if (own.take_word(name_of_code(in.code()))) {
-                    in.skip();
                 } else {
-                    break;
+                    const std::string name = name_of_code(in.code());  // in quotes
+                    if (name.size() < 2 || !own.take_word(name.substr(1, name.size() - 2))) break;
+                    in.skip();
                 }
             }
             if (const char* const fault = own.fault())
