@@ -73,6 +73,32 @@ STRAHL_INLINE S polynomial(const std::array<Element<S>, terms>& c, const S& x) {
     }
     return fma(last, x, other);
 }
+/// Returns the logarithm to base 2 of x > 0: the exponent, and 2 / ln 2 (f + f^3 / 3 + f^5 / 5 ...) of
+/// m = (1 + f) / (1 - f), with some of these terms.
+template <int terms = 12, class S>
+STRAHL_INLINE S log2_by_series(S x) {
+    using R = Element<S>;
+    if constexpr (std::is_same_v<R, long double>) {
+        return std::log2(x);
+    } else {
+        using Bits = typename BitsOf<S>::Type;
+        using Lane = typename BitsOf<S>::Lane;
+        constexpr auto odd = [] {
+            std::array<R, terms> all{};
+            for (int k = 0; k < terms; ++k) all[k] = R(2 / (std::numbers::ln2 * (2 * k + 1)));
+            return all;
+        }();
+        constexpr int digits = std::numeric_limits<R>::digits - 1;  // of the mantissa as it is stored
+        constexpr R bias = std::numeric_limits<R>::max_exponent - 1, whole_unit = R(std::int64_t(1) << digits);
+        const Bits whole = std::bit_cast<Bits>(x);
+        const S exponent = std::bit_cast<S>((whole >> digits) | std::bit_cast<Lane>(whole_unit)) - S(whole_unit + bias);
+        const S mantissa = std::bit_cast<S>((whole & ((Lane(1) << digits) - 1)) | std::bit_cast<Lane>(R(1)));
+        const Mask<S> upper = mantissa > S(R(std::numbers::sqrt2));
+        const S m = select(upper, S(R(.5)) * mantissa, mantissa), f = (m - S(1)) / (m + S(1)), square = f * f;
+        const S sum = polynomial<terms>(odd, square);
+        return fma(f, sum, select(upper, exponent + S(1), exponent));
+    }
+}
 /// Returns x^p for x > 0: by default up to some units of a double's last place, with fewer terms of the two series for
 /// fewer digits. The powers that are too small for normal numbers become the least of these, or somewhat more. All
 /// packs and levels have the same bits, if they have fma.
@@ -83,13 +109,6 @@ STRAHL_INLINE S power_by_series(S x, S p) {
         return std::pow(x, p);
     } else {
         using Bits = typename BitsOf<S>::Type;
-        using Lane = typename BitsOf<S>::Lane;
-        // The logarithm to base 2: the exponent, and 2 / ln 2 (f + f^3 / 3 + f^5 / 5 ...) of m = (1 + f) / (1 - f).
-        constexpr auto odd = [] {
-            std::array<R, log_terms> terms{};
-            for (int k = 0; k < log_terms; ++k) terms[k] = R(2 / (std::numbers::ln2 * (2 * k + 1)));
-            return terms;
-        }();
         constexpr auto taylor = [] {  // of 2^r
             std::array<R, power_terms> terms{};
             double term = 1;
@@ -98,13 +117,7 @@ STRAHL_INLINE S power_by_series(S x, S p) {
         }();
         constexpr int digits = std::numeric_limits<R>::digits - 1;  // of the mantissa as it is stored
         constexpr R bias = std::numeric_limits<R>::max_exponent - 1, whole_unit = R(std::int64_t(1) << digits);
-        const Bits whole = std::bit_cast<Bits>(x);
-        const S exponent = std::bit_cast<S>((whole >> digits) | std::bit_cast<Lane>(whole_unit)) - S(whole_unit + bias);
-        const S mantissa = std::bit_cast<S>((whole & ((Lane(1) << digits) - 1)) | std::bit_cast<Lane>(R(1)));
-        const Mask<S> upper = mantissa > S(R(std::numbers::sqrt2));
-        const S m = select(upper, S(R(.5)) * mantissa, mantissa), f = (m - S(1)) / (m + S(1)), square = f * f;
-        const S sum = polynomial<log_terms>(odd, square);
-        const S y = max(p * fma(f, sum, select(upper, exponent + S(1), exponent)), S(std::max(R(-1000), 1 - bias)));
+        const S y = max(p * log2_by_series<log_terms>(x), S(std::max(R(-1000), 1 - bias)));
         const S n = floor(y + S(R(.5))), r = y - n;
         return polynomial<power_terms>(taylor, r) *
                std::bit_cast<S>(std::bit_cast<Bits>(n + S(R(1.5) * whole_unit + bias)) << digits);

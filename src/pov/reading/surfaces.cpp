@@ -383,10 +383,11 @@ bool PovReader::read_surface(Interpreter& in, std::uint16_t code, ObjectThing& o
                     in.skip();
                 }
             }
-            if (const char* const fault = own.fault())
+            if (const char* const fault = own.fault()) {
                 object.left_out(std::string("a julia_fractal: ") + fault);
-            else
-                object.kind = ObjectKind::shape, object.shape = own;
+                return true;
+            }
+            object.kind = ObjectKind::shape, object.shape = own;
             if (own.step > JuliaStep::reciprocal)
                 object.approximated("the light on a 'julia_fractal' by a function, whose normals POV-Ray makes of what "
                                     "the last point left");

@@ -347,7 +347,7 @@ TEST_CASE("POV-Ray: what scenes cannot hold is told with its line, once") {
         "#declare B = sphere { 0, 1 pigment { pavement } } #for (I, 1, 50) object { B translate I*x } #end";
     CHECK(opened(loop).notes.size() == 1);
     CHECK(opened("sphere { 0, 1 }").summary() == "opens whole");
-    CHECK(opened("julia_fractal { 0 } sphere { 0, 1 pigment { pavement } }").summary() ==
+    CHECK(opened("julia_fractal { 0 sin } sphere { 0, 1 pigment { pavement } }").summary() ==
           "approximated in 1 place, left out in 1 place");
     // Tells what a function stands in for where a body shows it, and only there.
     const std::string stand_in = "#declare F = function { pattern { pavement } }";

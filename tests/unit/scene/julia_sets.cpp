@@ -1,8 +1,10 @@
 // Julia sets: which points are inside, where rays enter, and the normals there, against the referee's formulas.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
-#include <optional>
 #include <vector>
 
 #include "num/vec_math.h"
@@ -92,6 +94,45 @@ TEST_CASE("Julia sets: rays enter where the referee says, and the field grows al
     CHECK(hits > 150);
     CHECK(missed + far < 5);  // of what is thinner than the steps
     CHECK(wrong == 0);
+}
+
+TEST_CASE("Julia sets: rays come to an end by all steps, and packs find what single rays find") {
+    using V = Pack<double>;
+    Dice dice{4};
+    int hits = 0;
+    for (int step = 0; step <= static_cast<int>(JuliaStep::power); ++step) {
+        JuliaFractal own{.constant = {-.4, .3, .2}, .fourth = .1, .iterations = 4, .exponent = 2.5, .imaginary = .2};
+        own.hypercomplex = step > 1, own.step = static_cast<JuliaStep>(step);
+        own.emit<double>(WorldTransform(), [&](const JuliaKernel<double>& kernel) {
+            for (int n = 0; n < 10; ++n) {
+                std::array<std::array<double, width<V>>, 6> of_lanes;
+                std::array<std::vector<double>, width<V>> found, wanted;
+                for (int k = 0; k < width<V>; ++k) {
+                    const DVec3 from = (k % 2 ? .5 : 5.) * dice.direction(),
+                                way = normalize(dice.vector(-.6, .6) - from);
+                    for (int c = 0; c < 3; ++c) of_lanes[c][k] = from[c], of_lanes[3 + c][k] = way[c];
+                    wanted[k] = crossings<double>(own, {Vec3<double>(from), Vec3<double>(way), -1.}, 1 << 30);
+                }
+                const auto lanes = [&](int c) { return load_lanes<V>(of_lanes[c].data()); };
+                const Ray<V> rays{{lanes(0), lanes(1), lanes(2)}, {lanes(3), lanes(4), lanes(5)}, V(-1)};
+                kernel.each_crossing(nullptr, 1 << 30, rays, V(-1), V(0) == V(0),
+                                     [&](Mask<V> there, const V& t, const V&) {
+                                         for (unsigned left = bits(there); left; left &= left - 1)
+                                             found[std::countr_zero(left)].push_back(lane(t, std::countr_zero(left)));
+                                     });
+                for (int k = 0; k < width<V>; ++k) {
+                    CAPTURE(step);
+                    // The steps of hypercomplex ones make the last bits of numbers many times larger.
+                    if (!own.hypercomplex)
+                        CHECK(std::ranges::equal(found[k], wanted[k],
+                                                 [](double a, double b) { return std::fabs(a - b) < 1e-9; }));
+                    CHECK(std::ranges::is_sorted(found[k], [](double a, double b) { return a < b - 2e-7; }));
+                    hits += static_cast<int>(found[k].size());
+                }
+            }
+        });
+    }
+    CHECK(hits > 200);
 }
 
 TEST_CASE("Julia sets: normals are where the last number grows, and rays that start on it go on") {

@@ -1,4 +1,4 @@
-// Steps of the iterations whose Julia sets are bodies: numbers of four parts, which are multiplied in one of two ways.
+// Steps of the iterations whose Julia sets are bodies, and functions of complex numbers that some of these take.
 #pragma once
 #include <array>
 #include <cmath>
@@ -35,60 +35,56 @@ inline constexpr std::array<std::string_view, 18> julia_words{"sqr",   "cube", "
                                                               "asin",  "cos",  "acos",       "tan",  "atan",  "sinh",
                                                               "asinh", "cosh", "acosh",      "tanh", "atanh", "pwr"};
 
+/// How many steps are taken at most.
+inline constexpr int most_julia_steps = 1000;
+
 /// A number of four parts.
 template <class V>
 struct FourParts {
     V x, y, z, w;
-
-    STRAHL_INLINE friend FourParts operator+(const FourParts& a, const FourParts& b) {
-        return {a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w};
-    }
-    /// Returns the product of quaternions.
-    STRAHL_INLINE FourParts times(const FourParts& b) const {
-        return {x * b.x - y * b.y - z * b.z - w * b.w, x * b.y + y * b.x + w * b.z - z * b.w,
-                x * b.z + z * b.x + y * b.w - w * b.y, x * b.w + w * b.x + z * b.y - y * b.z};
-    }
-    /// Returns the product of hypercomplex numbers, in which the order does not matter.
-    STRAHL_INLINE FourParts by(const FourParts& b) const {
-        return {x * b.x - y * b.y - z * b.z + w * b.w, y * b.x + x * b.y - w * b.z - z * b.w,
-                z * b.x - w * b.y + x * b.z - y * b.w, w * b.x + z * b.y + y * b.z + x * b.w};
-    }
 };
+
+/// A complex number.
 template <class V>
-STRAHL_INLINE FourParts<V> select(Mask<V> mask, const FourParts<V>& yes, const FourParts<V>& no) {
-    return {select(mask, yes.x, no.x), select(mask, yes.y, no.y), select(mask, yes.z, no.z), select(mask, yes.w, no.w)};
-}
+struct TwoParts {
+    V x, y;
+
+    STRAHL_INLINE friend TwoParts operator+(const TwoParts& a, const TwoParts& b) { return {a.x + b.x, a.y + b.y}; }
+    STRAHL_INLINE friend TwoParts operator-(const TwoParts& a, const TwoParts& b) { return {a.x - b.x, a.y - b.y}; }
+    STRAHL_INLINE friend TwoParts operator*(const TwoParts& a, const TwoParts& b) {
+        return {fma(a.x, b.x, -(a.y * b.y)), fma(a.x, b.y, a.y * b.x)};
+    }
+    STRAHL_INLINE friend TwoParts operator/(const TwoParts& a, const TwoParts& b) { return a * b.reciprocal(); }
+    STRAHL_INLINE V square_of_size() const { return fma(x, x, y * y); }
+    STRAHL_INLINE TwoParts conjugate() const { return {x, -y}; }
+    STRAHL_INLINE TwoParts reciprocal() const {
+        const V per = V(1) / square_of_size();
+        return {per * x, -(per * y)};
+    }
+    STRAHL_INLINE TwoParts where(Mask<V> lanes, const TwoParts& other) const {
+        return {select(lanes, x, other.x), select(lanes, y, other.y)};
+    }
+    /// Returns it times -i.
+    STRAHL_INLINE TwoParts turned() const { return {y, -x}; }
+};
 
 }  // namespace strahl
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// A complex number, whose operations round as POV-Ray's do.
+/// Returns the number of this size and angle.
 template <class R>
-struct TwoParts {
-    R x, y;
-
-    friend TwoParts operator+(const TwoParts& a, const TwoParts& b) { return {a.x + b.x, a.y + b.y}; }
-    friend TwoParts operator-(const TwoParts& a, const TwoParts& b) { return {a.x - b.x, a.y - b.y}; }
-    friend TwoParts operator*(const TwoParts& a, const TwoParts& b) {
-        return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
-    }
-    friend TwoParts operator/(const TwoParts& a, const TwoParts& b) {
-        const R square = b.x * b.x + b.y * b.y;
-        return a * TwoParts{b.x / square, -b.y / square};
-    }
-    /// Returns it times -i.
-    TwoParts turned() const { return {y, -x}; }
-};
+TwoParts<R> turned_by(R size, R angle) {
+    return {size * std::cos(angle), size * std::sin(angle)};
+}
 template <class R>
 TwoParts<R> complex_log(const TwoParts<R>& a) {
-    return {std::log(std::sqrt(a.x * a.x + a.y * a.y)), std::atan2(a.y, a.x)};
+    return {std::log(std::sqrt(a.square_of_size())), std::atan2(a.y, a.x)};
 }
 template <class R>
 TwoParts<R> complex_root(const TwoParts<R>& a) {
     if (a.x == 0 && a.y == 0) return {0, 0};
-    const R size = std::sqrt(std::sqrt(a.x * a.x + a.y * a.y)), angle = std::atan2(a.y, a.x) / 2;
-    return {size * std::cos(angle), size * std::sin(angle)};
+    return turned_by(std::sqrt(std::sqrt(a.square_of_size())), std::atan2(a.y, a.x) / 2);
 }
 template <class R>
 TwoParts<R> complex_atanh(const TwoParts<R>& a) {
@@ -106,7 +102,7 @@ TwoParts<R> julia_function(JuliaStep step, const TwoParts<R>& z, const TwoParts<
     const TwoParts<R> one{1, 0};
     switch (step) {
         case JuliaStep::exp:
-            return {std::exp(x) * std::cos(y), std::exp(x) * std::sin(y)};
+            return turned_by(std::exp(x), y);
         case JuliaStep::ln:
             return complex_log(z);
         case JuliaStep::sin:
@@ -148,8 +144,7 @@ TwoParts<R> julia_function(JuliaStep step, const TwoParts<R>& z, const TwoParts<
         default: {
             if (x == 0 && y == 0) return z;
             const TwoParts<R> own = complex_log(z) * exponent;
-            const R size = own.x < -690 ? R(0) : std::exp(own.x);
-            return {size * std::cos(own.y), size * std::sin(own.y)};
+            return turned_by(own.x < -690 ? R(0) : std::exp(own.x), own.y);
         }
     }
 }
