@@ -230,6 +230,7 @@ std::vector<std::string> words_after(std::string_view word) {
 std::string help_on_word(std::string_view word, std::string_view block, std::string_view outer) {
     const auto found = std::ranges::find(meanings, word, [](const auto& own) { return own.first; });
     std::string text = found != meanings.end() ? found->second : "";
+    if (block == JuliaFractal::name && contains(julia_words, word)) text = "the step that is taken again and again";
     for (const WordHelp& row : help_on_block(own_block(block, outer)))
         if (word_of(row) == word)
             text = row.meaning + "\n\n" + row.values + "; " + (row.otherwise.starts_with('`') ? "default " : "") +

@@ -67,7 +67,12 @@ Shape Wild::shape(std::type_identity<std::variant<Kinds...>>) {
     ((listed(Kinds{}) && number++ == wanted ? void(shape = body<Kinds>()) : void()), ...);
     if (std::holds_alternative<Superellipsoid>(shape) && dice.chance(.5))
         dice.chance(.5) ? void(shape = body<Blob>()) : void(shape = body<SphereSweep>());
-    if (std::holds_alternative<SphereSweep>(shape) && dice.chance(.3)) shape = body<JuliaFractal>();
+    if (std::holds_alternative<SphereSweep>(shape) && dice.chance(.3)) {
+        // Most of those that are allowed take minutes for a picture.
+        auto own = body<JuliaFractal>();
+        own.iterations = std::floor(std::min(own.iterations, 20.)), own.precision = std::min(own.precision, 100.);
+        shape = own;
+    }
     return shape;
 }
 

@@ -622,8 +622,9 @@ TEST_CASE("POV-Ray: Julia sets are exact") {
     const JuliaFractal plain = shape<JuliaFractal>(whole("julia_fractal { <.2, .1, -.3, .4> }"));
     CHECK(plain == JuliaFractal{{.2, .1, -.3}, .4, 20, 20});
     const Scene scene = opened(
-        "julia_fractal { <.2, .1, -.3, .4> pwr(2, .5) hypercomplex max_iteration 7.9 precision 60"
-        " slice <0, .1, 0, .5>, .2 }").scene;
+                            "julia_fractal { <.2, .1, -.3, .4> pwr(2, .5) hypercomplex max_iteration 7.9 precision 60"
+                            " slice <0, .1, 0, .5>, .2 }")
+                            .scene;
     const JuliaFractal& full = shape<JuliaFractal>(scene);
     CHECK(full.step == JuliaStep::power);
     CHECK(std::array{full.exponent, full.imaginary, full.iterations, full.precision, full.slice_fourth,
@@ -631,7 +632,8 @@ TEST_CASE("POV-Ray: Julia sets are exact") {
     CHECK(full.hypercomplex);
     // The set is not symmetric: what is at z is at -z in a right-handed scene.
     const std::string text = "julia_fractal { <-.083, 0, -.83, -.025> max_iteration 8 ";
-    const Scene left = whole("camera { location 0 } " + text + "rotate 30*y }", false), right = whole(text + "rotate 30*y }");
+    const Scene left = whole("camera { location 0 } " + text + "rotate 30*y }", false),
+                right = whole(text + "rotate 30*y }");
     int inside = 0, same = 0;
     for (int i = 0; i < 1000; ++i) {
         const DVec3 p(i % 10 * .2 - .9, i / 10 % 10 * .2 - .9, i / 100 * .2 - .9);

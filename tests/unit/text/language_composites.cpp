@@ -98,8 +98,7 @@ TEST_CASE("composites that are not allowed") {
         "union { " + ball + "camera_ }",
         "2:31: unknown word 'camera_' in 'union'; known here: material, motion, rotate, translate, scale, sphere, "
         "plane, cylinder, cone, box, disc, torus, prism, lathe, superellipsoid, blob, sphere_sweep, julia_fractal, "
-        "triangle, "
-        "smooth_triangle, mesh, union, intersection, difference");
+        "triangle, smooth_triangle, mesh, union, intersection, difference");
     check_fault("union { material { }\nmaterial { } " + ball + "}", "3:1: a second 'material'; the first is in line 2");
     check_fault("union { " + ball + "\nlight { position <0,0,0> color <1,1,1> }",
                 "3:1: '}' missing: the 'union' of line 2 is still open");

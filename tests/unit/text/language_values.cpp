@@ -111,7 +111,7 @@ TEST_CASE("Julia sets have numbers and words") {
     check_fault("julia_fractal { <1,0,.5>, -.2, 8, .5 }",
                 "2:1: invalid julia_fractal: its precision is not from 1 to 100000");
     check_fault("julia_fractal { <1,0,.5>, -.2, 8.5, 60 }",
-                "2:33: 'iterations' of 'julia_fractal' must be a whole number from 1 to 1000, not '8.5'");
+                "2:32: 'iterations' of 'julia_fractal' must be a whole number from 1 to 1000, not '8.5'");
 }
 
 TEST_CASE("blobs have lumps, which may be stretched") {

@@ -190,7 +190,7 @@ class RandomScenes {
             if constexpr (std::is_same_v<decltype(value), DVec3&>)
                 value = position();
             else
-                value = length();
+                value = field.range == Range::steps ? std::floor(uniform(1, 1000)) : length();
         };
         do std::apply([&](const auto&... field) { (fill(field), ...); }, Kind::fields);
         while (kind.fault());
