@@ -99,21 +99,20 @@ Bound bound_for(const Scene& given, int depth) {
     for (const Pigment& coat : scene.background_coats)
         sky = largest(coat.color) + std::max(1., coat.filter * largest(coat.color) + coat.transmit) * sky;
     const double background = std::max(tint * sky, scene.fog ? largest(fog.color) : 0);
-    std::vector<double> own;
+    std::vector<double> own, sent;
     const double most_gain = gain(scene);
-    for (const Material& m : scene.materials) own.push_back(own_light(scene, m, most_gain));
+    for (const Material& m : scene.materials)
+        own.push_back(own_light(scene, m, most_gain)), sent.push_back(sent_on(m));
     Bound bound{{0}, background, most_gain};
     for (int generation = 0; generation < depth; ++generation) {
         double most = background;
-        for (std::size_t i = 0; i < own.size(); ++i) {
-            const Material& m = scene.materials[i];
-            most = std::max(most, tint * (own[i] + sent_on(m) * bound.brightest.back()));
-        }
+        for (std::size_t i = 0; i < own.size(); ++i)
+            most = std::max(most, tint * (own[i] + sent[i] * bound.brightest.back()));
         bound.brightest.push_back(most);
     }
     // A geometric series.
     for (std::size_t i = 0; i < own.size(); ++i) {
-        const double lost = 1 - tint * sent_on(scene.materials[i]);
+        const double lost = 1 - tint * sent[i];
         const double series = lost > 0 ? tint * own[i] / lost : std::numeric_limits<double>::infinity();
         bound.limit = std::max(bound.limit, series);
     }
