@@ -101,8 +101,7 @@ Bound bound_for(const Scene& given, int depth) {
     const double background = std::max(tint * sky, scene.fog ? largest(fog.color) : 0);
     std::vector<double> own, sent;
     const double most_gain = gain(scene);
-    for (const Material& m : scene.materials)
-        own.push_back(own_light(scene, m, most_gain)), sent.push_back(sent_on(m));
+    for (const Material& m : scene.materials) own.push_back(own_light(scene, m, most_gain)), sent.push_back(sent_on(m));
     Bound bound{{0}, background, most_gain};
     for (int generation = 0; generation < depth; ++generation) {
         double most = background;
