@@ -77,7 +77,7 @@ class TracerOf : public AnyTracer {
         if (built && wanted == placed && !moved && (proves == view.prove || std::is_same_v<T, float>)) return;
         light_buffers.reset(), traced_pixels = 0;
         if (moved) capsules.reset();
-        built.reset(), slack.reset();
+        built.reset(), slack.reset(), bound.reset();
         built = std::make_unique<BuiltWorld<T>>(scene(), wanted, pool, in_time.moves() ? &moving : nullptr, images,
                                                 view.prove, kernel.lanes);
         placed = wanted, proves = view.prove;
@@ -197,9 +197,10 @@ class TracerOf : public AnyTracer {
         while (static_cast<int>(workspaces.size()) < pool.size())
             workspaces.push_back(std::make_unique<Workspace<T>>());
 
-        const Bound bound = bound_for(scene(), view.depth);
+        // Kept with the world: to look at thousands of materials takes longer than to trace some pixels.
+        if (!bound || bound->brightest.size() != std::size_t(view.depth) + 1) bound = bound_for(scene(), view.depth);
         std::vector<T> brightest;
-        for (const double most : bound.brightest) brightest.push_back(upper<T>(most));
+        for (const double most : bound->brightest) brightest.push_back(upper<T>(most));
         Eye<T> eye = eye_of<T>(view, placed);
         std::optional<CameraRays<T>> rays;
         if (view.camera.projection != Projection::perspective) rays.emplace(scene(), view, *built, placed);
@@ -218,9 +219,9 @@ class TracerOf : public AnyTracer {
                                        .error = static_cast<T>(view.error),
                                        .brightest = brightest.data(),
                                        .noticed = static_cast<T>(noticed),
-                                       .brightest_limit = upper<T>(bound.limit),
+                                       .brightest_limit = upper<T>(bound->limit),
                                        .stop = job.stop},
-                                      view.prove ? slack_for(view, world, bound.gain) : Slack<T>{}};
+                                      view.prove ? slack_for(view, world, bound->gain) : Slack<T>{}};
         const std::vector<int> around = built->bodies_around(view.camera.position);
         std::atomic<int> next{0};
         std::vector<Counts> counts(pool.size());
@@ -278,6 +279,7 @@ class TracerOf : public AnyTracer {
     const std::shared_ptr<Images> images = std::make_shared<Images>();
     Kernel<T> kernel, proving;      // none of float proves
     std::optional<Slack<T>> slack;  // of the world's bodies; made when proofs first need it
+    std::optional<Bound> bound;     // of the scene's light, for as many generations as were last asked for
     Placement placed;
     bool proves = false;  // is the world one for proofs?
     std::unique_ptr<BuiltWorld<T>> built;
