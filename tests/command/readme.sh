@@ -45,7 +45,7 @@ statuses=$(grep -o 'Exit status: 0 done.*interrupted' "$readme")
 frames=$(grep -oP 'its \K[0-9]+(?= pictures)' "$readme")
 seconds=$("$strahl" check "$source_folder/scenes/demo.rt" | grep -oP 'flythrough +\K[0-9]+(?= s)')
 ((frames == 25 * seconds)) || fault "the README says $frames pictures, and scenes/demo.rt has $seconds s at 25 a second"
-bodies=$(tr '\n' ' ' <"$readme" | grep -oP 'Bodies are \K[^.]*')
+bodies=$(tr '\n[:upper:]' ' [:lower:]' <"$readme" | grep -oP 'bodies are \K[^.]*')
 for kind in "$source_folder"/scenes/kinds/*.rt; do
     kind=$(basename "$kind" .rt | tr _ ' ' | sed 's/us$/i/')
     [[ ", $bodies" =~ [,\ ]$kind(s|es)?([,\ ]|$) ]] || fault "the README does not name the body $kind"
