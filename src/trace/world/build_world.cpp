@@ -193,10 +193,11 @@ void WorldArrays<T>::cull_for_lights() {
         const LightAxes axes = across ? axes_across(volumes, point) : LightAxes{};
         if (across) light.u = Vec3<T>(axes.u), light.v = Vec3<T>(axes.v);
         shadows.push_back(shadows_of<T>(across ? volumes : std::vector<BoundingVolume>(), axes, margin));
+        const BodySet all = volumes.empty() ? 0 : ~BodySet(0) >> (most_item_bins - volumes.size());
         for (std::size_t i = 0; i < sort_bins.size(); ++i) {
             const bool known = i < volumes.size() && !light.area;
             cones.push_back(known ? cone_of<T>(volumes[i], place, margin) : LightCone<T>());
-            occluders.push_back(known ? occluders_of(volumes, i, place, margin) : ~BodySet(0));
+            occluders.push_back(known ? occluders_of(volumes, i, place, margin) : all);
         }
     }
     world.few.cones = cones.data();
