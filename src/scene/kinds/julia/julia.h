@@ -113,14 +113,14 @@ struct JuliaKernel : ContourKernel<T> {
   private:
     template <JuliaRule rule, class V>
     STRAHL_INLINE static void start_march(const JuliaNumbers<Element<V>>& own, JuliaMarch<V>& march) {
-        if constexpr (width < V >> 1)
+        if constexpr (width<V> != 1)
             call_start<rule>(own, march);
         else
             march.template start<rule>(own);
     }
     template <JuliaRule rule, class V>
     STRAHL_INLINE static void advance(const JuliaNumbers<Element<V>>& own, JuliaMarch<V>& march) {
-        if constexpr (width < V >> 1)
+        if constexpr (width<V> != 1)
             call_advance<rule>(own, march);
         else
             march.template advance<rule>(own);
