@@ -236,12 +236,11 @@ template <class S>
     best.bin = select(close, behind.bin, best.bin);
 }
 
-/// Attenuates light by the bodies in the hierarchy.
+/// Attenuates light by the bodies in the hierarchy. `line` is the ray in the form for boxes.
 template <class S>
-STRAHL_INLINE void occlude_in_hierarchy(const World<Element<S>>& world, const Ray<S>& ray, const S& distance,
-                                        Mask<S> active, Transmission<S>& light) {
+STRAHL_INLINE void occlude_in_hierarchy(const World<Element<S>>& world, const Ray<S>& ray, const TraversalRay<S>& line,
+                                        const S& distance, Mask<S> active, Transmission<S>& light) {
     using T = Element<S>;
-    const TraversalRay<S> line = traversal_ray(ray);
     const auto look = [&](const Leaf& leaf, Mask<S> mask) {
         return calls<S>(leaf.form()).occlude(world, leaf.first, leaf.count(), ray, distance, mask, light);
     };
@@ -341,7 +340,7 @@ template <class S>
         left = LightBufferCalls<S>::occlude(world, start.light, ray, distance, light);
         if (none(left)) return;
     }
-    occlude_in_hierarchy(world, ray, distance, left, light);
+    occlude_in_hierarchy(world, ray, line, distance, left, light);
 }
 
 /// Attenuates the light of rays that seem to start in an opaque body by the hot items, which are tested more closely.
