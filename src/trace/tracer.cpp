@@ -76,6 +76,7 @@ class TracerOf : public AnyTracer {
         const Placement wanted = placement(extent, view.camera.position);
         if (built && wanted == placed && !moved && (proves == view.prove || std::is_same_v<T, float>)) return;
         light_buffers.reset(), traced_pixels = 0;
+        around.reset();
         if (moved) capsules.reset();
         built.reset(), slack.reset(), bound.reset();
         built = std::make_unique<BuiltWorld<T>>(scene(), wanted, pool, in_time.moves() ? &moving : nullptr, images,
@@ -89,6 +90,12 @@ class TracerOf : public AnyTracer {
     }
 
   private:
+    /// The transparent bodies that an eye is inside.
+    struct Around {
+        DVec3 eye;
+        std::vector<int> bodies;
+    };
+
     /// Traces a piece of a picture in the thread whose number is given.
     template <class Piece>
     using Work = std::function<void(Batches<T>&, const Piece&, int)>;
@@ -222,14 +229,15 @@ class TracerOf : public AnyTracer {
                                        .brightest_limit = upper<T>(bound->limit),
                                        .stop = job.stop},
                                       view.prove ? slack_for(view, world, bound->gain) : Slack<T>{}};
-        const std::vector<int> around = built->bodies_around(view.camera.position);
+        if (!around || around->eye != view.camera.position)
+            around = {view.camera.position, built->bodies_around(view.camera.position)};
         std::atomic<int> next{0};
         std::vector<Counts> counts(pool.size());
         const auto take = [&](int thread) {
             Workspace<T>& workspace = *workspaces[thread];
             Eye<T> own = eye;
             int list = 0;
-            for (const int body : around) list = push(workspace.mediums, list, body);
+            for (const int body : around->bodies) list = push(workspace.mediums, list, body);
             own.medium = static_cast<T>(list);
             Batches<T> batches(world, view.prove ? proving : kernel, own, limits, workspace, view.prove, filters, side);
             for (int i; !limits.stopped() && (i = next++) < tiles;) work(batches, i, thread);
@@ -279,6 +287,7 @@ class TracerOf : public AnyTracer {
     const std::shared_ptr<Images> images = std::make_shared<Images>();
     Kernel<T> kernel, proving;      // none of float proves
     std::optional<Slack<T>> slack;  // of the world's bodies; made when proofs first need it
+    std::optional<Around> around;   // of the eye that was last asked for
     std::optional<Bound> bound;     // of the scene's light, for as many generations as were last asked for
     Placement placed;
     bool proves = false;  // is the world one for proofs?

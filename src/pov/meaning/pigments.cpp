@@ -433,7 +433,8 @@ Look PigmentMaker::shown_look_of(const PigmentThing& pigment, const Steps& way, 
         const Mean first = mean_of(blend.map->entries[0]);
         for (const MapEntry& entry : blend.map->entries) {
             const Mean own = mean_of(entry);
-            look.varies |= own.filter != first.filter || own.transmit != first.transmit;
+            look.varies |= own.filter != first.filter || own.transmit != first.transmit ||
+                           (own.filter != 0 && own.color != first.color);
         }
     }
     tell_ignored(blend);
