@@ -23,24 +23,34 @@ Verdict judge(Tracer& tracer, const View& view, const Frame& ours, const Picture
         throw FileError("POV-Ray's picture has another size");
     ThreadPool alone(1);
     Verdict verdict{.pixels = std::size_t(ours.width) * ours.height};
+    std::vector<Pixel> beyond;
+    std::vector<int> differences;  // of these
     for (std::size_t i = 0; i < verdict.pixels; ++i) {
         int apart = 0;
         for (int c = 0; c < 3; ++c)
             apart = std::max(apart, steps_apart(ours.rgb[3 * i + c], theirs.values[theirs.channels * i + c]));
-        const int x = int(i % ours.width), y = int(i / ours.width);
-        const bool decided = verdict.beyond_off_edges * 50 >= verdict.pixels;
-        if (apart > 1 && !decided && on_edge(tracer, view, alone, x, y, edge_radius, 1. / 65535, stop)) {
+        if (apart > 1)
+            beyond.push_back({int(i % ours.width), int(i / ours.width)}), differences.push_back(apart);
+        else
+            verdict.worst_off_edges = std::max(verdict.worst_off_edges, apart);
+    }
+    const auto decided = [&] { return verdict.beyond_off_edges * 50 >= verdict.pixels; };
+    constexpr std::size_t together = 128;
+    std::vector<bool> edges;
+    for (std::size_t i = 0; i < beyond.size(); ++i) {
+        if (i % together == 0 && !decided()) {
+            const auto some = std::span(beyond).subspan(i, std::min(together, beyond.size() - i));
+            edges = on_edges(tracer, view, alone, some, edge_radius, 1. / 65535, stop);
+            if (stop && *stop) throw Stopped{};
+        }
+        if (!decided() && edges[i % together]) {
             ++verdict.beyond_on_edges;
             continue;
         }
-        if (stop && *stop) throw Stopped{};
-        if (apart > 1) {
-            ++verdict.beyond_off_edges;
-            verdict.places.push_back({x, y});
-            if (decided) continue;
-            if (apart > verdict.worst_off_edges) verdict.x = x, verdict.y = y;
-        }
-        verdict.worst_off_edges = std::max(verdict.worst_off_edges, apart);
+        if (!decided() && differences[i] > verdict.worst_off_edges)
+            verdict.worst_off_edges = differences[i], verdict.x = beyond[i].x, verdict.y = beyond[i].y;
+        ++verdict.beyond_off_edges;
+        verdict.places.push_back({beyond[i].x, beyond[i].y});
     }
     return verdict;
 }

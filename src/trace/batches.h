@@ -62,14 +62,15 @@ class Batches {
     }
 
     /// Traces at most `scattered_pixels` points. Those of a batch that was stopped get no values.
-    void trace_list(std::span<const PicturePoint> points, float* rgb) {
+    template <class To>
+    void trace_list(std::span<const PicturePoint> points, To* rgb) {
         const int count = static_cast<int>(points.size());
         for (int i = 0; i < count; ++i)
             workspace.pixels_x[i] = static_cast<T>(points[i].x), workspace.pixels_y[i] = static_cast<T>(points[i].y);
         trace_batches(count, nullptr);
         if (limits.stopped()) return;
         for (int i = 0; i < count; ++i)
-            for (int c = 0; c < 3; ++c) rgb[3 * i + c] = finite<float>(workspace.sums[i].rgb[c]);
+            for (int c = 0; c < 3; ++c) rgb[3 * i + c] = finite<To>(workspace.sums[i].rgb[c]);
     }
 
     /// Traces a tile of pixels with a grid of rays in each.

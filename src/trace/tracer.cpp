@@ -116,8 +116,8 @@ class TracerOf : public AnyTracer {
         const auto count = static_cast<int>(list.points.size());
         const auto trace = [&](Batches<T>& batches, int i, int) {
             const int first = i * scattered_pixels;
-            batches.trace_list(list.points.subspan(first, std::min(scattered_pixels, count - first)),
-                                list.rgb + 3 * std::ptrdiff_t(first));
+            const auto points = list.points.subspan(first, std::min(scattered_pixels, count - first));
+            std::visit([&](auto* rgb) { batches.trace_list(points, rgb + 3 * std::ptrdiff_t(first)); }, list.rgb);
         };
         return each(job, (count + scattered_pixels - 1) / scattered_pixels, 0, trace, list.side);
     }

@@ -56,7 +56,7 @@ struct CellPass {
 /// was stopped before.
 struct PointList {
     std::span<const PicturePoint> points;
-    float* rgb;
+    std::variant<float*, double*> rgb;
     double side = 0;  // see FilledLattice
 };
 /// The pixels that a tracer can be asked for: a lattice or a list with one ray in each pixel, or one of the above.

@@ -17,6 +17,12 @@ double share(double v) { return std::isfinite(v) ? std::clamp(tidy(v), 0., 1.) :
 double coefficient(double v) { return std::isfinite(v) ? std::clamp(tidy(v), 0., 1e9) : 0; }
 Color coefficients(const Color& c) { return {coefficient(c.x), coefficient(c.y), coefficient(c.z)}; }
 
+/// Returns the index of refraction; one that can't be told from 1 is 1.
+double ior_of(const InteriorThing& interior, const NoteTaker& notes) {
+    if (std::fabs(interior.ior - 1) < 1.5e-7) return 1;
+    return std::clamp(kept(interior.ior, notes.in.options().as_text), 1e-9, 1e9);
+}
+
 bool same_finish(const LayerValues& a, const LayerValues& b) {
     const FinishValues &own = a.finish, &other = b.finish;
     return own == other && !a.normal.blend && !b.normal.blend;
@@ -427,8 +433,7 @@ Material MaterialMaker::layered_material_of(const TextureThing& texture, const I
         whole = layers_of(layers, way, use.uv);
         whole.bump = pigments.bump_of(texture.layers.back().normal, way, use.uv);
     }
-    if (interior) whole.ior = std::clamp(decimal(static_cast<float>(interior->ior)), 1e-9, 1e9);
-    if (interior && std::fabs(interior->ior - 1) < 1.5e-7) whole.ior = 1;
+    if (interior) whole.ior = ior_of(*interior, notes);
     if (interior && whole.transmits()) {
         if (interior->fades()) {
             whole.fade_distance = std::clamp(tidy(interior->fade_distance), 1e-9, 1e9);
@@ -540,10 +545,7 @@ Material MaterialMaker::plain_material_of(const TextureThing& texture, const Int
     const double lost = finish.refraction.value_or(1);
     through = through * lost;
     material.refraction = share(mean(through));
-    if (interior) {
-        const double ior = std::fabs(interior->ior - 1) < 1.5e-7 ? 1 : interior->ior;
-        material.ior = std::clamp(decimal(static_cast<float>(ior)), 1e-9, 1e9);
-    }
+    if (interior) material.ior = ior_of(*interior, notes);
     // The highlights of all layers are added; the strongest is shown.
     const auto shine = [](const Layer& layer) { return layer.values->finish.phong + layer.values->finish.specular; };
     std::size_t brightest = best;

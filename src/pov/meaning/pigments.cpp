@@ -78,7 +78,7 @@ std::vector<ColorStop> PigmentMaker::stops_of(const Blend& blend) {
     std::vector<ColorStop> stops;
     double before = 0;
     for (const MapEntry& entry : blend.map ? blend.map->entries : usual_entries(blend)) {
-        const double own = decimal(static_cast<float>(entry.at));
+        const double own = kept(entry.at, notes.in.options().as_text);
         if (!stops.empty() && before >= 1 && own > before) break;
         ColorStop stop = stop_of(blend, entry, std::clamp(own, stops.empty() ? 0 : stops.back().at, 1.));
         // Cuts an interval that reaches beyond 0 or 1, and takes the colours that it has there.
@@ -563,7 +563,7 @@ Bump PigmentMaker::bump_of(const NormalThing& normal, const Steps& way, const Uv
             solid = solid_of(blend, true);
         if (!solid) return none("'" + word_text(blend.word) + "'");
         pattern.kind = *solid;
-        bump.height = weighed ? 1 : decimal(static_cast<float>(normal.amount));
+        bump.height = weighed ? 1 : kept(normal.amount, notes.in.options().as_text);
         if (blend.uv && !weighed) notes.approximated(blend.place, "bumps by uv bend normals along u and v");
     }
     pattern.transformations = space_of(blend, way);

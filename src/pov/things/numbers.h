@@ -19,6 +19,11 @@ inline double decimal(float v) {
     std::from_chars(digits, end, result);
     return result;
 }
+/// Returns a number as POV-Ray keeps it, in single precision; for scene text the number that was written.
+inline double kept(double v, bool as_text) {
+    const auto single = static_cast<float>(v);
+    return as_text ? decimal(single) : double(single);
+}
 inline Color color_of(const FilterColor& c) { return {decimal(c.red), decimal(c.green), decimal(c.blue)}; }
 
 /// Returns the number rounded to 12 decimals, so that 1 - .7 is .3.

@@ -46,7 +46,7 @@ Rounding rounding_of(Precision precision, Precision next, const Scene& scene, co
         if (off <= rounding.most) continue;
         const int x = lattice.x + i % lattice.columns * lattice.step_x;
         const int y = lattice.y + i / lattice.columns * lattice.step_y;
-        if (off > std::max(enough, least_jump) && on_edge(fine, view, alone, x, y, edge_radius, off / 4)) {
+        if (off > std::max(enough, least_jump) && on_edge(fine, view, alone, {x, y}, edge_radius, off / 4)) {
             rounding.known = ++edges <= few_edges + lattice.columns * lattice.rows / many_edges;
             if (!rounding.known) break;
             continue;

@@ -27,7 +27,7 @@ struct Pixel {
 };
 /// A place in the picture, in pixels. Pixels have their middles at whole numbers.
 struct PicturePoint {
-    float x, y;
+    double x, y;
 };
 
 /// Values of one tile: red, green, blue of each pixel of `lattice`, row by row, linear and unclamped. Float for

@@ -55,13 +55,13 @@ TEST_CASE("a pixel is on an edge where the picture jumps, not where it only chan
     for (int i = -50; i <= 50; ++i) {
         View moved = view;
         moved.shift_x = i / 50.;
-        edges += on_edge(tracer, moved, pool, rim, 50, edge_radius, 1. / 65535);
+        edges += on_edge(tracer, moved, pool, {rim, 50}, edge_radius, 1. / 65535);
     }
     CHECK(edges >= 1);
     CHECK(edges <= 3);
     // The highlight is a few pixels wide, far from flat, and bent where it is brighter than a screen can show.
     for (int y = 22; y < 78; ++y)
-        for (int x = 35; x < 65; ++x) CHECK_FALSE(on_edge(tracer, view, pool, x, y, edge_radius, 1. / 65535));
+        for (int x = 35; x < 65; ++x) CHECK_FALSE(on_edge(tracer, view, pool, {x, y}, edge_radius, 1. / 65535));
 }
 
 TEST_CASE("a verdict counts differences on and off edges") {

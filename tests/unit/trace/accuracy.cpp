@@ -55,7 +55,7 @@ TEST_CASE("off the edges no picture exceeds the error allowed") {
             Tracer exactly(scene, Precision::float64);
             for (int p = 0; p < columns * rows; ++p)
                 if (const double off = apart(frame, exact, p); off > error)
-                    CHECK_MESSAGE(on_edge(exactly, view, alone, p % columns, p / columns, .1, off / 4), "pixel ",
+                    CHECK_MESSAGE(on_edge(exactly, view, alone, {p % columns, p / columns}, .1, off / 4), "pixel ",
                                   p % columns, ", ", p / columns, " is off by ", off);
         }
     }
@@ -114,8 +114,8 @@ TEST_CASE("an edge is a jump, not a gradual change") {
     Tracer tracer(scene, Precision::float64);
     int near = 0, nearer = 0;
     for (int p = 0; p < columns * rows; ++p) {
-        near += on_edge(tracer, view, pool, p % columns, p / columns, .5, 1e-3);
-        nearer += on_edge(tracer, view, pool, p % columns, p / columns, .05, 1e-3);
+        near += on_edge(tracer, view, pool, {p % columns, p / columns}, .5, 1e-3);
+        nearer += on_edge(tracer, view, pool, {p % columns, p / columns}, .05, 1e-3);
     }
     CHECK(near > 0);
     CHECK(near < columns * rows / 2);
@@ -126,8 +126,8 @@ TEST_CASE("an edge is a jump, not a gradual change") {
                         "sphere { <0, 0, 0>, 1 material { rgb <.8, .8, .8> } }\n",
                         "ball");
     Tracer ball(scene, Precision::float64);
-    CHECK(!on_edge(ball, {.camera = scene.camera, .width = 9, .height = 9}, pool, 4, 4, .5, 1e-9));
-    CHECK(on_edge(ball, {.camera = scene.camera, .width = 9, .height = 9}, pool, 4, 4, 4, 1e-9));
+    CHECK(!on_edge(ball, {.camera = scene.camera, .width = 9, .height = 9}, pool, {4, 4}, .5, 1e-9));
+    CHECK(on_edge(ball, {.camera = scene.camera, .width = 9, .height = 9}, pool, {4, 4}, 4, 1e-9));
 }
 
 }  // namespace strahl::accuracy
