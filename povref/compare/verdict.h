@@ -3,6 +3,7 @@
 #include <array>
 #include <atomic>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "image/picture.h"
@@ -16,6 +17,7 @@ struct Verdict {
     int worst_off_edges = 0;           // the largest difference there
     std::size_t beyond_off_edges = 0;  // pixels that differ by more than one step
     std::size_t beyond_on_edges = 0;   // the same on edges
+    std::size_t unsure = 0;            // the same off the edges, where POV-Ray's rounding decides
     int x = -1, y = -1;                // of the worst pixel off the edges, if it is beyond one step
     std::vector<std::array<int, 2>> places{};  // x and y of all pixels that beyond_off_edges counts
 };
@@ -23,10 +25,16 @@ struct Verdict {
 /// A pixel this near to an edge, in pixels, may differ, because POV-Ray ignores lengths below 1e-4 and 1e-3.
 inline constexpr double edge_radius = 0.01;
 
+/// Makes POV-Ray's picture once more, moved by a millionth of a pixel, for each number to another side.
+using Again = std::function<Picture(int number)>;
+inline constexpr int most_again = 8;
+
 /// Compares POV-Ray's picture of a view, `theirs`, with the tracer's, `ours`. Searches for edges where they differ,
 /// until one pixel in 50 does off the edges: all that differ after that count as off the edges, except in
-/// `worst_off_edges`. Throws Stopped once `stop` is true.
+/// `worst_off_edges`. POV-Ray's rounding decides in a pixel if one of its pictures made again differs there from
+/// `theirs` by more than a step and by half of what `ours` does; these are made as long as each shows other pixels of
+/// that kind. Throws Stopped once `stop` is true.
 Verdict judge(Tracer& tracer, const View& view, const Frame& ours, const Picture& theirs,
-              const std::atomic<bool>* stop = nullptr);
+              const std::atomic<bool>* stop = nullptr, const Again& again = {});
 
 }  // namespace strahl
