@@ -32,15 +32,18 @@ class Repeated {
     Repeated(const Picture& first, const Again& more) : theirs(first), again(more) {}
     /// Removes from `off` the pixels in which these pictures differ, of which ours differ by `apart` of theirs.
     void remove_unsure(std::vector<std::size_t>& off, const std::vector<int>& apart) {
-        for (std::size_t k = 0; again && k < most_again && !off.empty(); ++k) {
+        constexpr int enough = 4;
+        int in_vain = 0;
+        for (std::size_t k = 0; again && k < most_again && in_vain < enough && !off.empty(); ++k) {
             const bool made = k == pictures.size();
             if (made) pictures.push_back(again(int(k)));
             const std::size_t before = off.size();
-            if (same_view(pictures[k], apart)) std::erase_if(off, [&](std::size_t i) {
-                const int moved = between(pictures[k], i);
-                return moved > 1 && 2 * moved >= apart[i];
-            });
-            if (made && off.size() == before) break;
+            if (same_view(pictures[k], apart))
+                std::erase_if(off, [&](std::size_t i) {
+                    const int moved = between(pictures[k], i);
+                    return moved > 1 && 2 * moved >= apart[i];
+                });
+            if (made) in_vain = off.size() == before ? in_vain + 1 : 0;
         }
     }
 

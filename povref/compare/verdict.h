@@ -32,8 +32,8 @@ inline constexpr int most_again = 8;
 /// Compares POV-Ray's picture of a view, `theirs`, with the tracer's, `ours`. Searches for edges where they differ,
 /// until one pixel in 50 does off the edges: all that differ after that count as off the edges, except in
 /// `worst_off_edges`. POV-Ray's rounding decides in a pixel if one of its pictures made again differs there from
-/// `theirs` by more than a step and by half of what `ours` does; these are made as long as each shows other pixels of
-/// that kind. Throws Stopped once `stop` is true.
+/// `theirs` by more than a step and by half of what `ours` does; no more are made once four in a row show no other
+/// pixel of that kind. Throws Stopped once `stop` is true.
 Verdict judge(Tracer& tracer, const View& view, const Frame& ours, const Picture& theirs,
               const std::atomic<bool>* stop = nullptr, const Again& again = {});
 

@@ -91,7 +91,7 @@ class TracerOf : public AnyTracer {
 
   private:
     /// The transparent bodies that an eye is inside.
-    struct Around {
+    struct EyeBodies {
         DVec3 eye;
         std::vector<int> bodies;
     };
@@ -287,7 +287,7 @@ class TracerOf : public AnyTracer {
     const std::shared_ptr<Images> images = std::make_shared<Images>();
     Kernel<T> kernel, proving;      // none of float proves
     std::optional<Slack<T>> slack;  // of the world's bodies; made when proofs first need it
-    std::optional<Around> around;   // of the eye that was last asked for
+    std::optional<EyeBodies> around;  // of the eye that was last asked for
     std::optional<Bound> bound;     // of the scene's light, for as many generations as were last asked for
     Placement placed;
     bool proves = false;  // is the world one for proofs?

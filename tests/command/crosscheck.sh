@@ -16,6 +16,14 @@ echo 'camera { location -5*z look_at 0 } light_source { <-5,5,-5> 1 } sphere { c
 expect 0 "| clock.pov " crosscheck clock.pov --size 32x24
 expect 0 "| clock.pov " crosscheck clock.pov --size 32x24 --clock .3
 
+# Clear cylinders end in one plane: POV-Ray shows the one or the other.
+glass='pigment { rgbt <1, 0, 0, .5> }'
+echo "camera { location -5*z look_at 0 } light_source { <-5,5,-5> 1 }
+    cylinder { 0, x, .5 $glass rotate <10,60,30> } cylinder { 0, -x, .5 pigment { rgbt <0,1,0,.5> } rotate <10,60,30> }" \
+    >ends.pov
+said=$("$strahl" crosscheck ends.pov --size 32x24 --threads 1)
+awk -F'|' '$2 ~ /ends/ { found = $5 == 0 && $7 > 2 } END { exit !found }' <<<"$said" || fault "ends.pov: $said"
+
 mkdir tools tmp
 export PATH="$work/tools:$PATH" TMPDIR="$work/tmp"
 # povray LINES: the stand-in, which runs in the folder with scene.pov.

@@ -49,14 +49,15 @@ void write_sheet(const std::string& path, const Frame& ours, const Picture& thei
     write_picture(beside({for_screen(mine, gamma), for_screen(theirs, gamma), difference}, 4), path, {});
 }
 
-/// Moves the picture of a camera to one of eight sides by a millionth of a pixel.
+/// Moves the picture of a camera to one of eight sides by a millionth of a pixel, and the eye as far in all directions.
 Camera moved(Camera camera, int width, double aspect, int number) {
     const CameraFrame frame = frame_of(camera, aspect);
     const double step = 1e-6 * 2 * frame.tan_x / width * length(camera.look_at - camera.position);
     const double angle = 2 * std::numbers::pi * (number + .3) / most_again;
-    const DVec3 way = step * (std::cos(angle) * frame.right + std::sin(angle) * frame.down);
-    camera.look_at += way;
-    if (camera.projection == Projection::orthographic) camera.position += way;
+    const DVec3 aside = step * (std::cos(angle) * frame.right + std::sin(angle) * frame.down);
+    const DVec3 way = aside + (number % 2 ? step : -step) * frame.forward;
+    camera.position += way, camera.look_at += way;
+    if (camera.projection != Projection::orthographic) camera.look_at += aside;
     return camera;
 }
 

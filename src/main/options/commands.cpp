@@ -294,6 +294,8 @@ void add_crosscheck(CLI::App& app, ChosenCommand& chosen) {
     command->footer(
         "Worst off: largest difference, in steps of 1/65535, of pixels that are not on an edge.\n"
         "Beyond off, on edges: number of pixels that differ by more than one step, off and on edges.\n"
+        "Unsure: those off the edges of a .pov scene in which POV-Ray's rounding decides. Its picture moved by a\n"
+        "millionth of a pixel differs there from itself.\n"
         "Needs povray.");
 }
 

@@ -452,7 +452,9 @@ Material MaterialMaker::layered_material_of(const TextureThing& texture, const I
 /// Before version 3.7 POV-Ray weakens what a layer scatters by another share: 1 - (filter max(r, g, b) + transmit).
 void MaterialMaker::approximate_opacity(Material& layer, const LayerValues& values) {
     const double version = notes.in.version_given() ? notes.in.version() : 3.62;
-    if (version >= 3.7 || layer.rgb.filter == 0) return;
+    const FinishThing& finish = values.finish;
+    const bool scatters = finish.diffuse != 0 || finish.ambient != Color(0) || finish.emission != Color(0);
+    if (version >= 3.7 || layer.rgb.filter == 0 || !scatters) return;
     if (layer.rgb.pattern || layer.metallic > 0 || layer.gilding > 0)
         return notes.approximated(values.place, "a surface that filters light scatters as in version 3.7");
     // Makes the colour brighter and lets less of it through: the light that comes through stays the same.

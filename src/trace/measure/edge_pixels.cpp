@@ -107,8 +107,8 @@ std::vector<bool> on_edges(Tracer& tracer, const View& view, ThreadPool& pool, s
                 Line& line = stars[i].lines[k];
                 if (line.done) continue;
                 const double angle = 2 * std::numbers::pi / spokes * k;
-                points.push_back({pixels[i].x + line.wanted * std::cos(angle),
-                                  pixels[i].y + line.wanted * std::sin(angle)});
+                points.push_back(
+                    {pixels[i].x + line.wanted * std::cos(angle), pixels[i].y + line.wanted * std::sin(angle)});
                 asked.push_back(&line), ++taken;
             }
         trace();

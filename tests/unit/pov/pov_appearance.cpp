@@ -113,6 +113,17 @@ TEST_CASE("POV-Ray: what only its finishes have") {
     CHECK(stained.rgb.transmit == .25);
     CHECK(stained.diffuse == .6);
     CHECK(stained.shadow == 0);
+    // Colours that filter light differ from place to place.
+    const Material pane =
+        of("pigment { gradient x color_map { [0 rgbf <1, .5, 0, 1>] [1 rgbf 1] } } finish { ambient 0 diffuse 0 }");
+    CHECK((pane.rgb.pattern && pane.rgb.filter == 1));
+    // Rays go by what POV-Ray keeps in single precision.
+    const Material bent =
+        of("pigment { granite color_map { [.3 rgbt 1] [.7 rgbt .5] } } normal { granite .035 } "
+           "interior { ior 1.1 }");
+    CHECK((bent.ior == 1.1f && bent.bump.height == .035f));
+    REQUIRE(bent.rgb.pattern);
+    CHECK(bent.rgb.pattern->colors.at(0).at == .3f);
     const Material frugal = of("pigment { rgbt <1, 1, 1, .5> } finish { reflection { .1, .9 } conserve_energy }");
     CHECK((frugal.conserve == 1 && frugal.reflection == .9));
     const Material deep =
@@ -152,9 +163,9 @@ TEST_CASE("POV-Ray: textures that differ in their finishes are mixed by their sh
     CHECK((mixed.coats[0].rgb == Pigment(Color(0, 1, 0)) && mixed.coats[0].reflection == .5));
     REQUIRE((mixed.share.pattern && mixed.coats[0].share.pattern));
     CHECK(mixed.share.pattern->colors ==
-          std::vector<ColorStop>{{.2, Color(1)}, {.6, Color(0)}, {.6, Color(1)}, {1, Color(0)}});
+          std::vector<ColorStop>{{.2f, Color(1)}, {.6f, Color(0)}, {.6f, Color(1)}, {1, Color(0)}});
     CHECK(mixed.coats[0].share.pattern->colors ==
-          std::vector<ColorStop>{{.2, Color(0)}, {.6, Color(1)}, {.6, Color(0)}, {1, Color(1)}});
+          std::vector<ColorStop>{{.2f, Color(0)}, {.6f, Color(1)}, {.6f, Color(0)}, {1, Color(1)}});
     // Tiles begin with the second, and textures of one finish remain one pattern of pigments.
     CHECK(of("tiles { texture { A } tile2 texture { B } }").rgb == Pigment(Color(0, 1, 0)));
     CHECK(of("checker texture { A } texture { A pigment { rgb z } }").coats.empty());

@@ -90,6 +90,25 @@ TEST_CASE("a verdict counts differences on and off edges") {
     const Verdict all = judge(tracer, view, ours, off);
     CHECK(all.beyond_off_edges + all.beyond_on_edges == all.pixels);
     CHECK(all.worst_off_edges < 20);
+    // Rounding decides where another picture of POV-Ray differs by half as much.
+    int made = 0;
+    const auto with = [&](int steps, double everywhere) {
+        made = 0;
+        return judge(tracer, view, ours, theirs, nullptr, [&, steps](int) {
+            ++made;
+            Picture other = theirs;
+            other.values[3 * 41 + 1] -= steps / 65535.;
+            for (double& v : other.values) v += v < .5 ? everywhere : -everywhere;
+            return other;
+        });
+    };
+    const Verdict unsure = with(3, 0);
+    CHECK((unsure.unsure == 1 && unsure.beyond_off_edges == 0 && unsure.worst_off_edges == 1 && made == 1));
+    for (const double everywhere : {0., .1}) {  // another view tells nothing
+        const Verdict sure = with(everywhere > 0 ? 3 : 2, everywhere);
+        CHECK((sure.unsure == 0 && sure.beyond_off_edges == 1 && sure.worst_off_edges == 5));
+        CHECK((made > 1 && made < most_again));
+    }
     const std::atomic<bool> stop = true;
     CHECK_THROWS_AS(judge(tracer, view, ours, theirs, &stop), Stopped);
     Picture other = theirs;
