@@ -69,6 +69,13 @@ STRAHL_INLINE S fresnel(const S& ior, const S& c) {
     return select(squared > S(0), S(Element<S>(.5)) * a * a * fma(b, b, S(1)), S(1));
 }
 
+/// Returns how bright POV-Ray takes a colour for.
+template <class S>
+STRAHL_INLINE S gray_of(const Vec3<S>& color) {
+    using T = Element<S>;
+    return fma(S(T(.297)), color.x, fma(S(T(.589)), color.y, S(T(.114)) * color.z));
+}
+
 template <class S>
 Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, const SeenSurface<S>& seen,
                                   const Footprint<S>* footprint, LayeredHit<S>& hit) {
@@ -80,7 +87,13 @@ Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, c
     each_finish<S>(world, materials, [&](const FinishKernel<T>& finish, Mask<S> lanes) {
         Vec3<S> through = splat<S>(Vec3<T>(1)), factor = through, passed = none, ambient = none, mirrored = none;
         S most(0);
+        const T bailout = world.finishes.bailout;
         const int layers = std::min(finish.layers, most_layers);
+        Mask<S> open = lanes;  // those whose light is followed to this layer
+        S weight(1);           // of rays that it reflects
+        const auto end = [&](const Vec3<S>& light) {
+            return bailout > 0 ? select(gray_of<S>(light) > S(bailout) * factor.y, light, none) : light;
+        };
         for (int i = layers; i-- > 0;) {
             const LayerKernel<T>& layer = world.finishes.layers[finish.first_layer + i];
             const auto color_at = [&](const PatternKernel<T>& pattern) {
@@ -95,8 +108,13 @@ Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, c
                 return own;
             };
             if (layer.share >= 0) {
-                if (i + 1 < finish.layers) passed = passed + through;
+                if (i + 1 < finish.layers) passed = passed + end(through);
                 through = factor = color_at(world.finishes.shares[layer.share]).color;
+                open = lanes, weight = one;
+            } else if (i + 1 < finish.layers) {
+                weight = gray_of<S>(through);
+                open = open & (weight > S(bailout) * factor.y);
+                through = select(open, through, none), factor = select(open, factor, none);
             }
             const ClearColor<S> own = color_at(layer.pattern);
             const S opacity = one - own.filter - own.transmit;
@@ -113,12 +131,14 @@ Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, c
                 else if (layer.facing != 1)
                     x = power_or_zero(one - cosine, layer.falloff);
                 const S share = fma(S(1 - layer.facing), x, S(layer.facing));
-                most = max(most, S(largest(layer.mirror)) * (layer.fresnel ? share : one));
+                const S strength = weight * S(largest(layer.mirror)) * (layer.fresnel ? share : one);
+                const Mask<S> sends = open & (strength >= S(bailout));
+                most = select(sends, max(most, strength), most);
                 Vec3<S> tint = splat<S>(Vec3<T>(1));
                 if (layer.gilding != 0) tint = tint_of(own.color, layer.gilding, cosine);
                 for (int c = 0; c < 3; ++c) {
                     const S gray = share * S(layer.mirror[c]);
-                    mirrored[c] = fma(factor[c] * gray, tint[c], mirrored[c]);
+                    mirrored[c] = select(sends, fma(factor[c] * gray, tint[c], mirrored[c]), mirrored[c]);
                     if (layer.conserves) through[c] = through[c] * max(one - gray * tint[c], zero);
                 }
             }
@@ -126,7 +146,7 @@ Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, c
             for (int c = 0; c < 3; ++c) through[c] = through[c] * fma(own.filter, own.color[c], more);
         }
         hit.ambient = select(lanes, ambient, hit.ambient);
-        hit.through = select(lanes, scale(S(finish.clarity), passed + through), hit.through);
+        hit.through = select(lanes, scale(S(finish.clarity), passed + end(through)), hit.through);
         hit.mirrored = select(lanes, mirrored, hit.mirrored);
         hit.most_mirrored = select(lanes, most, hit.most_mirrored);
         hit.total = select(lanes, S(finish.total), hit.total);
