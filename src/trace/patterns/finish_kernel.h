@@ -112,8 +112,8 @@ Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, c
                 through = factor = color_at(world.finishes.shares[layer.share]).color;
                 open = lanes, weight = one;
             } else if (i + 1 < finish.layers) {
-                weight = gray_of<S>(through);
-                open = open & (weight > S(bailout) * factor.y);
+                weight = gray_of<S>(through) / max(factor.y, S(std::numeric_limits<T>::min()));
+                open = open & (weight > S(bailout));
                 through = select(open, through, none), factor = select(open, factor, none);
             }
             const ClearColor<S> own = color_at(layer.pattern);
