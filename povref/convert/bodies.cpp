@@ -104,11 +104,20 @@ class BodyWriter {
 
   private:
     void add_mixed(const Scene& scene, const Primitive& primitive);
-    void add_clear(const Primitive& primitive, const std::string& head, const PovMaterial& material, Items items);
+    void add_clear(const Scene& scene, const Primitive& primitive, int number, const std::string& head, Items items);
 
     std::string dressed(int number) const {
         const PovMaterial& material = how.materials[number];
         return (material.transparent ? "material { " : "texture { ") + material.name + " }";
+    }
+
+    /// Returns a body with the lights of its group.
+    std::string in_group(const Scene& scene, int number, const std::string& body) const {
+        const Material& own = scene.materials[number];
+        if (!how.materials[number].grouped) return body;
+        const bool any = std::ranges::count(scene.lights, own.group, &Light::group) > 0 && own.group > 0;
+        return "light_group {\n" + (any ? group_name(own.group) + "()\n" : "") + body +
+               (own.common > 0 ? "global_lights on\n}\n" : "}\n");
     }
 
     /// Returns the words of a copy that only casts a shadow. The eye may be in it.
@@ -130,11 +139,11 @@ void BodyWriter::add(const Scene& scene, const Primitive& primitive) {
     if (how.scaled) items.push_back("scale Unit");
     const std::string head =
         head_of(primitive, primitive.material, how.motions, [](int, const std::string&) { return ""; });
-    if (material.transparent && how.shadow_copies) return add_clear(primitive, head, material, items);
+    if (material.transparent && how.shadow_copies) return add_clear(scene, primitive, *number, head, items);
     items.insert(items.end(), material.hides.begin(), material.hides.end());
     items.insert(items.begin(), dressed(*number));
     if (how.hollow && !material.transparent) items.push_back("hollow");
-    (material.transparent ? clear : solid) += block(head, items);
+    (material.transparent ? clear : solid) += in_group(scene, *number, block(head, items));
 }
 
 /// Adds a composite whose parts have materials of their own. A transparent one has one interior, as POV-Ray knows by it
@@ -153,7 +162,7 @@ void BodyWriter::add_mixed(const Scene& scene, const Primitive& primitive) {
         Items all = items;
         all.insert(all.begin(), dress(whole, std::string("  ")));
         all.insert(all.end(), more.begin(), more.end());
-        return block(head_of(primitive, whole, how.motions, dress), all);
+        return in_group(scene, primitive.material, block(head_of(primitive, whole, how.motions, dress), all));
     };
     if (!transparent(scene, primitive)) {
         solid += text([&](int number, const std::string&) { return dressed(number); },
@@ -180,8 +189,9 @@ void BodyWriter::add_mixed(const Scene& scene, const Primitive& primitive) {
     (how.shadow_copies ? seen : clear) += text(seen_dress, more);
 }
 
-void BodyWriter::add_clear(const Primitive& primitive, const std::string& head, const PovMaterial& material,
+void BodyWriter::add_clear(const Scene& scene, const Primitive& primitive, int number, const std::string& head,
                            Items items) {
+    const PovMaterial& material = how.materials[number];
     std::string kind = std::visit([](const auto& shape) { return std::string(shape.name); }, primitive.shape);
     kind[0] = static_cast<char>(kind[0] - 'a' + 'A');
     const std::string name = kind + "_" + std::to_string(++count[kind]);
@@ -193,7 +203,7 @@ void BodyWriter::add_clear(const Primitive& primitive, const std::string& head, 
         shadows += block("object { " + name, copy_items("texture { " + material.name + "_Shadow" + moved + " }"));
     Items shown{"material { " + material.name + moved + " }"};
     shown.insert(shown.end(), material.hides.begin(), material.hides.end());
-    seen += block("object { " + name, shown);
+    seen += in_group(scene, number, block("object { " + name, shown));
     if (material.own_shadow) seen.insert(seen.size() - 3, " no_shadow");
 }
 
@@ -211,6 +221,13 @@ std::string BodyWriter::text() const {
 }
 
 }  // namespace
+
+std::string group_name(double number) {
+    std::string name = "Lights_" + text_of(number);
+    std::ranges::replace_if(
+        name, [](char c) { return c == '.' || c == '-' || c == '+'; }, '_');
+    return name;
+}
 
 bool weighs_unevenly(const Scene& scene, const Primitive& primitive) {
     const Material& medium = scene.materials[medium_of(scene, primitive)];

@@ -17,6 +17,9 @@ struct PovBodies {
     PovMotions& motions;
 };
 
+/// Returns the name of a macro with the lights of a group.
+std::string group_name(double number);
+
 /// Returns whether parts of a transparent body send different shares of the light on, where some of it may be reflected
 /// totally: POV-Ray has one share for all.
 bool weighs_unevenly(const Scene& scene, const Primitive& primitive);

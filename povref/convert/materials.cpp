@@ -111,10 +111,10 @@ std::vector<std::string> layer_finish(const Material& m) {
 std::string layers_of(const Material& m, const std::string& indent) {
     Material lowest = m;
     lowest.rgb.transmit += m.refraction;
-    std::string text = texture(pigment_text(lowest.rgb), layer_finish(m), indent, m.coats.empty() ? m.bump : Bump{});
+    std::string text = texture(pigment_text(lowest.rgb), layer_finish(m), indent, m.bump);
     for (const Material& coat : m.coats)
         text += "\n" + indent +
-                texture(pigment_text(coat.rgb), layer_finish(coat), indent, &coat == &m.coats.back() ? m.bump : Bump{});
+                texture(pigment_text(coat.rgb), layer_finish(coat), indent, coat.bump.pattern ? coat.bump : m.bump);
     return text;
 }
 
@@ -124,9 +124,10 @@ std::vector<Material> stacks_of(const Material& m) {
     stacks[0].coats.clear();
     for (const Material& coat : m.coats)
         if (coat.shares())
-            stacks.push_back(coat), stacks.back().bump = m.bump;
+            stacks.push_back(coat), stacks.back().bump = coat.bump.pattern ? coat.bump : m.bump;
         else
-            stacks.back().coats.push_back(coat);
+            stacks.back().coats.push_back(coat),
+                stacks.back().coats.back().bump = coat.bump.pattern ? coat.bump : m.bump;
     return stacks;
 }
 
@@ -167,12 +168,22 @@ std::string mixed_text(const std::vector<std::pair<std::string, Pigment>>& share
 std::string finished_texture(const Material& m, const std::string& indent, PovMaterial& pov) {
     const std::vector<Material> stacks = stacks_of(m);
     if (stacks.size() == 1) return layers_of(m, indent);
-    std::vector<std::pair<std::string, Pigment>> shares;
-    for (const Material& own : stacks) {
-        shares.emplace_back(pov.name + "_" + std::to_string(1 + shares.size()), own.share);
-        pov.declaration += "#declare " + shares.back().first + " = " + layers_of(own, "") + "\n";
+    std::vector<std::pair<std::string, Pigment>> outside, inside;
+    for (std::size_t i = 0; i < stacks.size(); ++i) {
+        const Material& own = stacks[i];
+        const std::string name = pov.name + "_" + std::to_string(1 + i);
+        pov.declaration += "#declare " + name + " = " + layers_of(own, "") + "\n";
+        const auto add = [&](auto& side, double factor) {
+            if (factor > 0) side.emplace_back(name, own.share);
+            pov.lost_shares |= factor > 0 && factor < 1;
+        };
+        add(outside, own.outside), add(inside, own.inside);
     }
-    return "texture { " + mixed_text(shares, pov.lost_shares) + " }";
+    const auto text = [&](const auto& side) {
+        return side.empty() ? "pigment { rgb 0 }" : mixed_text(side, pov.lost_shares);
+    };
+    const std::string all = "texture { " + text(outside) + " }";
+    return m.has_sides() ? all + "\n" + indent + "interior_texture { " + text(inside) + " }" : all;
 }
 
 PovMaterial describe(const Material& m, const std::string& name, const Circumstances& scene, bool scaled) {
@@ -185,7 +196,8 @@ PovMaterial describe(const Material& m, const std::string& name, const Circumsta
     if (m.mirrored == 0) pov.hides.push_back("no_reflection");
     if (!m.plain()) {
         pov.ior = text_of(m.ior);
-        pov.transparent |= m.ior != 1;
+        pov.transparent |= m.ior != 1 || m.has_sides();  // both are said in a `material`
+        pov.grouped = m.group > 0 || m.common == 0;
         if (m.fade_distance > 0)
             pov.ior += " fade_distance " + text_of(m.fade_distance) + (scaled ? " * Unit" : "") + " fade_power " +
                        text_of(m.fade_power) + " fade_color rgb " + text_of(m.fade_color);

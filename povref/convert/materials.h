@@ -20,6 +20,7 @@ struct PovMaterial {
     std::string weight{};     // of the finish keyword `refraction`, about which POV-Ray warns; empty if it is not used
     bool layered = false;     // has two layers of texture
     bool patterned = false;   // has a pattern, which moves with the body
+    bool grouped = false;     // has lights of its own, or is not lit by all
     bool lost_shares = false;  // mixes materials by several patterns, of which one is written
     bool near_one = false;    // an ior of 1 is written as the next larger number
 };

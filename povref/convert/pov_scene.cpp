@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -38,6 +39,8 @@ struct Plan {
     bool rectangles = false;      // some light is a rectangle without a grid
     bool near_one = false;        // some ior of 1 is written as a larger number
     bool lost_shares = false;     // some material mixes others by several patterns
+    bool old_opacity = false;     // some material has it
+    bool mixed_groups = false;    // some body has parts of different groups
     bool normal_maps = false;     // some material has one
     bool bumps_by_uv = false;     // some material has a bump by uv
     bool moves = false;           // bodies or lights do, in an animation
@@ -69,10 +72,18 @@ Plan plan_for(const Scene& scene, const PovRequest& request) {
         plan.lost_shares |= material.lost_shares;
     }
     for (const Material& material : scene.materials) {
+        plan.old_opacity |=
+            std::ranges::any_of(material.coats, [](const Material& own) { return own.old_opacity > 0; }) ||
+            material.old_opacity > 0;
         plan.normal_maps |= material.normal.pattern != nullptr;
         plan.bumps_by_uv |= material.bump.pattern && material.bump.pattern->by_uv;
     }
     for (const Light& light : scene.lights) plan.rectangles |= light.area && light.area->columns == 0;
+    for (const Primitive& primitive : scene.primitives)
+        for_each_leaf(primitive, [&](const Primitive& leaf, const glm::dmat4&) {
+            const Material &own = scene.materials[leaf.material], &whole = scene.materials[primitive.material];
+            plan.mixed_groups |= own.group != whole.group || own.common != whole.common;
+        });
     return plan;
 }
 
@@ -90,6 +101,8 @@ std::vector<std::string> warnings_of(const Plan& plan) {
          "by the mean of their shadows; with `grid` each point becomes a light of its own, and the pictures are equal"},
         {plan.lost_shares,
          "POV-Ray mixes textures by one pattern; of shares by several or by a picture the first is shown"},
+        {plan.old_opacity, "POV-Ray has `old_opacity` only in scenes of versions before 3.7"},
+        {plan.mixed_groups, "POV-Ray's groups of lights shine on whole bodies; parts have the group of their body"},
         {plan.normal_maps, "POV-Ray has no pictures of normals; materials with a `normal` are smooth there"},
         {plan.bumps_by_uv,
          "POV-Ray bends normals by uv as if u and v grew along x and y; the picture is right only for meshes on which "
@@ -215,6 +228,7 @@ std::string light_section(const Scene& scene, const std::vector<Camera>& cameras
                           PovMotions& motions) {
     if (scene.lights.empty()) return "";
     std::string text = heading("Lights");
+    std::map<double, std::string> groups;
     for (const Light& light : points_of(scene.lights)) {
         const DVec3 place = light.from        ? *light.from
                             : light.direction ? place_of_parallel(*light.direction, cameras, plan)
@@ -249,8 +263,9 @@ std::string light_section(const Scene& scene, const std::vector<Camera>& cameras
         }
         if (light.motion) items.push_back(motions.use(*light.motion));
         if (light.motion && plan.scaled) items.push_back("scale Unit");
-        text += block("light_source {", items);
+        (light.group > 0 ? groups[light.group] : text) += block("light_source {", items);
     }
+    for (const auto& [number, lights] : groups) text += "#macro " + group_name(number) + "()\n" + lights + "#end\n";
     return text;
 }
 

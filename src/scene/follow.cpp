@@ -51,6 +51,7 @@ void follow(Light& light, const TrackValues& values) {
                : name == "core"                     ? target(light.core)
                : name == "fade_distance"            ? target(light.fade_distance)
                : name == "fade_power"               ? target(light.fade_power)
+               : name == "group"                    ? target(light.group)
                : name == "tightness" && !light.spot ? target(light.tightness)
                : name == "look_at"                  ? (light.spot ? target(light.spot->look_at) : FollowTarget{})
                : light.spot                         ? field_of(*light.spot, name)

@@ -27,7 +27,7 @@ struct Spot {
 /// A rectangle that shines from all its points, each in all directions, and is not seen itself. With a grid it is that
 /// many points instead, the outer ones on its edges.
 struct Area {
-    DVec3 u{0}, v{0};           // its edges, perpendicular to each other
+    DVec3 u{0}, v{0};           // its edges, perpendicular to each other unless it has a grid
     int columns = 0, rows = 0;  // of the grid; 0 if there is none
     bool operator==(const Area&) const = default;
 };
@@ -55,10 +55,13 @@ struct Light {
     double beam = 0, core = 0, tightness = 0;
     /// With both above 0 its light is multiplied by 2 / (1 + (distance / fade_distance)^fade_power), as in POV-Ray.
     double fade_distance = 0, fade_power = 0;
+    double group = 0;                // it shines only on bodies of this group, see Material, unless it is 0
     std::optional<Motion> motion{};  // of its position, direction, edges, and the point that its spot looks at
     std::vector<Follow> follows{};   // numbers of it and its spot that follow tracks
     bool operator==(const Light&) const = default;
     bool fades() const { return fade_distance > 0 && fade_power > 0 && (!direction || from); }
+    /// Does it take light away?
+    bool darkens() const { return color.x < 0 || color.y < 0 || color.z < 0; }
 };
 
 /// The number of lights that the tracer makes of one.
@@ -83,6 +86,7 @@ inline std::vector<Light> points_of(const std::vector<Light>& lights) {
                                .shadowless = light.shadowless,
                                .fade_distance = light.fade_distance,
                                .fade_power = light.fade_power,
+                               .group = light.group,
                                .motion = light.motion});
     }
     return all;

@@ -38,7 +38,11 @@ struct Material {
     // wavelengths .7, .52 and .48 of red, green and blue.
     double irid = 0, film = 0;
     double conserve = 0;            // 1: what comes through is multiplied by 1 less what is reflected
+    double old_opacity = 0;         // 1: filter counts the less against what is scattered the darker the colour is
     double seen = 1, mirrored = 1;  // 0: rays go through it that come from the eye, or from mirrors
+    double outside = 1, inside = 1;  // factors of the stack's light, seen from outside the body and from inside
+    double group = 0;                // lights of this group shine on the body as well, unless it is 0
+    double common = 1;               // 0: no others do
     // With fade_distance > 0 light is multiplied by c + (1 - c) / (1 + (d / fade_distance)^fade_power), of the colour
     // c, after a way d inside the body; with powers from 1000 on by exp(-(1 - c) d / fade_distance).
     double fade_distance = 0, fade_power = 1;
@@ -48,8 +52,9 @@ struct Material {
     Bump bump{};                    // bends the normals that `normal` has bent
     std::vector<Follow> follows{};  // numbers of it that follow tracks
     /// Layers above this one, the lowest first: each lights, mirrors and lets through light by its own colour and
-    /// finish. Their refraction, ior, normal and bump do not count, nor what is said of the body as a whole. A coat
-    /// with a share other than 1 begins another stack of layers, with its own share: the light of all stacks is added.
+    /// finish. Their refraction, ior and normal do not count, nor what is said of the body as a whole; those without a
+    /// bump have that of the material. A coat with a share other than 1, or that looks different from outside and from
+    /// inside, begins another stack of layers, with its own share: the light of all stacks is added.
     std::vector<Material> coats{};
     Pigment share{Color(1)};
 
@@ -64,7 +69,11 @@ struct Material {
         return any || all;
     }
     /// Does it begin a stack of layers whose light is multiplied by its share?
-    bool shares() const { return !(share == Pigment(Color(1))); }
+    bool shares() const { return has_side() || !(share == Pigment(Color(1))); }
+    /// Does its stack look different from outside and from inside?
+    bool has_side() const { return outside != 1 || inside != 1; }
+    /// Do the two sides of the body look different?
+    bool has_sides() const { return has_side() || std::ranges::any_of(coats, &Material::has_side); }
     /// Returns the largest of its shares, and at least 1.
     double most_share() const {
         const auto most = [](const Color& c) { return std::max({1., c.x, c.y, c.z}); };
@@ -87,13 +96,15 @@ struct Material {
     /// Does it use only what the article's equation has?
     bool plain() const {
         return blinn == 0 && metallic == 0 && brilliance == 1 && glow == Color(1) && mirror == Color(1) &&
-               facing == 1 && fresnel == 0 && gilding == 0 && shadow == 1 && conserve == 0 && seen == 1 &&
-               mirrored == 1 && behind == 0 && both_sides == 0 && clarity == 1 && irid == 0 && fade_distance == 0 &&
-               coats.empty() && !rgb.clear() && !shares();
+               facing == 1 && fresnel == 0 && gilding == 0 && shadow == 1 && conserve == 0 && old_opacity == 0 &&
+               seen == 1 && mirrored == 1 && behind == 0 && both_sides == 0 && clarity == 1 && irid == 0 &&
+               fade_distance == 0 && coats.empty() && !rgb.clear() && !shares() && group == 0 && common == 1;
     }
     /// Does light fade inside the body?
     bool fades() const { return fade_distance > 0 && transmits(); }
-    bool bends() const { return normal.pattern || bump.pattern; }
+    bool bends() const { return normal.pattern || bump.pattern || std::ranges::any_of(coats, &Material::bends); }
+    /// Does a coat have other normals than the material?
+    bool bends_apart(const Material& coat) const { return coat.bump.pattern && coat.bump != bump; }
     /// Does it vary across the body?
     bool patterned() const {
         bool any = false;
@@ -114,7 +125,7 @@ struct Material {
             if (own) visit(*own);
         };
         look(rgb.pattern), look(share.pattern), look(normal.pattern), look(bump.pattern);
-        for (const Material& coat : coats) look(coat.rgb.pattern), look(coat.share.pattern);
+        for (const Material& coat : coats) look(coat.rgb.pattern), look(coat.share.pattern), look(coat.bump.pattern);
     }
 
     static constexpr auto fields = std::make_tuple(
@@ -159,9 +170,23 @@ struct Material {
         Field{"film", &Material::film, "thickness of that film, in thousandths of a millimetre", Range::zero_or_more},
         Field{"conserve", &Material::conserve, "1: light that comes through is dimmed by the share that is reflected",
               Range::zero_to_one},
+        Field{"old_opacity", &Material::old_opacity,
+              "1: a colour that filters scatters 1 - its largest component `filter` - `transmit` of its light, as in "
+              "POV-Ray before version 3.7",
+              Range::zero_to_one},
         Field{"seen", &Material::seen, "0: the eye looks through the body, and only mirrors show it",
               Range::zero_to_one},
         Field{"mirrored", &Material::mirrored, "0: mirrors do not show the body", Range::zero_to_one},
+        Field{
+            "outside", &Material::outside,
+            "factor of its light where rays come from outside the body; it begins layers as `share` does, so that two "
+            "materials are those of two sides",
+            Range::zero_to_one},
+        Field{"inside", &Material::inside, "factor of its light where rays come from inside the body",
+              Range::zero_to_one},
+        Field{"group", &Material::group, "lights whose `group` is this number shine on the body as well; 0: none do",
+              Range::zero_or_more},
+        Field{"common", &Material::common, "0: only lights of its `group` shine on the body", Range::zero_to_one},
         Field{"fade_distance", &Material::fade_distance,
               "the way inside the body after which light has faded by half; 0: it does not fade", Range::zero_or_more},
         Field{"fade_power", &Material::fade_power,

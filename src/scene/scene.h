@@ -69,7 +69,8 @@ struct Scene {
     bool finished() const {
         bool any = settings.adc_bailout > 0 || (fog && fog->filter > 0);
         for (const Material& own : materials) any = any || !own.plain();
-        for (const Light& own : lights) any = any || own.shadowless || own.soft || own.fades() || own.from;
+        for (const Light& own : lights)
+            any = any || own.shadowless || own.soft || own.fades() || own.from || own.group != 0 || own.darkens();
         return any;
     }
 };

@@ -191,6 +191,7 @@ std::string light_text(const Light& light) {
     if (light.tightness != 0) text += "  tightness " + text_of(light.tightness, follows, "tightness");
     if (light.fade_distance != 0) text += "  fade_distance " + text_of(light.fade_distance, follows, "fade_distance");
     if (light.fade_power != 0) text += "  fade_power " + text_of(light.fade_power, follows, "fade_power");
+    if (light.group != 0) text += "  group " + text_of(light.group, follows, "group");
     if (light.motion) return text + "\n  " + text_of(*light.motion, "\n  ") + "\n}\n";
     return text + " }\n";
 }

@@ -443,13 +443,18 @@ void Interpreter::State::include_file() {
 }
 
 void Interpreter::State::set_version() {
-    version_given = true;
+    std::string program;  // another one, whose numbers say nothing
     const double wanted = with_directives(false, [&] {
-        if (code() == new_name_code && names.text(next.raw->index) == "unofficial") take();
+        if (code() == new_name_code && names.text(next.raw->index) == "unofficial") {
+            take();
+            if (code() == new_name_code) program = names.text(next.raw->index), take();
+        }
         const double value = number();
         accept(';');
         return value;
     });
+    if (!program.empty()) return warn(last, "a scene for " + program + " is read as if it was for POV-Ray");
+    version_given = true;
     version = std::round(wanted * 100) / 100;
     if (version > 3.7) warn(last, "#version " + std::to_string(version).substr(0, 4) + " is read as 3.7");
 }

@@ -188,9 +188,20 @@ bool close(Shape& shape) {
 
 }  // namespace
 
-/// Sets what a body takes over, but for transformations.
-void SceneMaker::take_over(const ObjectThing& object, Looks& own) {
+/// Sets what a body takes over from those around it, but for transformations.
+void SceneMaker::take_over(const ObjectThing& object, const Around& around, Looks& own) {
+    const auto inside = own.texture ? own.texture->inside : nullptr;
     if (object.texture) own.texture = object.texture->texture;
+    if (object.texture && inside && !own.texture->inside) {
+        // Only its other side looks as those around it.
+        Steps way = object.steps;
+        append(way, around.to_owner);
+        way = inverse(way);
+        append(way, to_owner(object, around));
+        auto both = std::make_shared<TextureThing>(*own.texture);
+        both->inside = moved(*inside, way);
+        own.texture = std::move(both);
+    }
     if (object.interior) own.interior = object.interior;
     if (object.texture || object.interior) own.shared = nullptr;
     own.no_shadow |= object.no_shadow.value_or(false);
@@ -209,11 +220,16 @@ Steps SceneMaker::to_owner(const ObjectThing& object, const Around& around) {
     return way;
 }
 
-SceneMaker::Around SceneMaker::inside(const ObjectThing& object, const Around& around) const {
-    Around own{around, object.steps, {}, to_owner(object, around), around.clips};
+SceneMaker::Around SceneMaker::inside(const ObjectThing& object, const Around& around) {
+    Around own{around, object.steps, {}, to_owner(object, around), around.clips, around.turned != object.inverse};
     append(own.after, around.after);
     own.moves = transformations_of(own.after, mirrored);
-    take_over(object, own);
+    take_over(object, around, own);
+    if (object.global_lights) {
+        if (around.group > 0)
+            notes.approximated(object.place, "lights of the outer light_group do not shine on the inner one");
+        own.group = ++light_groups, own.common = *object.global_lights, own.shared = nullptr;
+    }
     return own;
 }
 
@@ -221,13 +237,55 @@ int SceneMaker::number_of(Shared& shared) {
     if (!shared.number) shared.number = number_of(*shared.within, {}, [&] { return inverse(shared.within->to_owner); });
     return *shared.number;
 }
+/// Is what the scene takes for the outer side of a body POV-Ray's inner one? `steps` lead from its own space to that of
+/// the scene.
+bool SceneMaker::shows_inside(const ObjectThing& object, const Shape& shape, const Around& around,
+                              const Steps& steps) const {
+    const auto facing = [](const DVec3& a, const DVec3& b, const DVec3& c, const DVec3& normal) {
+        return dot_product(cross_product(b - a, c - a), normal) > 0;
+    };
+    const bool mirrors = glm::determinant(glm::dmat3(matrix_of(steps))) < 0;
+    if (std::holds_alternative<Triangle>(shape)) {
+        if (!object.steps.empty())
+            notes.approximated(object.place, "which side of a triangle is inside that was moved");
+        return !mirrored;
+    }
+    if (const auto* const own = std::get_if<SmoothTriangle>(&shape))
+        return facing(own->a, own->b, own->c, own->normal_a + own->normal_b + own->normal_c) == mirrors;
+    if (std::holds_alternative<Prism>(shape) || std::holds_alternative<SphereSweep>(shape))
+        notes.approximated(object.place, "which sides of its faces are inside");
+    const bool turned = around.turned != object.inverse;
+    const auto* const mesh = std::get_if<Mesh>(&shape);
+    if (!mesh) return turned;
+    const bool flat_faces_back = mirrored == object.turned_surface;
+    // These have no inside that could be turned out.
+    if (object.word == word("polygon") || object.word == word("bicubic_patch")) return flat_faces_back != mirrors;
+    const MeshData& data = *mesh->data;
+    std::size_t ahead = 0;
+    for (std::size_t i = 0; i < data.triangles.size(); ++i) {
+        const auto [a, b, c] = data.triangles[i];
+        const auto at = [](const std::vector<DVec3>& list, std::int32_t n) { return list[std::size_t(n)]; };
+        DVec3 normal(0, 1, 0);
+        if (object.word != word("height_field")) {
+            if (data.corner_normals.empty()) return (flat_faces_back != mirrors) != turned;
+            for (const std::int32_t n : data.corner_normals[i]) normal = normal + at(data.normals, n);
+        }
+        ahead += facing(at(data.points, a), at(data.points, b), at(data.points, c), normal);
+    }
+    if (ahead > 0 && ahead < data.triangles.size())
+        notes.approximated(object.place, "triangles whose normals are on their other side show their texture there");
+    return (2 * ahead < data.triangles.size()) != (mirrors != turned);
+}
+
 /// Returns the number of a material; `way()` leads from its texture's space into that where it holds.
 template <class Way>
 int SceneMaker::number_of(const Looks& own, const UvMapping& uv, const Way& way) {
     const MaterialUse use{.uv = uv,
                           .shadow_only = own.no_image && own.no_reflection,
                           .no_shadow = own.no_shadow,
-                          .both_sides = own.both_sides};
+                          .both_sides = own.both_sides,
+                          .group = own.group,
+                          .common = own.common};
     return materials.number(own.texture, own.interior, use, way);
 }
 
@@ -252,12 +310,14 @@ UvMapping SceneMaker::uv_of(const ObjectThing& object, const Around& around, boo
 int SceneMaker::material_of(const ObjectThing& object, const Around& around, bool mapped, const Steps& folded) {
     if (around.clips) return materials.nothing();
     Looks own = around;
-    take_over(object, own);
+    take_over(object, around, own);
     if (object.lump_textures) {
         const auto& blob = std::get<Blob>(*object.shape);
         const Steps way = inverse(to_owner(object, around));
         if (const auto mixed = materials.blended(blob, *object.lump_textures, *own.texture, way)) {
-            own.texture = mixed;
+            auto both = std::make_shared<TextureThing>(*mixed);
+            if (own.texture->inside) both->inside = moved(*own.texture->inside, way);
+            own.texture = std::move(both);
             return number_of(own, {}, [] { return Steps(); });
         }
         notes.approximated(object.place, "the parts of a blob have the texture of the whole");
@@ -323,13 +383,24 @@ std::optional<SceneMaker::Part> SceneMaker::build_turned(const ObjectThing& obje
                 shape = known->second;
             }
         }
+        // A division by zero is very large, and boxes then reach as far as anything is seen.
+        if (auto* const box = std::get_if<Cuboid>(&shape))
+            for (DVec3* const corner : {&box->corner, &box->opposite})
+                *corner = max(min(*corner, DVec3(largest_coordinate)), DVec3(-largest_coordinate));
+        if (const auto* const ball = std::get_if<Sphere>(&shape); ball && ball->radius == 0)
+            return std::nullopt;  // no ray meets it
         if (const char* const fault = fault_of(shape)) {
             notes.left_out(object.place, std::string("a body: ") + fault);
             return std::nullopt;
         }
         const auto* const mesh = std::get_if<Mesh>(&shape);
         const bool mapped = mesh && !mesh->data->places.empty();
-        const int material = material_of(object, around, mapped, folded);
+        int material = material_of(object, around, mapped, folded);
+        if (materials[material].has_sides()) {
+            Steps to_scene = object.steps;
+            append(to_scene, around.after);
+            if (shows_inside(object, shape, around, to_scene)) material = materials.turned(material);
+        }
         if (object.hollow && !contents.fogs.empty() && materials[material].transmits())
             notes.approximated(object.place, "there is no fog inside a hollow body that light passes");
         part = Part{{std::move(shape), material, transformations_of(steps, mirrored)}, object.inverse};
@@ -353,7 +424,9 @@ std::optional<SceneMaker::Part> SceneMaker::build_parts(const ObjectThing& objec
             add_light(*each, within);
             continue;
         }
-        std::optional<Part> part = build(*each, within);
+        Around own_around = within;
+        own_around.turned = within.turned != (object.kind == ObjectKind::subtract && !first);
+        std::optional<Part> part = build(*each, own_around);
         if (part && !close(part->primitive.shape)) {
             notes.left_out(each->place, "an open body in a composite");
             part.reset();
@@ -397,6 +470,7 @@ std::optional<SceneMaker::Part> SceneMaker::clipped(const ObjectThing& object, c
         notes.approximated(object.place, "a clipped union in a composite is a merge");
     if (materials[material].transmits() && materials[material].ior != 1)
         notes.approximated(object.place, "light enters a clipped body of glass where it is clipped");
+    if (!contents.fogs.empty()) notes.approximated(object.place, "there is no fog inside a clipped body");
     // The composite has the body's space, in which the patterns of its texture are.
     std::vector<Transformation> own, back;
     if (part.primitive.transformations == transformations_of(object.steps, mirrored)) {
@@ -421,7 +495,7 @@ void SceneMaker::push(Part part, const ObjectThing& object, const Around& around
     std::vector<Transformation>& own = part.primitive.transformations;
     own.insert(own.end(), around.moves.begin(), around.moves.end());
     Looks flags = around;
-    take_over(object, flags);
+    take_over(object, around, flags);
     shown.push_back({flags.no_shadow, flags.no_image, flags.no_reflection, object.place});
     scene.primitives.push_back(std::move(part.primitive));
 }

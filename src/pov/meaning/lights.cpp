@@ -12,8 +12,8 @@
 namespace strahl::pov {
 namespace {
 
-/// Returns the rectangle of an area light, with a grid unless its points jitter. Its edges become perpendicular; that
-/// of a row of points is hardly wide.
+/// Returns the rectangle of an area light, with a grid unless its points jitter. Without one its edges become
+/// perpendicular; that of a row of points is hardly wide.
 std::optional<Area> area_of(const LightThing& light, const glm::dmat3& m, bool grid, bool mirrored) {
     // Points that jitter are moved by up to half of their distance, and those within count twice: this is the mean.
     const auto edge = [&](const DVec3& v, int points) {
@@ -27,8 +27,12 @@ std::optional<Area> area_of(const LightThing& light, const glm::dmat3& m, bool g
     };
     if (!(length(area.u) > 0)) std::swap(area.u, area.v), std::swap(area.columns, area.rows);
     if (!(length(area.u) > 0)) return std::nullopt;
-    area.v = area.v - dot_product(area.u, area.v) / dot_product(area.u, area.u) * area.u;
-    if (!(length(area.v) > 1e-6 * length(area.u))) area.v = strip(area.u);
+    const DVec3 across = area.v - dot_product(area.u, area.v) / dot_product(area.u, area.u) * area.u;
+    const bool longer = length(area.v) > length(area.u), thin = !(length(across) > 1e-6 * length(area.u));
+    if (!grid)
+        area.v = thin ? strip(area.u) : across;
+    else if (!(length(across) > 4e-6 * length(longer ? area.v : area.u)))  // points need no right angles
+        area.v = area.v + (area.v == DVec3(0) ? 1. : 4.) * strip(longer ? area.v : area.u);
     return area;
 }
 
@@ -50,8 +54,7 @@ void SceneMaker::add_light(const ObjectThing& object, const Around& around) {
         add(moved, around);
     }
     Light light{.position = mirror(transform_point(m, own.location), mirrored), .color = own.color};
-    if (std::min({own.color.x, own.color.y, own.color.z}) < 0)
-        return notes.left_out(object.place, "a light of a negative colour");
+    light.group = around.group;
     if (own.color == DVec3(0)) return;
     const DVec3 target = mirror(transform_point(m, own.point_at), mirrored);
     if (own.fade_distance > 0 && own.fade_power > 0)
@@ -92,10 +95,6 @@ void SceneMaker::add_light(const ObjectThing& object, const Around& around) {
     if (light.area && grid) {
         light.circular = round, light.orient = round && own.orient;
         light.adaptive = std::clamp(own.adaptive, 0, 100);
-        const DVec3 u = glm::dmat3(m) * own.area->u, v = glm::dmat3(m) * own.area->v;
-        approximated(std::min(own.area->columns, own.area->rows) > 1 && !light.orient &&
-                         std::fabs(dot_product(u, v)) > 1e-6 * length(u) * length(v),
-                     "the edges of an area_light are at right angles");
     }
     const double reach =
         std::max({std::fabs(light.position.x), std::fabs(light.position.y), std::fabs(light.position.z)});
@@ -105,7 +104,7 @@ void SceneMaker::add_light(const ObjectThing& object, const Around& around) {
         light.from.reset(), light.soft = light.circular = light.orient = false, light.adaptive = Light{}.adaptive;
         approximated(true, "a light further away than 1e9 is parallel light");
     }
-    light.color = {std::min(light.color.x, 1e9), std::min(light.color.y, 1e9), std::min(light.color.z, 1e9)};
+    light.color = max(min(light.color, Color(1e9)), Color(-1e9));
     scene.lights.push_back(light);
     light_places.push_back(object.place);
 }

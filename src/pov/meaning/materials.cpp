@@ -171,6 +171,20 @@ std::ptrdiff_t hidden_layers_of(const TextureThing& texture) {
     return texture.layers.rend() - 1 - top;
 }
 
+TextureThing without_hidden_layers(TextureThing texture) {
+    texture.layers.erase(texture.layers.begin(), texture.layers.begin() + hidden_layers_of(texture));
+    return texture;
+}
+
+/// Leaves the bumps of coats out that are those of the material, and makes those flat that have none.
+void share_bumps(Material& material) {
+    for (Material& coat : material.coats)
+        if (coat.bump == material.bump)
+            coat.bump = {};
+        else if (!coat.bump.pattern)
+            coat.bump.pattern = material.bump.pattern;
+}
+
 /// Is the object a light, or does it hold one?
 bool shines(const ObjectThing& object) {
     return object.light || std::ranges::any_of(object.parts, [](const auto& part) { return shines(*part); });
@@ -185,6 +199,7 @@ bool MaterialMaker::lit() {
 }
 
 bool MaterialMaker::has_pattern(const TextureThing& texture) {
+    if (texture.inside && has_pattern(*texture.inside)) return true;
     for (const auto& corner : texture.corners)
         if (has_pattern(*corner)) return true;
     return std::ranges::any_of(texture.layers, [](const LayerValues& layer) {
@@ -193,7 +208,7 @@ bool MaterialMaker::has_pattern(const TextureThing& texture) {
 }
 
 bool MaterialMaker::by_uv(const std::shared_ptr<const TextureThing>& texture) {
-    bool holds = false, any = false;
+    bool holds = false, any = texture->inside && by_uv(texture->inside);
     for (const LayerValues& layer : texture->layers) {
         any |= layer.pigment.blend.uv || layer.normal.blend.uv || layer.blend.uv;
         holds |= layer.blend.map != nullptr;
@@ -249,6 +264,14 @@ int MaterialMaker::without_patterns(int number) {
 int MaterialMaker::without(double Material::*part, int number) {
     Material own = (*this)[number];
     own.*part = 0;
+    return materials.number(own);
+}
+
+int MaterialMaker::turned(int number) {
+    Material own = (*this)[number];
+    if (!own.has_sides()) return number;
+    std::swap(own.outside, own.inside);
+    for (Material& coat : own.coats) std::swap(coat.outside, coat.inside);
     return materials.number(own);
 }
 
@@ -343,21 +366,20 @@ Material MaterialMaker::layer_of(const LayerValues& values, const Steps& way, co
         notes.approximated(values.place, "a picture that lets light through is opaque");
     Material layer{.rgb = look.clear(), .reflection = 0, .specular = 0, .pow = 40};
     set_layer(layer, values.finish);
-    approximate_opacity(layer, values);
+    const double version = notes.in.version_given() ? notes.in.version() : 3.62;
+    const bool scatters = layer.diffuse > 0 || layer.behind > 0 || layer.ambient > 0;
+    layer.old_opacity = version < 3.7 && look.filter > 0 && scatters ? 1 : 0;
     if (values.finish.conserve_energy && layer.reflection > 0 && layer.rgb.clear()) layer.conserve = 1;
     return layer;
 }
 
-/// Returns the layers of a texture, the lowest with the others as its coats.
+/// Returns the layers of a texture, the lowest with the others as its coats, each with its own bumps or with none.
 Material MaterialMaker::layers_of(std::span<const LayerValues> layers, const Steps& way, const UvMapping& uv) {
     Material whole;
     for (const LayerValues& each : layers) {
         const auto shown = without_blend(each, notes);
         Material layer = layer_of(*shown, way, uv);
-        if (shown->normal.blend && shown->normal.amount != 0 && layers.size() > 1)
-            notes.approximated(shown->normal.blend.place, &each != &layers.back()
-                                                              ? "only the uppermost layer has bumps"
-                                                              : "bumps of the uppermost layer bend all layers");
+        layer.bump = pigments.bump_of(shown->normal, way, uv);
         if (&each == &layers.front())
             whole = std::move(layer);
         else
@@ -408,13 +430,6 @@ std::optional<Material> MaterialMaker::mixed_layers_of(const TextureThing& textu
             whole.coats.push_back(own);
         whole.coats.insert(whole.coats.end(), coats.begin(), coats.end());
     }
-    NormalThing normal = textures[0].back().normal;
-    const bool bends = std::ranges::any_of(
-        textures, [](const Shown& each) { return each.back().normal.blend && each.back().normal.amount != 0; });
-    if (bends) {
-        notes.approximated(texture.layers[0].place, "bumps of textures in a pattern are one of them");
-    }
-    whole.bump = pigments.bump_of(normal, way, uv);
     return whole;
 }
 
@@ -431,7 +446,6 @@ Material MaterialMaker::layered_material_of(const TextureThing& texture, const I
             layers = layers.last(most_layers);
         }
         whole = layers_of(layers, way, use.uv);
-        whole.bump = pigments.bump_of(texture.layers.back().normal, way, use.uv);
     }
     if (interior) whole.ior = ior_of(*interior, notes);
     if (interior && whole.transmits()) {
@@ -449,28 +463,39 @@ Material MaterialMaker::layered_material_of(const TextureThing& texture, const I
     return whole;
 }
 
-/// Before version 3.7 POV-Ray weakens what a layer scatters by another share: 1 - (filter max(r, g, b) + transmit).
-void MaterialMaker::approximate_opacity(Material& layer, const LayerValues& values) {
-    const double version = notes.in.version_given() ? notes.in.version() : 3.62;
-    const FinishThing& finish = values.finish;
-    const bool scatters = finish.diffuse != 0 || finish.ambient != Color(0) || finish.emission != Color(0);
-    if (version >= 3.7 || layer.rgb.filter == 0 || !scatters) return;
-    if (layer.rgb.pattern || layer.metallic > 0 || layer.gilding > 0)
-        return notes.approximated(values.place, "a surface that filters light scatters as in version 3.7");
-    // Makes the colour brighter and lets less of it through: the light that comes through stays the same.
-    const double most = max_of(layer.rgb.color);
-    layer.rgb.color = layer.rgb.color / most, layer.rgb.filter *= most;
-    layer.diffuse = coefficient(layer.diffuse * most), layer.ambient = coefficient(layer.ambient * most);
+/// Returns a material with the layers of a texture for rays from outside, and of its interior_texture for those from
+/// inside.
+Material MaterialMaker::two_sided_material_of(const TextureThing& texture, const InteriorThing* interior,
+                                              const MaterialUse& use, const Steps& way) {
+    const auto of = [&](const TextureThing& side, const InteriorThing* within, double Material::*hidden) {
+        Material own = layered_material_of(without_hidden_layers(side), within, use, way);
+        own.*hidden = 0;
+        for (Material& coat : own.coats)
+            if (coat.shares()) coat.*hidden = 0;
+        return own;
+    };
+    Material whole = of(texture, interior, &Material::inside), inner = of(*texture.inside, nullptr, &Material::outside);
+    const TextPlace place = texture.inside->layers[0].place;
+    whole.both_sides = use.both_sides ? 1 : 0;
+    whole.clarity = coefficient(texture.layers.back().finish.refraction.value_or(1));
+    if (2 + whole.coats.size() + inner.coats.size() > most_layers) {
+        notes.approximated(place, "both sides of a surface with more than eight layers look alike");
+        whole.inside = 1;
+        for (Material& coat : whole.coats) coat.inside = 1;
+        share_bumps(whole);
+        return whole;
+    }
+    const std::vector<Material> coats = std::exchange(inner.coats, {});
+    whole.coats.push_back(std::move(inner));
+    whole.coats.insert(whole.coats.end(), coats.begin(), coats.end());
+    share_bumps(whole);
+    return whole;
 }
 
 /// Returns the material by the article's terms alone, or by POV-Ray's if those do not say all.
 Material MaterialMaker::material_of(const TextureThing& texture, const InteriorThing* interior, const MaterialUse& use,
                                     const Steps& way) {
-    if (const std::ptrdiff_t hidden = hidden_layers_of(texture)) {
-        TextureThing shown = texture;
-        shown.layers.erase(shown.layers.begin(), shown.layers.begin() + hidden);
-        return material_of(shown, interior, use, way);
-    }
+    if (hidden_layers_of(texture) > 0) return material_of(without_hidden_layers(texture), interior, use, way);
     // Old words of a finish belong to the interior.
     const LayerValues& top = texture.layers.back();
     std::optional<InteriorThing> old;
@@ -478,6 +503,7 @@ Material MaterialMaker::material_of(const TextureThing& texture, const InteriorT
         old = interior ? *interior : InteriorThing();
         old->ior = *top.finish.ior, interior = &*old;
     }
+    if (texture.inside) return two_sided_material_of(texture, interior, use, way);
     if (use.shadow_only)
         return interior && interior->fades() ? layered_material_of(texture, interior, use, way)
                                              : plain_material_of(texture, interior, use, way);
@@ -487,6 +513,7 @@ Material MaterialMaker::material_of(const TextureThing& texture, const InteriorT
     notes.only_asked = nullptr;
     if (!differs && !use.both_sides && texture.corners.empty()) return plain;
     Material layered = layered_material_of(texture, interior, use, way);
+    share_bumps(layered);
     layered.both_sides = use.both_sides ? 1 : 0;
     if (!top.blend) layered.clarity = coefficient(top.finish.refraction.value_or(1));
     return layered;
@@ -531,6 +558,10 @@ Material MaterialMaker::plain_material_of(const TextureThing& texture, const Int
     const FinishThing& finish = shown.values->finish;
     if (count > 1 && !use.shadow_only)
         notes.approximated(shown.values->place, "of the layers of a texture the one that scatters most light is shown");
+    if (layers.size() > 1 && !use.shadow_only && std::ranges::any_of(layers, [](const Layer& layer) {
+            return layer.values->normal.blend && layer.values->normal.amount != 0;
+        }))
+        notes.approximated(shown.values->place, "only the uppermost layer has bumps");
     if (notes.only_asked && *notes.only_asked) return {};
 
     const Pigment pigment = shown.look.opaque();

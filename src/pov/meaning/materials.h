@@ -18,6 +18,8 @@ struct MaterialUse {
     bool shadow_only = false;  // no_image and no_reflection
     bool no_shadow = false;
     bool both_sides = false;  // double_illuminate
+    int group = 0;            // of lights, see Material
+    bool common = true;       // lights of no group shine on it
     auto operator<=>(const MaterialUse&) const = default;
 };
 
@@ -33,7 +35,9 @@ class MaterialMaker {
         const auto key = std::make_tuple(texture, interior, use);
         if (const auto known = plain.find(key); known != plain.end()) return known->second;
         const bool moves = has_pattern(*texture);
-        const int own = materials.number(material_of(*texture, interior.get(), use, moves ? way() : Steps()));
+        Material made = material_of(*texture, interior.get(), use, moves ? way() : Steps());
+        made.group = use.group, made.common = use.common ? 1 : 0;
+        const int own = materials.number(made);
         if (!moves) plain[key] = own;
         return own;
     }
@@ -54,6 +58,8 @@ class MaterialMaker {
     int without_patterns(int number);
     /// Returns the number of the same material without its shadow, or of bodies that are not seen or not mirrored.
     int without(double Material::*part, int number);
+    /// Returns the number of a material whose sides are turned.
+    int turned(int number);
     /// Returns the number of an equal material whose patterns have a space of their own.
     int apart(int number);
     const Material& operator[](int number) const { return materials.list[static_cast<std::size_t>(number)]; }
@@ -66,9 +72,10 @@ class MaterialMaker {
     Material layer_of(const LayerValues& values, const Steps& way, const UvMapping& uv);
     Material layers_of(std::span<const LayerValues> layers, const Steps& way, const UvMapping& uv);
     std::optional<Material> mixed_layers_of(const TextureThing& texture, const Steps& way, const UvMapping& uv);
-    void approximate_opacity(Material& layer, const LayerValues& values);
     Material plain_material_of(const TextureThing& texture, const InteriorThing* interior, const MaterialUse& use,
                                const Steps& way);
+    Material two_sided_material_of(const TextureThing& texture, const InteriorThing* interior, const MaterialUse& use,
+                                   const Steps& way);
     Material layered_material_of(const TextureThing& texture, const InteriorThing* interior, const MaterialUse& use,
                                  const Steps& way);
     static bool has_pattern(const TextureThing& texture);

@@ -47,6 +47,8 @@ class SceneMaker {
         std::shared_ptr<const TextureThing> texture;
         std::shared_ptr<const InteriorThing> interior;
         bool no_shadow = false, no_image = false, no_reflection = false, both_sides = false;
+        int group = 0;             // of lights, see Material
+        bool common = true;        // lights of no group shine on it
         Shared* shared = nullptr;  // of the outermost composite from which it has its texture
     };
     /// Holds the properties that an object takes over from the objects around it.
@@ -55,6 +57,7 @@ class SceneMaker {
         std::vector<Transformation> moves{};  // the same as the scene has them
         Steps to_owner;                       // from the space around the object into that of the texture
         bool clips = false;                   // it clips another object, and is not seen itself
+        bool turned = false;                  // it is turned inside out, as what a difference takes away
     };
     struct Part {
         Primitive primitive;
@@ -62,9 +65,9 @@ class SceneMaker {
     };
     // bodies.cpp
     void add(const ObjectThing& object, const Around& around);
-    static void take_over(const ObjectThing& object, Looks& own);
+    static void take_over(const ObjectThing& object, const Around& around, Looks& own);
     static Steps to_owner(const ObjectThing& object, const Around& around);
-    Around inside(const ObjectThing& object, const Around& around) const;
+    Around inside(const ObjectThing& object, const Around& around);
     std::optional<Part> build(const ObjectThing& object, const Around& around);
     std::optional<Part> build_turned(const ObjectThing& object, const Around& around);
     std::optional<Part> build_parts(const ObjectThing& object, const Around& around);
@@ -72,6 +75,7 @@ class SceneMaker {
     int number_of(Shared& shared);
     template <class Way>
     int number_of(const Looks& own, const UvMapping& uv, const Way& way);
+    bool shows_inside(const ObjectThing& object, const Shape& shape, const Around& around, const Steps& steps) const;
     static UvMapping uv_of(const ObjectThing& object, const Around& around, bool mapped, const Steps& folded);
     int cells_of(const ObjectThing& object, const Around& around);
     int material_of(const ObjectThing& object, const Around& around, bool mapped, const Steps& folded);
@@ -104,6 +108,7 @@ class SceneMaker {
     };
     std::vector<Seen> shown;  // of each primitive
     std::vector<TextPlace> kept_places, light_places;
+    int light_groups = 0;   // so far
     int surfaces_made = 0;  // meshes of bodies that functions define
     struct SurfaceUse {
         int count = 0;  // of bodies that are this surface

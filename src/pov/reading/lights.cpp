@@ -124,17 +124,16 @@ std::shared_ptr<const ObjectThing> PovReader::read_light(Interpreter& in) {
     return object;
 }
 
-/// Reads light_group { ... }: its lights shine on everything.
+/// Reads light_group { ... }: its lights shine on its bodies alone, and no others do unless it says so.
 std::shared_ptr<const ObjectThing> PovReader::read_light_group(Interpreter& in) {
     in.skip();
-    in.remark(Remark::Kind::approximated, in.last_place(), "light_group: its lights shine on all bodies");
     auto group = std::make_shared<ObjectThing>();
-    group->kind = ObjectKind::unite, group->place = in.last_place();
+    group->kind = ObjectKind::unite, group->place = in.last_place(), group->global_lights = false;
     in.begin_block();
     read_parts(in, *group);
     for (;;) {
         if (in.accept("global_lights"))
-            in.read_flag();
+            group->global_lights = in.read_flag();
         else if (!read_object_modifier(in, *group))
             break;
     }

@@ -21,8 +21,6 @@ std::optional<ObjectKind> kind_of_parts(std::uint16_t code) {
     }
 }
 
-constexpr const char* inner_texture = "interior_texture: both sides of a surface look alike";
-
 }  // namespace
 
 /// Gives an object a texture; one that it has becomes the layer below.
@@ -34,15 +32,26 @@ void PovReader::add_texture(ObjectThing& object, std::shared_ptr<const TextureTh
 
 /// Returns a copy of an object's own texture, or of the default, in the object's present space.
 std::shared_ptr<TextureThing> PovReader::kept_texture(const ObjectThing& object) {
-    auto kept = std::make_shared<TextureThing>(object.texture ? *object.texture->texture : *default_texture);
-    if (object.texture && !object.texture->steps.empty())
-        for (LayerValues& layer : kept->layers) transform(layer, object.texture->steps);
-    return kept;
+    if (!object.texture) return std::make_shared<TextureThing>(*default_texture);
+    return moved(*object.texture->texture, object.texture->steps);
+}
+
+/// Joins an object's texture and its interior_texture.
+void PovReader::join_textures(ObjectThing& object) {
+    if (!object.inner) return;
+    // Both are in the space of the texture if they were moved alike, else in that of the object.
+    const bool alike = object.texture && object.texture->steps == object.inner->steps;
+    std::shared_ptr<const TextureThing> inside = moved(*object.inner->texture, alike ? Steps() : object.inner->steps);
+    if (object.uv) inside = by_uv(*inside);
+    auto both = alike ? std::make_shared<TextureThing>(*object.texture->texture) : kept_texture(object);
+    both->inside = both->inside ? layered(*both->inside, *inside) : inside;
+    object.texture = PlacedTexture{std::move(both), alike ? object.texture->steps : Steps()}, object.inner.reset();
 }
 
 void PovReader::transform_object(ObjectThing& object, std::span<const Step> steps) {
     append(object.steps, steps);
     if (object.texture) append(object.texture->steps, steps);
+    if (object.inner) append(object.inner->steps, steps);
     for (auto& clip : object.clips) {
         auto moved = std::make_shared<ObjectThing>(*clip);
         transform_object(*moved, steps);
@@ -106,7 +115,7 @@ bool PovReader::read_object_modifier(Interpreter& in, ObjectThing& object) {
             const auto material = read_material(in);
             if (material->texture) add_texture(object, material->texture);
             if (material->interior) object.interior = material->interior;
-            if (material->interior_texture) object.approximated(inner_texture);
+            if (material->interior_texture) object.inner = PlacedTexture{material->interior_texture, {}};
             return true;
         }
         case word("interior"): {
@@ -118,8 +127,8 @@ bool PovReader::read_object_modifier(Interpreter& in, ObjectThing& object) {
         }
         case word("interior_texture"):
             in.skip();
-            in.skip_block();
-            return object.approximated(inner_texture), true;
+            object.inner = PlacedTexture{read_texture(in), {}};
+            return true;
         case word("no_shadow"):
             in.skip();
             object.no_shadow = in.read_flag();
@@ -228,6 +237,7 @@ std::shared_ptr<const ObjectThing> PovReader::read_object(Interpreter& in) {
     while (read_object_modifier(in, *object)) {
     }
     in.end_block();
+    join_textures(*object);
     return object;
 }
 

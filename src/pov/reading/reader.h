@@ -76,6 +76,7 @@ class PovReader : public SceneLayer {
     void read_parts(Interpreter& in, ObjectThing& object);
     void add_texture(ObjectThing& object, std::shared_ptr<const TextureThing> more);
     std::shared_ptr<TextureThing> kept_texture(const ObjectThing& object);
+    void join_textures(ObjectThing& object);
     void transform_object(ObjectThing& object, std::span<const Step> steps);
     std::vector<std::shared_ptr<const ObjectThing>> read_object_block(Interpreter& in);
     // shapes.cpp

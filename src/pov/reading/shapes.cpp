@@ -79,8 +79,8 @@ std::pair<std::vector<double>, bool> heights_of(const std::vector<Edge>& edges) 
     return {heights, any};
 }
 
-/// Returns true if points lie in one plane, as exactly as POV-Ray asks for.
-bool in_one_plane(const std::vector<DVec3>& points) {
+/// Returns the normal of the plane in which points lie, as exactly as POV-Ray asks for, or 0.
+DVec3 normal_of_plane(const std::vector<DVec3>& points) {
     constexpr double tolerance = 1e-10;
     DVec3 along(0), normal(0);
     for (const DVec3& point : points) {
@@ -90,10 +90,11 @@ bool in_one_plane(const std::vector<DVec3>& points) {
         else if (dot_product(away, away) > tolerance && !(dot_product(normal, normal) > tolerance))
             normal = cross_product(along, away);
     }
-    if (!(dot_product(normal, normal) > tolerance)) return false;
-    return std::ranges::all_of(points, [&](const DVec3& point) {
+    if (!(dot_product(normal, normal) > tolerance)) return DVec3(0);
+    const bool flat = std::ranges::all_of(points, [&](const DVec3& point) {
         return std::abs(dot_product(point - points[0], normal)) <= tolerance * length(normal);
     });
+    return flat ? normal : DVec3(0);
 }
 
 /// Reads a polygon of one or several outlines. A point is in it if it is inside of an odd number of them. One whose
@@ -111,7 +112,8 @@ void read_polygon(Interpreter& in, ObjectThing& object) {
         else if (i + 1 < count)
             outlines.emplace_back();
     }
-    if (!in_one_plane(points)) return;
+    const DVec3 facing = normal_of_plane(points);
+    if (facing == DVec3(0)) return;
     std::erase_if(outlines, [](const auto& own) { return own.size() < 3; });
     if (outlines.empty()) return object.left_out("a polygon of fewer than three corners");
     // Looks at it along the axis from which it is the largest.
@@ -170,6 +172,9 @@ void read_polygon(Interpreter& in, ObjectThing& object) {
         }
     }
     if (mesh.triangles.empty()) return object.left_out("a polygon without area");
+    const auto [a, b, c] = mesh.triangles[0];
+    const auto point = [&](std::int32_t i) { return mesh.points[std::size_t(i)]; };
+    object.turned_surface = dot_product(cross_product(point(b) - point(a), point(c) - point(a)), facing) > 0;
     object.kind = ObjectKind::shape;
     object.shape = Mesh{std::make_shared<const MeshData>(std::move(mesh)), ""};
 }

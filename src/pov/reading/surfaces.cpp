@@ -296,6 +296,7 @@ bool PovReader::read_surface(Interpreter& in, std::uint16_t code, ObjectThing& o
             std::array<DVec3, 16> points;
             for (DVec3& p : points) in.skip_comma(), p = in.read_vector();
             set_mesh(object, bicubic(points, 1 << std::clamp(std::max(steps[0], steps[1]), 0, 5), places));
+            object.turned_surface = true;
             object.approximated("'bicubic_patch" + mesh);
             return true;
         }

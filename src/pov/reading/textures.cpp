@@ -340,9 +340,8 @@ std::shared_ptr<const MaterialThing> PovReader::read_material(Interpreter& in) {
             material->interior = std::move(interior);
         } else if (Steps steps; read_step(in, steps)) {
             if (!material->texture) continue;
-            auto moved = std::make_shared<TextureThing>(*material->texture);
-            for (LayerValues& layer : moved->layers) transform(layer, steps);
-            material->texture = std::move(moved);
+            // As in POV-Ray its interior_texture stays where it is.
+            material->texture = moved(*material->texture, steps);
         } else {
             break;
         }

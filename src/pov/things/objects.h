@@ -64,9 +64,12 @@ struct ObjectThing : Thing {
     std::vector<std::shared_ptr<const ObjectThing>> bounds;  // used only where clips refer to them
     Steps steps;
     std::optional<PlacedTexture> texture;
+    std::optional<PlacedTexture> inner;  // its interior_texture, until all that is said about it has been read
     std::shared_ptr<const InteriorThing> interior;
     std::optional<bool> no_shadow, no_image, no_reflection, both_sides;
+    std::optional<bool> global_lights;  // of a light_group
     bool inverse = false, hollow = false;
+    bool turned_surface = false;                              // its flat triangles face where those of a mesh do not
     bool uv = false;                                          // textures that come after are by uv
     std::uint16_t word = end_code;                            // of its shape, such as "sphere"
     std::shared_ptr<const PlaceMoves> places;                 // to places by uv from its own space, of a turned body

@@ -190,6 +190,7 @@ struct TextureThing : Thing {
     /// If not empty, the textures of a triangle's corners, which blend across it. Its layers are those of the first,
     /// and the corners are at (0, 0), (1, 0) and (0, 1) by uv.
     std::vector<std::shared_ptr<const TextureThing>> corners;
+    std::shared_ptr<const TextureThing> inside;  // what is shown to rays from inside, in the same space; or null
 };
 
 struct MaterialThing : Thing {
@@ -209,6 +210,7 @@ inline void set_by_uv(LayerValues& layer, const std::optional<Steps>& moved = {}
 inline std::shared_ptr<const TextureThing> by_uv(const TextureThing& given, const std::optional<Steps>& moved = {}) {
     auto texture = std::make_shared<TextureThing>(given);
     for (LayerValues& layer : texture->layers) set_by_uv(layer, moved);
+    if (given.inside) texture->inside = by_uv(*given.inside, moved);
     return texture;
 }
 
@@ -222,10 +224,19 @@ inline void transform(LayerValues& layer, std::span<const Step> steps) {
             append(own->steps, steps);
 }
 
+/// Returns a copy of a texture that is moved.
+inline std::shared_ptr<TextureThing> moved(const TextureThing& given, std::span<const Step> steps) {
+    auto texture = std::make_shared<TextureThing>(given);
+    for (LayerValues& layer : texture->layers) transform(layer, steps);
+    if (given.inside) texture->inside = moved(*given.inside, steps);
+    return texture;
+}
+
 /// Returns a texture with the layers of another on top.
 inline std::shared_ptr<const TextureThing> layered(const TextureThing& below, const TextureThing& above) {
     auto all = std::make_shared<TextureThing>(below);
     all->layers.insert(all->layers.end(), above.layers.begin(), above.layers.end());
+    if (above.inside) all->inside = below.inside ? layered(*below.inside, *above.inside) : above.inside;
     return all;
 }
 

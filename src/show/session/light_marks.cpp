@@ -27,7 +27,7 @@ LightMarks light_marks(const Scene& scene, const View& view) {
         const auto mark = [&](bool target) {
             const LightPoint at{static_cast<int>(i), target};
             if (const auto place = place_in(view, position_of(scene, at)))
-                all.marks.push_back({at, *place, light.color / strongest});
+                all.marks.push_back({at, *place, max(light.color, Color(0)) / strongest});
         };
         mark(false);
         if (!light.spot) continue;

@@ -139,14 +139,14 @@ inline std::array<Parameter, 6> motion_parameters(MotionKeyText& key) {
     return joined(joined(time_parameters(key.when, "the time of the key in seconds"), place), ease_parameter(key.ease));
 }
 
-inline std::array<Parameter, 14> light_parameters(Light& light) {
+inline std::array<Parameter, 15> light_parameters(Light& light) {
     return {
         {{"position", &light.position, coordinates, "where the light is", required, "direction"},
          {"direction", &light.direction, directions, "the direction in which parallel light shines"},
          {"from", &light.from, coordinates,
           "a point of the plane from which parallel light comes: bodies behind it cast no shadow",
           "infinitely far away"},
-         {"color", &light.color, not_negative, "its colour and strength", required},
+         {"color", &light.color, strengths, "its colour and strength; below 0 it takes light away", required},
          {"shadowless", &light.shadowless, {}, "it shines through all bodies, without highlights", "shadows"},
          {"soft",
           &light.soft,
@@ -167,7 +167,9 @@ inline std::array<Parameter, 14> light_parameters(Light& light) {
          {"fade_distance", &light.fade_distance, not_negative,
           "the distance at which it is as strong as `color`; 0: it does not fade"},
          {"fade_power", &light.fade_power, not_negative,
-          "light is multiplied by 2 / (1 + (distance / `fade_distance`)^`fade_power`)"}}};
+          "light is multiplied by 2 / (1 + (distance / `fade_distance`)^`fade_power`)"},
+         {"group", &light.group, not_negative,
+          "it shines only on bodies whose material has the same `group`; 0: on all"}}};
 }
 inline constexpr std::array<std::string_view, 4> light_words{"spot", "edges", "grid", "motion"};
 inline std::array<Parameter, 4> spot_parameters(Spot& spot) {

@@ -46,13 +46,16 @@ void read_grid(BlockReader& reader, Area& area, Block& outer) {
     outer.absorb(block);
 }
 
-/// Why these edges span no rectangle, or "".
+/// Why these edges span no rectangle or, if there is a grid, no parallelogram, or "".
 std::string edges_fault(const Area& area) {
     const double u = length(area.u), v = length(area.v);
     constexpr double square = 1e-6;  // the largest cosine of the angle between edges that count as perpendicular
+    constexpr double flat = 1e-6;    // the largest sine of it between edges that count as parallel
     if (!(u > 0 && v > 0)) return "invalid edges: one has no length";
-    if (std::abs(dot_product(1 / u * area.u, 1 / v * area.v)) > square)
+    const DVec3 along = 1 / u * area.u, across = 1 / v * area.v;
+    if (area.columns == 0 && std::abs(dot_product(along, across)) > square)
         return "invalid edges: they are not perpendicular";
+    if (length(cross_product(along, across)) <= flat) return "invalid edges: they are parallel";
     return "";
 }
 

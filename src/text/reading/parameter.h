@@ -30,6 +30,7 @@ inline constexpr NumberRange seconds{0, largest_coordinate, "from 0 to 1e9"};
 inline constexpr NumberRange shares{0, 1, "from 0 to 1"};
 // Products of three of these are numbers in float too.
 inline constexpr NumberRange not_negative{0, 1e9, "from 0 to 1e9"};
+inline constexpr NumberRange strengths{-1e9, 1e9, "from -1e9 to 1e9"};
 inline constexpr NumberRange positive{1e-9, 1e9, "from 1e-9 to 1e9"};
 // Up to the largest doubles below 90 and 180.
 inline constexpr NumberRange half_angles{smallest_positive, 90 - 1e-14, "greater than 0 and less than 90 degrees"};

@@ -1,4 +1,5 @@
-// Shadow rays of worlds in whose bodies light fades: from surface to surface, as POV-Ray follows them.
+// Shadow rays of worlds in whose bodies light fades, or whose surfaces have two sides: from surface to surface, as
+// POV-Ray follows them.
 #pragma once
 #include <algorithm>
 
@@ -77,7 +78,7 @@ void cross_surfaces(const World<Element<S>>& world, Ray<S>& ray, const Nearest<S
             hide(same);
             continue;
         }
-        Vec3<S> kept = FinishCalls<S>::through(world, own, hit.point.position, hit.surface);
+        Vec3<S> kept = FinishCalls<S>::through(world, own, hit.point.position, hit.surface, outside);
         if (world.finishes.list[own].fade_power > T(0) && any(leaving & same)) {
             const Vec3<S> faded = FinishCalls<S>::faded_inside(world, own, way, leaving & same);
             kept = select(leaving, kept * faded, kept);

@@ -70,7 +70,7 @@ void add_lights(const Shading<S, P>& shading, const Hit<S>& hit, const int* numb
     const S zero(0);
     const Vec3<S>& flat = world.patterns.bends ? notes.flat : hit.normal;
     const Vec3<S> reflected = reflect(hit), nothing = splat<S>(Vec3<T>(0));
-    const Visibility<S> visible = world.finishes.fades ? faded_visibility<S> : visibility<S>;
+    const Visibility<S> visible = world.finishes.follows ? faded_visibility<S> : visibility<S>;
     const Mask<S> both = world.finishes.behind ? FinishCalls<S>::lit_behind(world, numbers) : first_lanes<S>(0);
     const bool through = lights_bent_sides(world);
     for (int i = 0; i < world.light_count; ++i) {
@@ -91,6 +91,7 @@ void add_lights(const Shading<S, P>& shading, const Hit<S>& hit, const int* numb
         const Mask<S> outside = (hit.outside & !inwards) | (inwards & !hit.outside);
         way.cosine = select(behind, -way.cosine, way.cosine);
         Mask<S> faces = hit.active & (way.cosine > zero);
+        if (world.finishes.groups) faces = faces & FinishCalls<S>::lit_by(world, numbers, light.group);
         // As in POV-Ray a light without shadows also lights bent normals on the side away from it, and so do those
         // points of a grid that face the surface; and others unless the body itself hides them.
         if (world.patterns.bends && !through && !light.shadowless && light.columns == 0)
@@ -150,11 +151,12 @@ void push_through(const Shading<S, P>& shading, Hit<S> hit, Mask<S> hidden, cons
     push(shading, shading.refracted, hit, on, tint, pick(from.level), pick(from.mirrored), notes);
 }
 
-/// Adds the light of hits to their pixels, and queues their rays. Nothing is pruned. `t` is the length of the rays.
+/// Adds the light of hits to their pixels, and queues their rays: that of layers with this bend, see LayerKernel.
+/// Nothing is pruned. `t` is the length of the rays.
 template <class S, class P>
 [[gnu::noinline]] void shade_finish(const Shading<S, P>& shading, Hit<S> hit, const int* numbers,
                                     const RayQueue<Element<S>>& from, const LaneIndices<S>& pick, const S& t,
-                                    HitNotes<S, P>& notes) {
+                                    HitNotes<S, P>& notes, int bend = 0) {
     using T = Element<S>;
     const auto& world = shading.world;
     const S zero(0), one(1);
@@ -163,22 +165,25 @@ template <class S, class P>
     const Vec3<S> tint = world.fog.any ? before * tint_of_fog(world, S(hit.medium)) : before;
     if (world.finishes.hides) {
         const Mask<S> hidden = hit.active & FinishCalls<S>::hidden(world, numbers, pick(from.mirrored));
-        if (any(hidden) && shading.depth < deepest) push_through(shading, hit, hidden, t, tint, from, pick, notes);
+        if (bend == 0 && any(hidden) && shading.depth < deepest)
+            push_through(shading, hit, hidden, t, tint, from, pick, notes);
         hit.active = hit.active & !hidden;
     }
     LayeredHit<S> layers;
+    layers.bend = bend;
     look_at_layers(shading, hit, numbers, from, pick, notes, layers);
     Vec3<S> light = layers.ambient;
     add_lights(shading, hit, numbers, layers, notes, light);
     light = select(hit.active, scale(hit.weight, light), splat<S>(Vec3<T>(0)));
-    if (world.fog.any)
-        light =
-            fma(pick(from.weight) - hit.weight, splat<S>(world.fog.color), light * tint_of_fog(world, S(hit.medium)));
+    if (world.fog.any) {
+        light = light * tint_of_fog(world, S(hit.medium));
+        if (bend == 0) light = fma(pick(from.weight) - hit.weight, splat<S>(world.fog.color), light);
+    }
     add_light(shading.batch, hit.pixel, pick.lanes, light * before);
 
     const S level = pick(from.level);
     const Mask<S> deeper = hit.active & (level < S(static_cast<T>(shading.limits.depth)));
-    if (none(deeper) || shading.depth >= deepest) return truncate(shading, hit);
+    if (none(deeper) || shading.depth >= deepest) return bend == 0 ? truncate(shading, hit) : void();
     const S least(std::numeric_limits<T>::min());  // so that 1 / share is finite
     const Mask<S> glass = deeper & (largest(layers.through) > least);
     const bool bends = world.patterns.bends;
@@ -186,7 +191,7 @@ template <class S, class P>
     Vec3<S> mirrored = layers.mirrored, faded = splat<S>(Vec3<T>(1));
     Branch<S, P> refracted{};
     Mask<S> total = first_lanes<S>(0);
-    if (world.finishes.fades && any(glass))
+    if (world.finishes.follows && any(glass))
         faded = FinishCalls<S>::faded_inside(
             world, numbers, t, from_inside(world, &mediums(shading.workspace), hit.medium, hit.body, hit.outside));
     if (any(glass)) {

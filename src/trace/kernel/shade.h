@@ -198,6 +198,12 @@ bool shade_bin(const Shading<S, P>& shading, int bin) {
         }
         if (world.finishes.list) [[unlikely]] {
             shade_finish(shading, Hit<S>(hit), material.numbers, from, pick, pick(t), notes);
+            for (int bend = 1; bend <= world.finishes.most_bends; ++bend) {
+                Hit<S> layer = hit;
+                layer.active = hit.active & FinishCalls<S>::bent(world, material.numbers, bend, hit.position,
+                                                                 hit.surface, notes.flat, layer.normal);
+                if (any(layer.active)) shade_finish(shading, layer, material.numbers, from, pick, pick(t), notes, bend);
+            }
             continue;
         }
         Mask<S> dim = first_lanes<S>(0);

@@ -66,7 +66,8 @@ class AreaSum {
         u = light.u, v = light.v;
         middle = light.position - position;
         first = middle - scale(T(.5), u + v);
-        brightest = lane(hits.weight, k) * (lane(hits.diffuse, k) + specular) * largest(light.color);
+        brightest = lane(hits.weight, k) * (lane(hits.diffuse, k) + specular) *
+                    max(largest(light.color), largest(Vec3<T>(0) - light.color));
     }
 
     void add_up(T error) {

@@ -31,6 +31,7 @@ template <class S>
 struct LayeredHit {
     Vec3<S> ambient, through, mirrored;  // light of its own; shares of light that comes through, and is reflected
     S total, clear;                      // see FinishKernel; clear is 1 or 0
+    int bend;                            // only layers with this one are among them, see LayerKernel
     S most_mirrored;                     // the share of reflected light by which POV-Ray tells how weak a ray is
     Vec3<S> color[most_layers], above[most_layers];
     S opacity[most_layers];
@@ -40,20 +41,28 @@ template <class S>
 struct FinishCalls {
     using T = Element<S>;
     /// Finds the layers of surfaces with these materials, one in each lane; with footprints, unless these are null, the
-    /// means of patterns through whose colours no light comes.
+    /// means of patterns through whose colours no light comes. Of other layers than those of `hit.bend` it finds only
+    /// what comes through them.
     static Filtering<S> look(const World<T>& world, const int* materials, const SeenSurface<S>& seen,
                              const Footprint<S>* footprint, LayeredHit<S>& hit);
     /// Adds the light that these layers send back to `sum`, of light that arrives.
     static void scatter(const World<T>& world, const int* materials, const LayeredHit<S>& hit, const LitSurface<S>& lit,
                         const Vec3<S>& arriving, Vec3<S>& sum);
-    /// Returns the share of light that comes through a surface on its way to another one.
-    static Vec3<S> through(const World<T>& world, int material, const Vec3<S>& position, const S& surface);
+    /// Returns the share of light that comes through a surface on its way to another one, from outside of its body or
+    /// from inside.
+    static Vec3<S> through(const World<T>& world, int material, const Vec3<S>& position, const S& surface,
+                           Mask<S> outside);
     /// Returns the share of a light that is left after a distance.
     static S faded(const LightKernel<T>& light, const S& distance);
     /// Returns the share of a light with a beam at points, in the direction `l` to it and so far from its plane.
     static S in_beam(const LightKernel<T>& light, const Vec3<S>& position, const Vec3<S>& l, const S& distance);
+    /// Bends flat normals as layers of this bend have them. Returns the lanes in which there are such layers.
+    static Mask<S> bent(const World<T>& world, const int* materials, int bend, const Vec3<S>& position,
+                        const S& surface, const Vec3<S>& flat, Vec3<S>& normal);
     /// Returns the lanes whose surfaces are lit from behind.
     static Mask<S> lit_behind(const World<T>& world, const int* materials);
+    /// Returns the lanes on whose surfaces lights of this group shine.
+    static Mask<S> lit_by(const World<T>& world, const int* materials, std::int32_t group);
     /// Returns the share of light that is left after a way through a body of this material, in the lanes of the mask.
     static Vec3<S> faded_inside(const World<T>& world, int material, const S& way, Mask<S> lanes);
     /// Returns the same for the materials of a pack, one in each lane; 1 in lanes not `inside`.

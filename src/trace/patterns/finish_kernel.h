@@ -86,11 +86,12 @@ Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, c
     const S one(1), zero(0), cosine = min(max(-dot(seen.direction, seen.normal), zero), one);
     each_finish<S>(world, materials, [&](const FinishKernel<T>& finish, Mask<S> lanes) {
         Vec3<S> through = splat<S>(Vec3<T>(1)), factor = through, passed = none, ambient = none, mirrored = none;
-        S most(0);
+        S most(0), side = one;
         const T bailout = world.finishes.bailout;
         const int layers = std::min(finish.layers, most_layers);
         Mask<S> open = lanes;  // those whose light is followed to this layer
         S weight(1);           // of rays that it reflects
+        bool shown = true;     // is the bend of the stack's uppermost layer this one?
         const auto end = [&](const Vec3<S>& light) {
             return bailout > 0 ? select(gray_of<S>(light) > S(bailout) * factor.y, light, none) : light;
         };
@@ -108,31 +109,35 @@ Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, c
                 return own;
             };
             if (layer.share >= 0) {
-                if (i + 1 < finish.layers) passed = passed + end(through);
-                through = factor = color_at(world.finishes.shares[layer.share]).color;
+                if (i + 1 < finish.layers && shown) passed = passed + end(through);
+                side = select(seen.outside, S(layer.outside), S(layer.inside));
+                through = factor = scale(side, color_at(world.finishes.shares[layer.share]).color);
                 open = lanes, weight = one;
             } else if (i + 1 < finish.layers) {
                 weight = gray_of<S>(through) / max(factor.y, S(std::numeric_limits<T>::min()));
                 open = open & (weight > S(bailout));
                 through = select(open, through, none), factor = select(open, factor, none);
             }
+            const bool apart = layer.bend != hit.bend;
+            if (layer.share >= 0 || i + 1 == layers) shown = !apart;
             const ClearColor<S> own = color_at(layer.pattern);
-            const S opacity = one - own.filter - own.transmit;
+            const S filtered = layer.old_opacity ? own.filter * largest(own.color) : own.filter;
+            const S opacity = apart ? zero : one - filtered - own.transmit;
             for (int c = 0; c < 3; ++c) {
                 hit.color[i][c] = select(lanes, own.color[c], hit.color[i][c]);
                 hit.above[i][c] = select(lanes, through[c], hit.above[i][c]);
                 ambient[c] = fma(through[c] * opacity * own.color[c], S(layer.ambient[c]), ambient[c]);
             }
             hit.opacity[i] = select(lanes, opacity, hit.opacity[i]);
-            if (largest(layer.mirror) > 0) {
+            if (largest(layer.mirror) > 0 && (!apart || layer.conserves)) {
                 S x = one;
                 if (layer.fresnel)
                     x = fresnel(select(seen.outside, S(finish.ior), S(1 / finish.ior)), cosine);
                 else if (layer.facing != 1)
                     x = power_or_zero(one - cosine, layer.falloff);
                 const S share = fma(S(1 - layer.facing), x, S(layer.facing));
-                const S strength = weight * S(largest(layer.mirror)) * (layer.fresnel ? share : one);
-                const Mask<S> sends = open & (strength >= S(bailout));
+                const S strength = side * weight * S(largest(layer.mirror)) * (layer.fresnel ? share : one);
+                const Mask<S> sends = apart ? first_lanes<S>(0) : open & (strength >= S(bailout));
                 most = select(sends, max(most, strength), most);
                 Vec3<S> tint = splat<S>(Vec3<T>(1));
                 if (layer.gilding != 0) tint = tint_of(own.color, layer.gilding, cosine);
@@ -146,7 +151,7 @@ Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, c
             for (int c = 0; c < 3; ++c) through[c] = through[c] * fma(own.filter, own.color[c], more);
         }
         hit.ambient = select(lanes, ambient, hit.ambient);
-        hit.through = select(lanes, scale(S(finish.clarity), passed + end(through)), hit.through);
+        hit.through = select(lanes, scale(S(finish.clarity), shown ? passed + end(through) : passed), hit.through);
         hit.mirrored = select(lanes, mirrored, hit.mirrored);
         hit.most_mirrored = select(lanes, most, hit.most_mirrored);
         hit.total = select(lanes, S(finish.total), hit.total);
@@ -176,6 +181,7 @@ void FinishCalls<S>::scatter(const World<T>& world, const int* materials, const 
     each_finish<S>(world, materials, [&](const FinishKernel<T>& finish, Mask<S> lanes) {
         for (int i = 0; i < std::min(finish.layers, most_layers); ++i) {
             const LayerKernel<T>& layer = world.finishes.layers[finish.first_layer + i];
+            if (layer.bend != hit.bend) continue;
             S coefficient(layer.diffuse), highlight(0);
             if (world.finishes.behind && !finish.both_sides)
                 coefficient = select(lit.behind, S(layer.behind), coefficient);
@@ -198,7 +204,8 @@ void FinishCalls<S>::scatter(const World<T>& world, const int* materials, const 
 }
 
 template <class S>
-Vec3<S> FinishCalls<S>::through(const World<T>& world, int material, const Vec3<S>& position, const S& surface) {
+Vec3<S> FinishCalls<S>::through(const World<T>& world, int material, const Vec3<S>& position, const S& surface,
+                                Mask<S> outside) {
     const FinishKernel<T>& finish = world.finishes.list[material];
     Vec3<S> through = splat<S>(Vec3<T>(1)), passed = splat<S>(Vec3<T>(0));
     if (!finish.shadow) return through;
@@ -209,7 +216,7 @@ Vec3<S> FinishCalls<S>::through(const World<T>& world, int material, const Vec3<
         for (int c = 0; c < 3; ++c) through[c] = through[c] * fma(filter, own.color[c], own.transmit);
         if (layer.share < 0) continue;
         const Vec3<S> share = color_at(world, world.finishes.shares[layer.share], position, surface);
-        passed = passed + through * share;
+        passed = passed + scale(select(outside, S(layer.outside), S(layer.inside)), through * share);
         through = splat<S>(Vec3<T>(i + 1 < finish.layers ? 1 : 0));
     }
     return passed + through;
@@ -268,10 +275,32 @@ S FinishCalls<S>::in_beam(const LightKernel<T>& light, const Vec3<S>& position, 
 }
 
 template <class S>
+Mask<S> FinishCalls<S>::bent(const World<T>& world, const int* materials, int bend, const Vec3<S>& position,
+                             const S& surface, const Vec3<S>& flat, Vec3<S>& normal) {
+    Mask<S> all = first_lanes<S>(0);
+    each_finish<S>(world, materials, [&](const FinishKernel<T>& finish, Mask<S> lanes) {
+        if (bend > finish.bends) return;
+        const BumpKernel<T>& bump = world.finishes.bends[finish.first_bend + bend - 1].bump;
+        normal = select(lanes, bent_by(world, bump, position, surface, flat, flat), normal);
+        all = all | lanes;
+    });
+    return all;
+}
+
+template <class S>
 Mask<S> FinishCalls<S>::lit_behind(const World<T>& world, const int* materials) {
     Mask<S> all = first_lanes<S>(0);
     each_finish<S>(world, materials, [&](const FinishKernel<T>& finish, Mask<S> lanes) {
         if (finish.both_sides || finish.behind) all = all | lanes;
+    });
+    return all;
+}
+
+template <class S>
+Mask<S> FinishCalls<S>::lit_by(const World<T>& world, const int* materials, std::int32_t group) {
+    Mask<S> all = first_lanes<S>(0);
+    each_finish<S>(world, materials, [&](const FinishKernel<T>& finish, Mask<S> lanes) {
+        if (group == 0 ? finish.common : finish.group == group) all = all | lanes;
     });
     return all;
 }

@@ -615,7 +615,8 @@ void PatternCalls<S>::filter(const World<T>& world, int material, const S& surfa
                              Mask<S> lanes, Vec3<S>& share) {
     if (none(lanes)) return;
     if (world.finishes.list) {
-        const Vec3<S> through = FinishCalls<S>::through(world, material, fma(t, ray.direction, ray.origin), surface);
+        const Vec3<S> through =
+            FinishCalls<S>::through(world, material, fma(t, ray.direction, ray.origin), surface, lanes);
         for (int c = 0; c < 3; ++c) share[c] = select(lanes, min(share[c] * through[c], S(largest_gain)), share[c]);
         return;
     }

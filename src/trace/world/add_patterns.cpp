@@ -175,6 +175,7 @@ void WorldArrays<T>::add_finish(const Material& material, const Scene& scene, co
         pattern.places = places;
         add_colors(pigment, pattern, gamma, to_world, placement);
     };
+    const auto first_bend = static_cast<std::int32_t>(finishes.bends.size());
     const auto add_layer = [&](const Material& own) {
         LayerKernel<T> layer{};
         set_pattern(own.rgb, scene.settings.assumed_gamma, layer.pattern);
@@ -187,13 +188,19 @@ void WorldArrays<T>::add_finish(const Material& material, const Scene& scene, co
         layer.metallic = number(own.metallic), layer.gilding = number(own.gilding);
         layer.mirror = cast<T>(own.reflection * own.mirror);
         layer.facing = number(own.facing), layer.falloff = number(own.falloff), layer.fresnel = own.fresnel > 0;
-        layer.conserves = own.conserve > 0;
-        layer.share = -1;
+        layer.conserves = own.conserve > 0, layer.old_opacity = own.old_opacity > 0;
+        layer.share = -1, layer.outside = layer.inside = 1, layer.bend = 0;
+        if (&own != &material && material.bends_apart(own)) {
+            finishes.bends.push_back(bend_of(own, to_world, placement, places));
+            layer.bend = static_cast<std::int32_t>(finishes.bends.size()) - first_bend;
+        }
         finishes.layers.push_back(layer);
     };
-    const auto end_stack = [&](const Pigment& share) {
-        finishes.layers.back().share = static_cast<std::int32_t>(finishes.shares.size());
-        set_pattern(share, 0, finishes.shares.emplace_back());
+    const auto end_stack = [&](const Material& lowest) {
+        LayerKernel<T>& layer = finishes.layers.back();
+        layer.share = static_cast<std::int32_t>(finishes.shares.size());
+        layer.outside = number(lowest.outside), layer.inside = number(lowest.inside);
+        set_pattern(lowest.share, 0, finishes.shares.emplace_back());
     };
     const auto scatters = [](double diffuse) { return diffuse > 0; };
     const bool clear = material.transmits() && material.rgb.clear();
@@ -202,19 +209,23 @@ void WorldArrays<T>::add_finish(const Material& material, const Scene& scene, co
          number(material.refraction), number(material.ior),
          number(clear ? material.clarity : material.reflection + material.refraction), number(material.clarity), clear,
          material.shadow > 0, material.seen > 0, material.mirrored > 0, material.both_sides > 0,
-         material.behind > 0 || std::ranges::any_of(material.coats, scatters, &Material::behind),
+         material.behind > 0 || std::ranges::any_of(material.coats, scatters, &Material::behind), material.common > 0,
+         finishes.group_number(material.group), 0, 0,
          number(material.fades() ? 1 / (material.fade_distance * placement.scale) : 0), number(material.fade_power),
          cast<T>(material.fade_color)});
-    world.finishes.fades |= material.fades();
+    world.finishes.follows |= material.fades() || (material.transmits() && material.has_sides());
     world.finishes.hides |= !(material.seen > 0 && material.mirrored > 0);
     world.finishes.behind |= finishes.list.back().both_sides || finishes.list.back().behind;
-    const Pigment* share = &material.share;
+    const Material* lowest = &material;
     add_layer(material);
     for (const Material& coat : material.coats) {
-        if (coat.shares()) end_stack(*std::exchange(share, &coat.share));
+        if (coat.shares()) end_stack(*std::exchange(lowest, &coat));
         add_layer(coat);
     }
-    if (share != &material.share || material.shares()) end_stack(*share);
+    if (lowest != &material || material.shares()) end_stack(*lowest);
+    FinishKernel<T>& finish = finishes.list.back();
+    finish.first_bend = first_bend, finish.bends = static_cast<std::int32_t>(finishes.bends.size()) - first_bend;
+    world.finishes.most_bends = std::max(world.finishes.most_bends, int(finish.bends));
 }
 
 /// Adds the finishes of the scene's materials, if it has any of POV-Ray's. Those of patterned ones follow later, for
@@ -222,6 +233,10 @@ void WorldArrays<T>::add_finish(const Material& material, const Scene& scene, co
 template <class T>
 void WorldArrays<T>::add_finishes(const Scene& scene, const Placement& placement) {
     if (!scene.finished()) return;
+    for (const Light& light : scene.lights)
+        if (light.group > 0) finishes.groups.push_back(light.group);
+    const auto chooses = [](const Material& own) { return own.common == 0; };
+    world.finishes.groups = !finishes.groups.empty() || std::ranges::any_of(scene.materials, chooses);
     for (std::size_t i = 0; const Material& own : scene.materials) {
         add_finish(own, scene, glm::dmat4(1), placement, {});
         MaterialKernel<T>& kernel = materials[i++];

@@ -63,10 +63,11 @@ LightKernel<T> light_kernel(const Light& light, const Placement& placement) {
             return cast<T>(std::max(own * placement.scale, shortest) / own * given);
         };
         kernel.area = true;
-        // Edges may lose their right angle if the light moves and is scaled unevenly.
+        // Edges may lose their right angle if the light moves and is scaled unevenly. Those of a grid need none.
         const DVec3 along = normalize(light.area->u);
+        const double slant = light.area->columns > 0 ? 0 : dot_product(light.area->v, along);
         kernel.u = edge(light.area->u);
-        kernel.v = edge(light.area->v - dot_product(light.area->v, along) * along);
+        kernel.v = edge(light.area->v - slant * along);
         kernel.columns = light.area->columns, kernel.rows = light.area->rows;
         kernel.adaptive = static_cast<std::int32_t>(light.adaptive);
         kernel.circular = light.circular, kernel.orient = light.orient;
@@ -223,7 +224,7 @@ WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, Thre
     add_patterns(scene, placement, proves);
     if (scene.finished()) {
         world.finishes.list = finishes.list.data(), world.finishes.layers = finishes.layers.data();
-        world.finishes.shares = finishes.shares.data();
+        world.finishes.shares = finishes.shares.data(), world.finishes.bends = finishes.bends.data();
         world.patterns.stops = patterns.stops.data();
         if (!world.patterns.list) world.patterns.list = &patterns.sky;  // kernels then keep the numbers of materials
     }
@@ -233,7 +234,10 @@ WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, Thre
         std::ranges::any_of(patterns.list, averaged) || std::ranges::any_of(patterns.nested, averaged) ||
         std::ranges::any_of(finishes.layers, averaged, &LayerKernel<T>::pattern) ||
         std::ranges::any_of(finishes.shares, averaged) || (world.patterns.sky && averaged(*world.patterns.sky));
-    for (const Light& light : points_of(scene.lights)) lights.push_back(light_kernel<T>(light, placement));
+    for (const Light& light : points_of(scene.lights)) {
+        lights.push_back(light_kernel<T>(light, placement));
+        lights.back().group = finishes.group_number(light.group);
+    }
     if (scene.fog) {
         const long double per = 1 / (scene.fog->distance * placement.scale);
         world.fog = {true, static_cast<T>(std::min<long double>(per, std::numeric_limits<T>::max())),

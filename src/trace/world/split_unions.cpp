@@ -52,9 +52,14 @@ Primitive painted(const UnionPart& part, std::size_t shared, std::vector<Materia
         if (!pattern.by_uv) append(pattern.transformations, inverse(part.to_pattern));
         return pattern;
     };
-    if (material.rgb.pattern) material.rgb = Pigment(moved(*material.rgb.pattern));
-    for (Relief* const relief : material.reliefs())
-        if (relief->pattern) relief->pattern = std::make_shared<const Pattern>(moved(*relief->pattern));
+    const auto move = [&](Material& layer) {
+        for (Pigment* const pigment : {&layer.rgb, &layer.share})
+            if (pigment->pattern) *pigment = Pigment(moved(*pigment->pattern));
+        for (Relief* const relief : layer.reliefs())
+            if (relief->pattern) relief->pattern = std::make_shared<const Pattern>(moved(*relief->pattern));
+    };
+    move(material);
+    std::ranges::for_each(material.coats, move);
     repaint(own, static_cast<int>(materials.size()));
     materials.push_back(std::move(material));
     return own;

@@ -65,6 +65,7 @@ struct LightKernel {
     bool starts = false;  // parallel light from the plane of the points p with position . p = start
     T start = 0;
     T beam = 0, core = 0;  // of parallel light around an axis, see Light; 0: it shines everywhere
+    std::int32_t group = 0;  // see FinishKernel
 };
 
 /// A body as seen from a point: around the direction `axis`, no further off than an angle with this cosine, and no
@@ -237,10 +238,13 @@ struct FinishTables {
     const FinishKernel<T>* list = nullptr;
     const LayerKernel<T>* layers = nullptr;
     const PatternKernel<T>* shares = nullptr;
+    const BendKernel<T>* bends = nullptr;
+    int most_bends = 0;   // of a material
     T bailout = 0;        // rays of less weight are black
-    bool fades = false;   // light fades inside some body
+    bool follows = false;  // shadow rays go from surface to surface: light fades in bodies, or their sides differ
     bool hides = false;   // some body is not seen by all rays
     bool behind = false;  // some surface is lit from behind
+    bool groups = false;  // some lights shine on some bodies only
 };
 
 /// Transparent bodies of nested worlds, by surface. Null in other worlds.

@@ -133,6 +133,12 @@ struct FinishArrays {
     std::vector<FinishKernel<T>> list;
     std::vector<LayerKernel<T>> layers;
     std::vector<PatternKernel<T>> shares;
+    std::vector<BendKernel<T>> bends;
+    std::vector<double> groups;  // of lights, with duplicates
+    /// Returns the number of a group as kernels have it: not 0 unless the group is 0.
+    std::int32_t group_number(double group) const {
+        return group > 0 ? static_cast<std::int32_t>(1 + (std::ranges::find(groups, group) - groups.begin())) : 0;
+    }
 };
 template <class T>
 struct MediumArrays {

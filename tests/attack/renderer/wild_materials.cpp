@@ -71,6 +71,7 @@ Material WildMaterials::material() {
     m.blinn = m.metallic = m.fresnel = m.gilding = 0, m.brilliance = m.facing = m.shadow = 1;
     m.glow = m.mirror = Color(1);
     m.behind = m.both_sides = m.irid = 0, m.clarity = 1, m.share = Pigment(Color(1));
+    m.outside = m.inside = m.common = 1, m.group = m.old_opacity = 0;
     m.conserve = m.fade_distance = 0, m.fade_power = m.seen = m.mirrored = 1, m.fade_color = Color(0);
     if (dice.chance(.5)) m.refraction = 0;
     m.pow = usual_or(not_negative, 0, 80);

@@ -187,6 +187,51 @@ TEST_CASE("POV-Ray: textures that differ in their finishes are mixed by their sh
     CHECK(!told.notes.empty());
 }
 
+TEST_CASE("POV-Ray: an interior_texture is the inner side of a material, in the space of the body") {
+    const std::string a = "#declare A = texture { pigment { rgb x } finish { phong 1 } } ";
+    const std::string b = "#declare B = texture { pigment { gradient y } finish { reflection .5 } } ";
+    const auto of = [&](const std::string& body) { return whole(a + b + body); };
+    const auto check = [&](const Material& own, const std::vector<Transformation>& steps) {
+        CHECK((own.rgb == Pigment(Color(1, 0, 0)) && own.specular == 1 && own.reflection == 0));
+        CHECK((own.inside == 0 && own.outside == 1));
+        REQUIRE(own.coats.size() == 1);
+        CHECK((own.coats[0].inside == 1 && own.coats[0].outside == 0 && own.coats[0].reflection == .5));
+        REQUIRE(own.coats[0].rgb.pattern);
+        CHECK_MESSAGE(own.coats[0].rgb.pattern->transformations == steps,
+                      own.coats[0].rgb.pattern->transformations.size());
+    };
+    const std::vector<Transformation> twice{Scale{{2, 2, 2}}};
+    check(material(of("sphere { 0, 1 texture { A } interior_texture { B scale 2 } }")), twice);
+    check(material(of("sphere { 0, 1 interior_texture { B scale 2 } texture { A } }")), twice);
+    check(material(of("sphere { 0, 1 material { texture { A } interior_texture { B scale 2 } scale 3 } }")), twice);
+    check(material(of("sphere { 0, 1 texture { A } interior_texture { B scale 2 } translate y }")), twice);
+    check(material(of("object { sphere { 0, 1 texture { A } } interior_texture { B scale 2 } translate y }")), twice);
+    // Parts with a texture of their own keep the inner side of the whole.
+    const Scene parts =
+        of("union { sphere { 0, 1 } sphere { x, 1 texture { A } translate y } texture { B } "
+           "interior_texture { B scale 2 } }");
+    REQUIRE(parts.materials.size() == 2);
+    check(parts.materials[1], {Scale{{2, 2, 2}}, Translate{{0, -1, 0}}});
+    CHECK((parts.materials[0].coats.size() == 1 && parts.materials[0].reflection == .5));
+    // Turned inside out, a body shows its other side.
+    CHECK(material(of("sphere { 0, 1 texture { A } interior_texture { B } inverse }")).outside == 0);
+}
+
+TEST_CASE("POV-Ray: a light_group lights its bodies alone, and no others do unless it says so") {
+    const std::string lights = "light_source { y rgb 1 } light_source { z rgb -.5 } ";
+    const Scene groups =
+        whole(lights +
+              "light_group { light_source { x rgb 1 } sphere { 0, 1 } } light_group { union { sphere { 3*x, 1 } "
+              "light_source { x rgb 1 } } global_lights on } sphere { 9*x, 1 }");
+    REQUIRE(groups.lights.size() == 4);
+    CHECK(groups.lights[1].color == Color(-.5));
+    CHECK((groups.lights[0].group == 0 && groups.lights[2].group == 1 && groups.lights[3].group == 2));
+    const auto of = [&](std::size_t i) { return groups.materials[std::size_t(groups.primitives.at(i).material)]; };
+    CHECK((of(0).group == 1 && of(0).common == 0));
+    CHECK((of(1).group == 2 && of(1).common == 1));
+    CHECK((of(2).group == 0 && of(2).common == 1));
+}
+
 TEST_CASE("POV-Ray: lights of cylinders and lights behind surfaces") {
     const Light beam =
         whole("light_source { <1, 2, 3> rgb 1 cylinder point_at <1, 0, 3> radius 2 falloff 3 }").lights[0];
@@ -338,14 +383,19 @@ TEST_CASE("POV-Ray: what scenes cannot hold is told with its line, once") {
     told("fog { distance 9 } light_source { 9 rgb 1 media_attenuation on }", "approximated: fog does not dim a light");
     CHECK(notes_of("sphere { 0, 1 pigment { crackle metric 2 form <-1, 1, 0> agate_turb 1 } }") == "");
     told("text { ttf \"no.ttf\" \"A\" 1, 0 }", "left out: a text: cannot find its font 'no.ttf'");
-    told("sphere { 0, 1 texture { pigment { rgb x } } texture { pigment { rgbt .5 } normal { bumps 1 } } }",
-         "approximated: bumps of the uppermost layer bend all layers");
+    told("prism { 0, 1, 4, <0, 0>, <1, 0>, <0, 1>, <0, 0> texture { } interior_texture { } }",
+         "approximated: which sides of its faces are inside");
+    told(
+        "light_group { sphere { 0, 1 } light_group { light_source { x rgb 1 } sphere { 0, 1 } } light_source { 0 rgb 1 "
+        "} }",
+        "approximated: lights of the outer light_group do not shine on the inner one");
     told("media { emission 1 }", "left out: media");
     told("global_settings { assumed_gamma .5 }", "approximated: assumed_gamma 0.5 is 1");
     told("rainbow { distance 1 }", "left out: a rainbow");
     told("sphere { 0, 1 texture { material_map { png \"no.png\" texture { pigment { rgb x } } texture { } } } }",
          "left out: all textures of a material_map but the first");
-    told("sphere { 0, 0 }", "left out: a body: a number of it is out of range");
+    told("cylinder { 0, x, 0 }", "left out: a body: a number of it is out of range");
+    CHECK(notes_of("sphere { 0, 0 }") == "");  // no ray meets it
     told("fog { fog_type 2 distance 1 }", "left out: fog without a direction");
     told("fog { distance 1 } fog { distance 2 }", "left out: a second fog");
     told("fog { distance 1 } plane { y, 9 hollow pigment { rgbt <1, 1, 1, .5> } }",

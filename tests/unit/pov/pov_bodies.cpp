@@ -52,6 +52,11 @@ TEST_CASE("POV-Ray: a difference keeps the faces that its parts share") {
     CHECK(first("box { 0, 4 } box { <1, 4, 1>, <2, 5, 2> }") == Shape(Cuboid{DVec3(0), DVec3(4)}));
 }
 
+TEST_CASE("POV-Ray: a box that a division by zero makes endless reaches as far as coordinates do") {
+    const Box box = world_bounds(opened("box { <0, 0, 1>, <1, 1/0, 2> }").scene.primitives.at(0));
+    CHECK((box.low.y == 0 && box.high.y == 1e9));
+}
+
 TEST_CASE("POV-Ray: a plane is seen where a body has a face in its place") {
     const auto box_of = [](const std::string& camera) {
         return shape<Cuboid>(

@@ -194,6 +194,9 @@ sphere { <0, 0, 1>, 1  material { rgb <.75, .5, .25>  share checker { <1, 1, 1>,
     coat { rgb <0, 0, 1>  ambient 1  share checker { <0, 0, 0>, checker { <0, 0, 0>, <1, 1, 1>  scale .5 } } } } }
 disc { <3, 0, 1>, <0, 0, 1>, 1  material { rgb <1, 1, 1>  diffuse .5  behind .25 } }
 disc { <6, 0, 1>, <0, 0, 1>, 1  material { rgb <1, 1, 1>  both_sides 1 } }
+sphere { <9, 0, 1>, 1  material { rgb <1, 0, 0>  inside 0  coat { rgb <0, 1, 0>  reflection .5  outside 0 } } }
+sphere { <12, 0, 1>, 1  material { rgb <1, 0, 0>  group 5  common 0 } }
+light { position <9, 0, 5>  color <-1, 0, .5>  group 5 }
 )",
                                     "x");
     const PovFiles files = write_pov(scene, {.pov_path = "x.pov", .picture_path = "x.png", .cameras = {scene.camera}});
@@ -211,7 +214,12 @@ disc { <6, 0, 1>, <0, 0, 1>, 1  material { rgb <1, 1, 1>  both_sides 1 } }
         CHECK(back.coats[i].reflection == mixed.coats[i].reflection);
     }
     CHECK((material(again, 1).behind == .25 && material(again, 2).both_sides == 1));
-    REQUIRE(again.lights.size() == 1);
+    const Material grouped = material(again, 3), sides = material(again, 4);
+    REQUIRE(sides.coats.size() == 1);
+    CHECK((sides.outside == 1 && sides.inside == 0 && sides.coats[0].outside == 0 && sides.coats[0].reflection == .5));
+    REQUIRE(again.lights.size() == 2);
+    CHECK((again.lights[1].color == Color(-1, 0, .5) && again.lights[1].group > 0));
+    CHECK((grouped.group == again.lights[1].group && grouped.common == 0));
     const Light& beam = again.lights[0];
     REQUIRE(beam.from);
     CHECK((beam.core == .75 * beam.beam && beam.from->z == 2.25 * beam.beam && beam.tightness == .5));

@@ -21,6 +21,8 @@ TEST_CASE("points, spots and parallel light") {
           Light{{1, 2, 3}, Color(1), {}, Spot{{0, 0, 0}, 30, 45, 0}});
     CHECK(light("spot { tightness 3 radius 20 falloff 20 look_at <0,0,0> } position <1,2,3>") ==
           Light{{1, 2, 3}, Color(1), {}, Spot{{0, 0, 0}, 20, 20, 3}});
+    CHECK(light("position <1,2,3> group 2.5").group == 2.5);
+    CHECK(with_eye("light { position <1,2,3> color <-1,0,1> }").lights.at(0).color == Color(-1, 0, 1));
 }
 
 TEST_CASE("rectangles and grids") {
@@ -32,6 +34,8 @@ TEST_CASE("rectangles and grids") {
           std::vector<Light>{{{0, 2, 3}, Color(1. / 3)}, {{1, 2, 3}, Color(1. / 3)}, {{2, 2, 3}, Color(1. / 3)}});
     check_light("position <1,2,3> edges <2,0,0>, <1,1,0>", "3:18", "invalid edges: they are not perpendicular");
     check_light("position <1,2,3> edges <2,0,0>, <0,0,0>", "3:18", "invalid edges: one has no length");
+    CHECK(light("position <1,2,3> edges <2,0,0>, <1,1,0> grid 3, 2").area == Area{{2, 0, 0}, {1, 1, 0}, 3, 2});
+    check_light("position <1,2,3> edges <2,0,0>, <-1,0,0> grid 3, 2", "3:18", "invalid edges: they are parallel");
     check_light("position <1,2,3> grid 2, 2", "3:18", "a grid of points needs 'edges'");
     check_light("position <1,2,3> edges <2,0,0>, <0,1,0> grid 65, 2", "3:46",
                 "'grid' of 'light' must be a whole number from 1 to 64, not '65'");

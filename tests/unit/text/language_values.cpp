@@ -13,8 +13,8 @@ TEST_CASE("values out of range") {
     check_fault("sphere { <0,-1.5e9,0>, 1 }", "2:13: 'centre' of 'sphere' must be from -1e9 to 1e9, not '-1.5e9'");
     check_fault("light { position <1e10,0,0> color <1,1,1> }",
                 "2:19: 'position' of 'light' must be from -1e9 to 1e9, not '1e10'");
-    check_fault("light { position <1,0,0> color <1,1,-1> }",
-                "2:37: 'color' of 'light' must be from 0 to 1e9, not '-1'");
+    check_fault("light { position <1,0,0> color <1,1,-2e9> }",
+                "2:37: 'color' of 'light' must be from -1e9 to 1e9, not '-2e9'");
     check_fault("background { color <-.1,0,0> }", "2:21: 'color' of 'background' must be from 0 to 1e9, not '-.1'");
     check_fault("defaultmaterial { reflection 1.01 }",
                 "2:30: 'reflection' of 'defaultmaterial' must be from 0 to 1, not '1.01'");

@@ -68,6 +68,7 @@ class RandomScenes {
             own.area = Area{{length(), 0, 0}, {0, -length(), 0}, below(2) * below(9), 3};
             own.soft = chance(2);
             if (own.area->columns == 0) own.area->rows = 0;
+            if (own.area->columns > 0 && chance(2)) own.area->v.x = .5 * own.area->v.y;
             if (own.soft && own.area->columns > 0 && chance(2)) own.adaptive = below(4);
             if (own.soft && own.area->columns > 1) own.circular = chance(2), own.orient = chance(2);
         } else if (chance(3)) {
@@ -78,6 +79,8 @@ class RandomScenes {
         }
         if (chance(4)) own.motion = motion();
         own.shadowless = chance(6);
+        if (chance(6)) own.group = not_negative();
+        if (chance(6)) own.color = DVec3(0) - own.color;
         if (chance(6)) own.fade_distance = not_negative(), own.fade_power = not_negative();
         return own;
     }

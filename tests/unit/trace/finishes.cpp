@@ -1,4 +1,4 @@
-// Materials that are mixed by shares, light from behind, and beams.
+// Materials that are mixed by shares or have two sides, light from behind, beams, and groups of lights.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -53,6 +53,39 @@ TEST_CASE("a picture of mixed materials is the mean of their pictures") {
     check(layered, coat);
 }
 
+TEST_CASE("layers have their own bumps") {
+    const auto scene = [&](const std::string& material) {
+        return picture(lamp + "box { <-3, -3, -.2>, <3, 3, 0> }  sphere { <0, 0, 1>, 1 material { ambient 0  " +
+                       material + " } }");
+    };
+    const std::string bozo = " bump solid { bozo  height 2  scale .2 } ",
+                      waves = " bump solid { waves  height 1  scale .3 } ";
+    const std::string flat = " bump solid { waves  height 0 } ", none;
+    const std::string satin = "rgb <.9, .8, .7>  diffuse .4  reflection .2 ",
+                      matt = "rgb <.8, .3, .2>  blinn .7  reflection .3  diffuse .6 ";
+    for (const auto& [a, b] : {std::pair(bozo, waves), {bozo, none}, {none, waves}}) {
+        CAPTURE(a + b);
+        // Of stacks each is lit and mirrors by its own normals.
+        const Frame one = scene(satin + a), two = scene(matt + b);
+        const std::string own = b.empty() ? flat : b;
+        CHECK(off(scene(satin + a + "share <.25, .25, .25>  coat { share <.75, .75, .75> " + matt + own + " }"), one,
+                  .25, two, .75) < 1e-9);
+        CHECK(off(one, two, 1, two, 0) > .1);
+        // A clear coat adds its highlight to what is below it.
+        const std::string clear = " blinn .9  reflection .3  diffuse 0 ";
+        const Frame below = scene("rgb <.8, .3, .2>  diffuse .6 " + a), above = scene("rgb <0, 0, 0> " + clear + b);
+        Frame both = scene("rgb <.8, .3, .2>  diffuse .6 " + a + "coat { rgb <1, 1, 1, 0, 1> " + clear + own + " }");
+        const Frame dark = scene("rgb <0, 0, 0>");
+        for (std::size_t i = 0; i < both.rgb.size(); ++i) both.rgb[i] += dark.rgb[i];
+        CHECK(off(both, below, 1, above, 1) < 1e-9);
+    }
+    // A coat without a bump has that of the material.
+    const std::string veil = "coat { rgb <0, 1, 0, 0, .5>  blinn .5 ";
+    const Frame same = scene("rgb <.8, .3, .2>" + bozo + veil + "}");
+    CHECK(off(same, scene("rgb <.8, .3, .2>" + bozo + veil + bozo + "}"), 1, same, 0) == 0);
+    CHECK(off(same, scene("rgb <.8, .3, .2>" + bozo + veil + flat + "}"), 1, same, 0) > .01);
+}
+
 TEST_CASE("light goes through mixed glass, and its shadows, as the mean of what goes through both") {
     const auto scene = [&](const std::string& material) {
         return picture(
@@ -67,14 +100,92 @@ TEST_CASE("light goes through mixed glass, and its shadows, as the mean of what 
     CHECK(off(mixed, scene("rgb <0, 0, 0>"), 1, mixed, 0) > .1);
 }
 
-TEST_CASE("a beam fades around its axis, and surfaces are lit from behind") {
-    const auto red = [](const std::string& text, double x) {
-        const Scene scene = parse_scene(
-            "camera { position <0, 0, 9>  look_at <" + std::to_string(x) + ", 0, 0>  up <0, -1, 0>  fov 1 } " + text,
-            "x");
-        return render(scene, {.camera = scene.camera, .width = 1, .height = 1}, Precision::float64, 1).rgb[0];
+namespace {
+
+/// Returns how bright (x, 0, 0) is, seen from above.
+double red(const std::string& text, double x) {
+    const Scene scene = parse_scene(
+        "camera { position <0, 0, 9>  look_at <" + std::to_string(x) + ", 0, 0>  up <0, -1, 0>  fov 1 } " + text, "x");
+    return render(scene, {.camera = scene.camera, .width = 1, .height = 1}, Precision::float64, 1).rgb[0];
+}
+const std::string white = "material { rgb <1, 1, 1>  diffuse 1  ambient 0  reflection 0  specular 0 ";
+
+}  // namespace
+
+TEST_CASE("a body looks as its two sides do, to the eye and to shadow rays") {
+    const auto scene = [&](const std::string& up, const std::string& material, const std::string& more) {
+        return picture(
+            "light { position <-1, -1, 4>  color <1, .9, .8>  shadowless } box { <-3, -3, -.2>, <3, 3, 0> } "
+            "disc { <0, 0, 1>, <0, 0, " +
+            up + ">, 1 material { " + material + " } }" + more);
     };
-    const std::string white = "material { rgb <1, 1, 1>  diffuse 1  ambient 0  reflection 0  specular 0 ";
+    const std::string veil = "rgb <.9, .5, .1, .6, .1>  blinn .7  diffuse .4 ", reflecting = "rgb <.2, .5, 1> ";
+    const std::string mirror = reflecting + "reflection .5  ambient .2  diffuse .3 ";
+    const std::string coat = "coat { rgb <1, 0, 0, 0, .5>  diffuse .3 } ";
+    for (const std::string& more :
+         {std::string(),
+          std::string(
+              "sphere { <0, 0, 3>, .2 material { fade_distance 1  fade_power 2  rgb <1, 1, 1, 0, 1>  ior 1.2 } }")}) {
+        CAPTURE(more);
+        const std::string sides = veil + coat + "inside 0  coat { " + mirror + " outside 0 } " +
+                                  "coat { rgb <1, 1, 0, .5, .25>  diffuse .3 }";
+        const std::string inner = mirror + "coat { rgb <1, 1, 0, .5, .25>  diffuse .3 }";
+        const Frame outer = scene("1", veil + coat, more), inside = scene("-1", inner, more);
+        CHECK(off(scene("1", sides, more), outer, 1, outer, 0) < 1e-12);
+        CHECK(off(scene("-1", sides, more), inside, 1, inside, 0) < 1e-12);
+        CHECK(off(outer, inside, 1, inside, 0) > .1);
+    }
+    // What comes out of a ball of glass has passed both sides, on its way to the eye and on that of light.
+    const std::string clear = "diffuse 0  ambient 0  reflection 0  specular 0  ";
+    const std::string light = "light { position <0, 0, 8>  color <1, 1, 1> } ";
+    const std::string floor = "plane { <0, 0, -2>, <1, 0, -2>, <0, 1, -2> " + white + "} } ";
+    const auto ball = [&](const std::string& how) {
+        return "sphere { <0, 0, 0>, 1  material { " + clear + how + " } } ";
+    };
+    const double lit = red(light + floor, 0);
+    CHECK(red(light + floor +
+                  ball("rgb <.5, 0, 0, 1, 0>  inside 0  coat { rgb <1, 0, 0, 1, 0> " + clear + " outside 0 }"),
+              0) == doctest::Approx(.25 * lit));
+    CHECK(red(light + floor +
+                  ball("rgb <.5, 0, 0, 1, 0>  inside 0  coat { rgb <.5, 0, 0, 1, 0> " + clear + " outside 0 }"),
+              0) == doctest::Approx(.0625 * lit));
+}
+
+TEST_CASE("lights of a group shine on its bodies alone, and some lights take light away") {
+    const std::string lights =
+        "light { position <0, 0, 5>  color <1, 1, 1> } light { position <0, 0, 5>  color <.25, 0, 0>  group 2 } "
+        "light { position <0, 0, 5>  color <.125, 0, 0>  group 7 } ";
+    const auto disc = [&](const std::string& how) { return "disc { <0, 0, 0>, <0, 0, 1>, 2 " + white + how + " } } "; };
+    CHECK(red(lights + disc(""), 0) == doctest::Approx(1));
+    CHECK(red(lights + disc("group 2"), 0) == doctest::Approx(1.25));
+    CHECK(red(lights + disc("group 7"), 0) == doctest::Approx(1.125));
+    CHECK(red(lights + disc("group 3"), 0) == doctest::Approx(1));
+    CHECK(red(lights + disc("group 2  common 0"), 0) == doctest::Approx(.25));
+    CHECK(red(lights + disc("common 0"), 0) == 0);
+    // Bodies of no group keep such light from others.
+    CHECK(red(lights + disc("group 2  common 0"), 1) > .2);
+    CHECK(red(lights + disc("group 2  common 0") + "sphere { <.5, 0, 2.5>, .1 }", 1) == 0);
+    const std::string darker =
+        "light { position <0, 0, 5>  color <-.75, 0, 0> } light { position <0, 0, 5>  color <1, 1, 1> } ";
+    CHECK(red(darker + disc(""), 0) == doctest::Approx(.25));
+    CHECK(red("light { position <0, 0, 5>  color <-.75, 0, 0>  edges <1, 0, 0>, <0, 1, 0>  soft } light { position <0, "
+              "0, 5>  color <1, 1, 1> } " +
+                  disc(""),
+              0) == doctest::Approx(.25));
+}
+
+TEST_CASE("the old opacity counts how bright a colour is that filters") {
+    const std::string light = "light { position <0, 0, 5>  color <1, 1, 1> } ";
+    const auto disc = [&](const std::string& how) {
+        return "disc { <0, 0, 0>, <0, 0, 1>, 2  material { diffuse 1  ambient 0  reflection 0  specular 0  rgb <.5, "
+               ".25, 0, .5, .25> " +
+               how + " } } ";
+    };
+    CHECK(red(light + disc(""), 0) == doctest::Approx(.5 * .25));
+    CHECK(red(light + disc("old_opacity 1"), 0) == doctest::Approx(.5 * .5));
+}
+
+TEST_CASE("a beam fades around its axis, and surfaces are lit from behind") {
     const std::string floor = "plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0> " + white + "} }  sphere { <1, 0, 12>, 1 } ";
     const std::string light = "light { direction <0, 0, -1>  from <0, 0, 3>  color <1, 1, 1>  beam 2 ";
     for (const double d : {.1, .4, .8, 1.3, 1.9}) {

@@ -91,15 +91,20 @@ TEST_CASE("what a union of many bodies becomes") {
         CHECK(split_union(own_pattern, materials).size() == (balls == 64 ? 1 : 65));
         materials[0].rgb = Material{}.rgb;
     }
-    // Parts that were moved take the whole's patterns along, those of bumps too.
+    // Parts that were moved take the whole's patterns along, those of bumps, shares and coats too.
     materials.assign(4, {});
     materials[0].rgb = Pigment(Pattern{}), materials[0].bump.pattern = std::make_shared<const Pattern>();
+    materials[0].coats = {{.rgb = Pigment(Pattern{})}};
+    materials[0].share = materials[0].coats[0].share = Pigment(Pattern{});
     const Primitive ball{Sphere{{0, 0, 0}, 1}, 0, {Translate{{7, 0, 0}}}};
     const std::vector<Primitive> moved = split_union(
         {Union{std::make_shared<const std::vector<Primitive>>(1, ball)}, 0, {Translate{{0, 5, 0}}}}, materials);
     const std::vector<Transformation> back{Translate{{-7, 0, 0}}};
     CHECK(materials.at(4).rgb.pattern->transformations == back);
     CHECK(materials.at(4).bump.pattern->transformations == back);
+    CHECK(materials.at(4).share.pattern->transformations == back);
+    CHECK(materials.at(4).coats.at(0).rgb.pattern->transformations == back);
+    CHECK(materials.at(4).coats.at(0).share.pattern->transformations == back);
     materials.assign(4, {});
 
     const std::clock_t start = std::clock();  // processor time, which other programs do not lengthen
