@@ -107,11 +107,7 @@ LineCrossings<R> crossings(const Blob& blob, const Line<R>& line, int source) {
             found.add(t, 0, R(-1) * slope);
         }
     }
-    if (source == 0 && !found.list.empty()) {
-        const auto size = [](const Crossing<R>& own) { return own.t < 0 ? -own.t : own.t; };
-        found.list.erase(std::min_element(found.list.begin(), found.list.end(),
-                                          [&](const auto& a, const auto& b) { return size(a) < size(b); }));
-    }
+    if (source == 0) found.remove_start();
     return found;
 }
 

@@ -1,6 +1,7 @@
 // The referee's vectors, lines and their crossings with surfaces, for long double and
 // __float128.
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -50,6 +51,11 @@ template <class R>
 struct LineCrossings {
     std::vector<Crossing<R>> list;
     void add(R t, int face, const Vector<R>& normal) { list.push_back({t, face, normal}); }
+    /// Removes the one that is nearest to the start, which lies on the surface.
+    void remove_start() {
+        const auto size = [](const Crossing<R>& own) { return own.t < 0 ? -own.t : own.t; };
+        if (!list.empty()) list.erase(std::ranges::min_element(list, {}, size));
+    }
     auto begin() const { return list.begin(); }
     auto end() const { return list.end(); }
 };

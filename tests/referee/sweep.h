@@ -122,11 +122,7 @@ LineCrossings<R> crossings(const SphereSweep& sweep, const Line<R>& line, int so
             }
         }
     }
-    if (source == 0 && !found.list.empty()) {
-        const auto size = [](const Crossing<R>& own) { return own.t < 0 ? -own.t : own.t; };
-        found.list.erase(std::min_element(found.list.begin(), found.list.end(),
-                                          [&](const auto& a, const auto& b) { return size(a) < size(b); }));
-    }
+    if (source == 0) found.remove_start();
     return found;
 }
 
