@@ -1,4 +1,5 @@
-// Bodies that are clipped, and open ones: one looks into them.
+// Bodies that are clipped, and open ones: one looks into them. A lathe that is open is hollow where it is cut, and boxes
+// that only touch share a face.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 
@@ -24,3 +25,13 @@ difference {
   clipped_by { plane { x, .3 } } pigment { rgb <.8, .5, .7> }
 }
 plane { <0, .2, -1>, -6 clipped_by { sphere { <0, 2, 6.5>, 2.5 } } pigment { rgb <.9, .8, .3> } }
+difference {
+  lathe { bezier_spline 4, <.6, 0>, <.3, .4>, <.35, .8>, <.8, 1.3> }
+  sphere { <0, .2, -.6>, .5 pigment { rgb <.9, .9, .4> } }
+  pigment { rgb <.4, .7, .8> } rotate <25, 30, 0> translate <.8, -.1, -3.6>
+}
+intersection {
+  union { box { <1, .2, .1>, <1.3, .4, .4> } box { <1, .2, .6>, <1.3, .4, .9> } }
+  difference { box { 0, 1 } sphere { <1, .3, .75>, .12 } }
+  pigment { rgb <.9, .9, .8> } scale 1.5 rotate 20*y translate <-4.6, 2.4, 1>
+}

@@ -8,6 +8,7 @@
 
 #include "num/vec_math.h"
 #include "pov/meaning/scene_maker.h"
+#include "pov/things/prisms.h"
 #include "scene/leaves.h"
 #include "text/reading/parameter.h"
 
@@ -163,27 +164,45 @@ const Primitive& first_leaf(const Primitive& primitive) {
     return *first;
 }
 
-/// Makes a body fit to be a part: a disc becomes the half-space behind it, and a lathe that is open has what lies
-/// between it and its axis inside. Returns false if it cannot be one.
-bool close(Shape& shape) {
-    if (const auto* const lathe = std::get_if<Lathe>(&shape); lathe && lathe->open()) {
-        std::vector<Contour> contours = lathe->data->contours;
-        for (Contour& own : contours) {
-            const Contour::Point from = own.start, to = own.strokes.back().end;
-            if (from == to) continue;
-            own.start[0] = 0;
-            own.strokes.insert(own.strokes.begin(), {from, from});
-            own.strokes.push_back({{0, to[1]}, {0, to[1]}});
-        }
-        shape = Lathe{std::make_shared<const ContourData>(std::move(contours), true)};
+/// Closes an open lathe: what lies between it and its axis is inside, but not what is nearer to the axis than all of
+/// it. It has no surfaces there and where it ends, but one looks into it: it is made longer, and cylinders of the
+/// material `unseen` take away its ends and its middle. Endless ones are left as they are.
+void close_lathe(Primitive& body, int unseen) {
+    using Point = Contour::Point;
+    const ContourData& open = *std::get<Lathe>(body.shape).data;
+    const auto to_axis = [](Contour own, const Point& first, const Point& last) {
+        const Point from = own.start, to = own.strokes.back().end;
+        if (from == to) return own;
+        own.start = {0, first[1]};
+        own.strokes.insert(own.strokes.begin(), {{first, first}, {from, from}});
+        own.strokes.insert(own.strokes.end(), {{last, last}, {{0, last[1]}, {0, last[1]}}});
+        return own;
+    };
+    std::vector<Contour> contours;
+    for (const Contour& own : open.contours) contours.push_back(to_axis(own, own.start, own.strokes.back().end));
+    const Lathe solid{std::make_shared<const ContourData>(std::move(contours), true)};
+    contours.clear();
+    std::vector<Primitive> parts(1);
+    const double more = 1e-3 * open.unit;
+    const auto lengthened = [&](const Point& end) {
+        if (end[0] == 0 || open.unit > endless / 4) return end;
+        const double side = solid.contains({.999 * end[0], end[1] + 1e-6 * open.unit, 0}) ? -1 : 1;
+        parts.push_back({Cylinder{{0, end[1], 0}, {0, end[1] + 2 * side * more, 0}, end[0] + more}, unseen, {}});
+        return Point{end[0], end[1] + side * more};
+    };
+    if (open.inner > 0 && open.unit <= endless / 4) {
+        const double middle = open.centre[1], reach = open.half[1] + 2 * more;
+        parts.push_back({Cylinder{{0, middle - reach, 0}, {0, middle + reach, 0}, open.inner}, unseen, {}});
     }
-    if (const auto* const disc = std::get_if<Disc>(&shape)) {
-        const DVec3 n = normalize(disc->normal);
-        const DVec3 u = normalize(cross_product(std::fabs(n.x) < .5 ? DVec3(1, 0, 0) : DVec3(0, 1, 0), n));
-        const DVec3 centre = disc->centre;
-        shape = Plane{centre, centre + u, centre + cross_product(n, u)};
+    for (const Contour& own : open.contours) {
+        const Point &from = own.start, &to = own.strokes.back().end;
+        contours.push_back(from == to ? own : to_axis(own, lengthened(from), lengthened(to)));
     }
-    return fits_composite(shape);
+    parts[0] = {Lathe{std::make_shared<const ContourData>(std::move(contours), true)}, body.material, {}};
+    if (parts.size() == 1)
+        body.shape = parts[0].shape;
+    else
+        body.shape = composite<Difference>(std::move(parts));
 }
 
 }  // namespace
@@ -411,6 +430,29 @@ std::optional<SceneMaker::Part> SceneMaker::build_turned(const ObjectThing& obje
     return part;
 }
 
+/// Tells what differs in a body that one looks into where it is cut.
+void SceneMaker::tell_of_cuts(const Material& material, TextPlace place) const {
+    if (material.transmits() && material.ior != 1)
+        notes.approximated(place, "light enters a clipped body of glass where it is clipped");
+    if (!contents.fogs.empty()) notes.approximated(place, "there is no fog inside a clipped body");
+}
+
+/// Makes a body fit to be a part: a disc becomes the half-space behind it, and an open lathe is closed. Returns false
+/// if it cannot be one.
+bool SceneMaker::close(Primitive& body, TextPlace place) {
+    if (const auto* const lathe = std::get_if<Lathe>(&body.shape); lathe && lathe->open()) {
+        tell_of_cuts(materials[body.material], place);
+        close_lathe(body, materials.nothing());
+    }
+    if (const auto* const disc = std::get_if<Disc>(&body.shape)) {
+        const DVec3 n = normalize(disc->normal);
+        const DVec3 u = normalize(cross_product(std::fabs(n.x) < .5 ? DVec3(1, 0, 0) : DVec3(0, 1, 0), n));
+        const DVec3 centre = disc->centre;
+        body.shape = Plane{centre, centre + u, centre + cross_product(n, u)};
+    }
+    return fits_composite(body.shape);
+}
+
 /// Makes a composite of an object's parts. Bodies that are turned inside out are subtracted instead.
 std::optional<SceneMaker::Part> SceneMaker::build_parts(const ObjectThing& object, const Around& around) {
     Around within = inside(object, around);
@@ -427,7 +469,7 @@ std::optional<SceneMaker::Part> SceneMaker::build_parts(const ObjectThing& objec
         Around own_around = within;
         own_around.turned = within.turned != (object.kind == ObjectKind::subtract && !first);
         std::optional<Part> part = build(*each, own_around);
-        if (part && !close(part->primitive.shape)) {
+        if (part && !close(part->primitive, each->place)) {
             notes.left_out(each->place, "an open body in a composite");
             part.reset();
         }
@@ -461,16 +503,14 @@ std::optional<SceneMaker::Part> SceneMaker::build_parts(const ObjectThing& objec
 /// Cuts a body off where it is outside of the bodies that clip it, whose own surfaces are not seen: through them one
 /// looks into the body.
 std::optional<SceneMaker::Part> SceneMaker::clipped(const ObjectThing& object, const Around& around, Part part) {
-    if (part.negated || !close(part.primitive.shape)) {
+    if (part.negated || !close(part.primitive, object.place)) {
         notes.left_out(object.place, "clipped_by of an open body");
         return part;
     }
     const int material = part.primitive.material;
     if (object.kind == ObjectKind::unite && object.parts.size() > 1)
         notes.approximated(object.place, "a clipped union in a composite is a merge");
-    if (materials[material].transmits() && materials[material].ior != 1)
-        notes.approximated(object.place, "light enters a clipped body of glass where it is clipped");
-    if (!contents.fogs.empty()) notes.approximated(object.place, "there is no fog inside a clipped body");
+    tell_of_cuts(materials[material], object.place);
     // The composite has the body's space, in which the patterns of its texture are.
     std::vector<Transformation> own, back;
     if (part.primitive.transformations == transformations_of(object.steps, mirrored)) {
@@ -483,7 +523,7 @@ std::optional<SceneMaker::Part> SceneMaker::clipped(const ObjectThing& object, c
     bare.clips = true;
     for (const auto& clip : object.clips) {
         std::optional<Part> cut = build(*clip, bare);
-        if (!cut || !close(cut->primitive.shape)) continue;
+        if (!cut || !close(cut->primitive, clip->place)) continue;
         cut->primitive.transformations.insert(cut->primitive.transformations.end(), back.begin(), back.end());
         (cut->negated ? hollow : solid).push_back(std::move(cut->primitive));
     }

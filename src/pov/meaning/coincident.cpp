@@ -11,7 +11,8 @@
 namespace strahl::pov {
 namespace {
 
-constexpr double hair = 1e-9;  // relative to coordinates
+constexpr double hair = 1e-9;    // relative to coordinates
+constexpr double sliver = 1e-6;  // so that floats have it as well
 
 /// A flat face across an axis.
 struct FlatFace {
@@ -26,6 +27,7 @@ struct FlatFace {
         for (DVec3* const point : points) (*point)[axis] = (place - offset) / scale;
     }
     bool is_at(double place) const { return std::fabs(at - place) <= 1e-12 * (1 + std::fabs(at)); }
+    void grow_by(double share) const { move_to(at + side * share * (1 + std::fabs(at))); }
     bool beside(const FlatFace& other) const {
         if (axis != other.axis || !is_at(other.at)) return false;
         for (int i = 0; i < 3; ++i)
@@ -90,18 +92,44 @@ std::vector<FlatFace> faces_of(Primitive& body, const glm::dmat4& outer) {
     return faces;
 }
 
-/// Calls visit(leaf, matrix) for the simple bodies of a body, which it may change; `matrix` leads out of its
-/// composites.
+/// Calls visit(leaf, matrix) for the simple bodies of a body, which it may change, perhaps not for those that
+/// differences take away; `matrix` leads out of its composites.
 template <class Visit>
-void change_leaves(Primitive& body, const glm::dmat4& outer, const Visit& visit) {
+void change_leaves(Primitive& body, const glm::dmat4& outer, bool all, const Visit& visit) {
     const bool composite = std::visit([]<class Kind>(const Kind&) { return is_composite<Kind>; }, body.shape);
     if (!composite) return visit(body, outer);
-    change_parts(body, [&](Primitive& part) { change_leaves(part, outer * matrix(body.transformations), visit); });
+    bool wanted = true;
+    change_parts(body, [&](Primitive& part) {
+        if (wanted) change_leaves(part, outer * matrix(body.transformations), all, visit);
+        wanted = all || !std::holds_alternative<Difference>(body.shape);
+    });
+}
+
+/// Grows boxes and planes of an intersection by a hair where they only touch parts before them.
+void join_touching(Intersection& whole) {
+    std::vector<Primitive> parts = *whole.parts;
+    std::vector<FlatFace> before;
+    bool grows = false;
+    for (Primitive& part : parts) {
+        std::vector<FlatFace> own;
+        change_leaves(part, glm::dmat4(1), false, [&](Primitive& leaf, const glm::dmat4& outer) {
+            for (FlatFace& face : faces_of(leaf, outer)) {
+                if (face.is_round) continue;
+                const bool touches = std::ranges::any_of(
+                    before, [&](const FlatFace& other) { return face.beside(other) && face.side != other.side; });
+                if (touches) face.grow_by(sliver), grows = true;
+                own.push_back(std::move(face));
+            }
+        });
+        std::ranges::move(own, std::back_inserter(before));
+    }
+    if (grows) whole.parts = std::make_shared<const std::vector<Primitive>>(std::move(parts));
 }
 
 }  // namespace
 
 void keep_faces(Primitive& body) {
+    if (auto* const shared = std::get_if<Intersection>(&body.shape)) join_touching(*shared);
     change_parts(body, [](Primitive& part) { keep_faces(part); });
     auto* const difference = std::get_if<Difference>(&body.shape);
     if (!difference) return;
@@ -110,12 +138,12 @@ void keep_faces(Primitive& body) {
     if (!std::holds_alternative<Intersection>(parts[0].shape) && faces_of(parts[0], glm::dmat4(1)).empty()) return;
     std::vector<FlatFace> taken;
     for (std::size_t i = 1; i < parts.size(); ++i)
-        change_leaves(parts[i], glm::dmat4(1), [&](Primitive& leaf, const glm::dmat4& outer) {
+        change_leaves(parts[i], glm::dmat4(1), true, [&](Primitive& leaf, const glm::dmat4& outer) {
             if (std::holds_alternative<Plane>(leaf.shape)) return;
             std::ranges::move(faces_of(leaf, outer), std::back_inserter(taken));
         });
     bool grows = false;
-    change_leaves(parts[0], glm::dmat4(1), [&](Primitive& leaf, const glm::dmat4& outer) {
+    change_leaves(parts[0], glm::dmat4(1), true, [&](Primitive& leaf, const glm::dmat4& outer) {
         const auto shared = [&](const FlatFace& face) {
             return std::ranges::any_of(taken, [&](const FlatFace& other) {
                 return face.beside(other) && face.side == other.side &&
@@ -123,7 +151,7 @@ void keep_faces(Primitive& body) {
             });
         };
         for (const FlatFace& face : faces_of(leaf, outer))
-            if (shared(face)) face.move_to(face.at + face.side * hair * (1 + std::fabs(face.at))), grows = true;
+            if (shared(face)) face.grow_by(hair), grows = true;
     });
     if (grows) difference->parts = std::make_shared<const std::vector<Primitive>>(std::move(parts));
 }

@@ -7,7 +7,8 @@
 namespace strahl::pov {
 
 /// Grows the first parts of differences by a hair where a part that is taken away has a face in the place of theirs:
-/// POV-Ray keeps that face, as a point on it is, by its rounding, inside both parts or neither.
+/// POV-Ray keeps that face, as a point on it is, by its rounding, inside both parts or neither. Grows boxes and planes
+/// of intersections likewise where they only touch, which POV-Ray shows as a face.
 void keep_faces(Primitive& body);
 
 /// Moves faces of bodies by a hair away from the eye where a plane is seen in their place, which POV-Ray shows.

@@ -70,6 +70,8 @@ class SceneMaker {
     Around inside(const ObjectThing& object, const Around& around);
     std::optional<Part> build(const ObjectThing& object, const Around& around);
     std::optional<Part> build_turned(const ObjectThing& object, const Around& around);
+    void tell_of_cuts(const Material& material, TextPlace place) const;
+    bool close(Primitive& body, TextPlace place);
     std::optional<Part> build_parts(const ObjectThing& object, const Around& around);
     std::optional<Part> clipped(const ObjectThing& object, const Around& around, Part part);
     int number_of(Shared& shared);

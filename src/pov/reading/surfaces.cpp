@@ -41,9 +41,12 @@ void set_mesh(ObjectThing& object, MeshData mesh) {
     set_mesh(object, std::make_shared<const MeshData>(std::move(mesh)));
 }
 
-void set_lathe(ObjectThing& object, std::vector<Contour> contours) {
+/// Makes a lathe of contours, which is hollow up to this radius if it is open.
+void set_lathe(ObjectThing& object, std::vector<Contour> contours, double inner = HUGE_VAL) {
+    const auto data = std::make_shared<ContourData>(std::move(contours), true);
+    data->inner = std::min(data->inner, inner);
     object.kind = ObjectKind::shape;
-    object.shape = Lathe{std::make_shared<const ContourData>(std::move(contours), true)};
+    object.shape = Lathe{data};
 }
 
 void set_places(ObjectThing& object, Moves moves) {
@@ -73,7 +76,6 @@ std::vector<Outline> outlines_of(const std::vector<std::vector<Point2>>& lines) 
 /// A quadric whose axes are those of space, as a ball, a cylinder or a cone; false if it is none of these.
 bool set_quadric(ObjectThing& object, const DVec3& squares, const DVec3& products, const DVec3& linear,
                  double constant) {
-    constexpr double far = 1e4;
     if (products != DVec3(0)) return false;
     DVec3 centre(0), a = squares;
     double rest = constant;
@@ -93,18 +95,19 @@ bool set_quadric(ObjectThing& object, const DVec3& squares, const DVec3& product
         object.steps = {Scale{{std::sqrt(-rest / a.x), std::sqrt(-rest / a.y), std::sqrt(-rest / a.z)}}};
     } else if (flat >= 0 && positive == 2 && rest < 0) {
         DVec3 end(0), factors(1);
-        end[flat] = far;
+        end[flat] = endless;
         for (int i = 0; i < 3; ++i)
             if (i != flat) factors[i] = std::sqrt(-rest / a[i]);
         object.shape = Cylinder{-end, end, 1};
         object.steps = {Scale{factors}};
     } else if (flat < 0 && positive == 2 && std::fabs(rest) < 1e-12) {
         DVec3 end(0), factors(1);
-        end[negative] = far;
+        end[negative] = endless;
         for (int i = 0; i < 3; ++i)
             if (i != negative) factors[i] = std::sqrt(-a[negative] / a[i]);
         object.kind = ObjectKind::merge;
-        for (const double side : {-1., 1.}) object.parts.push_back(part_of(object, Cone{DVec3(0), 0, side * end, far}));
+        for (const double side : {-1., 1.})
+            object.parts.push_back(part_of(object, Cone{DVec3(0), 0, side * end, endless}));
         object.steps = {Scale{factors}, Translate{centre}};
         return true;
     } else {
@@ -128,7 +131,7 @@ bool set_turned_quadric(ObjectThing& object, const DVec3& squares, const DVec3& 
             factors[i] = 1 / std::sqrt(squares[i]);
         }
         if (!round) continue;
-        set_lathe(object, contours_of_quadric(-squares[k], -linear[k], -rest, 1e4));
+        set_lathe(object, contours_of_quadric(-squares[k], -linear[k], -rest));
         object.steps = {Scale{factors}, Translate{centre}};
         if (k != 1) object.steps.insert(object.steps.begin(), Rotate{k == 0 ? DVec3(0, 0, -90) : DVec3(90, 0, 0)});
         return true;
@@ -183,13 +186,15 @@ bool PovReader::read_surface(Interpreter& in, std::uint16_t code, ObjectThing& o
         case word("lathe"): {
             const SplineKind kind = read_spline_kind(in);
             const std::vector<Point2> points = read_points(in);
-            set_lathe(object, contours_of(kind, points, true));
+            // POV-Ray takes Bezier's control points for points of the curve.
+            const bool controls = kind == SplineKind::bezier && !points.empty();
+            set_lathe(object, contours_of(kind, points, true), controls ? std::ranges::min(points)[0] : HUGE_VAL);
             set_places(object, places_of_lathe(kind, points));
             return true;
         }
         case word("sor"): {
             const std::vector<Point2> points = read_points(in);
-            set_lathe(object, {contour_of_sor(points, in.accept("open"))});
+            set_lathe(object, {contour_of_sor(points, in.accept("open"))}, 0);
             set_places(object, places_of_sor(points));
             return true;
         }

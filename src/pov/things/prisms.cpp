@@ -235,16 +235,16 @@ Contour contour_of_ovus(double bottom, double top) {
     return contour;
 }
 
-std::vector<Contour> contours_of_quadric(double square, double linear, double constant, double far) {
+std::vector<Contour> contours_of_quadric(double square, double linear, double constant) {
     if (square == 0) {
-        const double apex = -constant / linear, radius = std::sqrt(std::fabs(linear) * far);
-        return {{{0, apex}, {{{radius / 2, apex}, {radius, apex + std::copysign(far, linear)}}}}};
+        const double apex = -constant / linear, radius = std::sqrt(std::fabs(linear) * endless);
+        return {{{0, apex}, {{{radius / 2, apex}, {radius, apex + std::copysign(endless, linear)}}}}};
     }
     const double middle = -linear / (2 * square), rest = constant - square * middle * middle;
     const double radius = std::sqrt(std::fabs(rest)), height = std::sqrt(std::fabs(rest) / square);
     // Curves are the longer the further away they are: there they are nearly straight.
     std::vector<double> places{0};
-    for (const double most = std::asinh(far / height); places.back() < most;) {
+    for (const double most = std::asinh(endless / height); places.back() < most;) {
         const double u = places.back();
         places.push_back(std::min(most, u + std::min(.25 * std::exp(u / 3), 1.5)));
     }

@@ -21,9 +21,11 @@ Moves places_of_sor(std::span<const Point2> points);
 /// Returns the contour of an ovus: of balls of two radii, the upper one's middle at the top of the lower one, and of an
 /// arc that touches both, whose radius is twice the larger one. Its cubic curves are off by no more than 1e-8 of it.
 Contour contour_of_ovus(double bottom, double top);
+/// How far surfaces reach that have no end.
+inline constexpr double endless = 1e4;
 /// Returns the contours of the surface whose squared radius at the height h is `constant` + `linear` h + `square` h^2,
-/// up to a distance `far` from its middle, for a `square` that is not below 0: a paraboloid, which is exact, or a
+/// up to a distance `endless` from its middle, for a `square` that is not below 0: a paraboloid, which is exact, or a
 /// hyperboloid, whose cubic curves are off by no more than 2e-8 of the radius.
-std::vector<Contour> contours_of_quadric(double square, double linear, double constant, double far);
+std::vector<Contour> contours_of_quadric(double square, double linear, double constant);
 
 }  // namespace strahl::pov

@@ -133,6 +133,7 @@ ContourData::ContourData(std::vector<Contour> all, bool turned) : contours(std::
         if (!turned) maker.add({{from, own.start}, 1});
     }
     if (maker.curves.empty()) return;
+    inner = maker.low[0];
     if (turned) maker.high[0] = std::max(-maker.low[0], maker.high[0]), maker.low[0] = -maker.high[0];
     for (std::size_t i = 0; i < 2; ++i) {
         centre[i] = maker.low[i] / 2 + maker.high[i] / 2;

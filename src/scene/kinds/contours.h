@@ -125,6 +125,7 @@ struct ContourData {
     std::vector<Contour> contours;
     std::vector<ContourPiece<double>> pieces;
     Contour::Point centre{}, half{};  // the middle of the box around them, and half of its size
+    double inner = 0;                 // those that turn are not nearer to their axis
     double unit = 1;
 
     /// Contours that turn about the y axis are not closed, and the box around them has it in its middle.

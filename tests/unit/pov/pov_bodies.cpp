@@ -57,6 +57,17 @@ TEST_CASE("POV-Ray: a box that a division by zero makes endless reaches as far a
     CHECK((box.low.y == 0 && box.high.y == 1e9));
 }
 
+TEST_CASE("POV-Ray: boxes and planes of an intersection that only touch have a face there") {
+    const std::string teeth = "intersection { box { <1, .2, -.4>, <1.1, .4, .4> translate 2*y } ";
+    const Scene scene = whole(teeth + "difference { box { <0, 2, -1>, <1, 3, 1> } box { <0, 2, -1>, <2, 2.3, 1> } } }");
+    CHECK(contains(scene.primitives[0], {1.000001, 2.35, 0}));
+    CHECK_FALSE(contains(scene.primitives[0], {1.000001, 2.25, 0}));
+    CHECK_FALSE(contains(scene.primitives[0], {1.0001, 2.35, 0}));
+    // Those beside each other do not touch.
+    const Scene apart = whole(teeth + "box { <.5, 4, -1>, <1, 5, 1> } }");
+    CHECK(shape<Intersection>(apart).parts->at(1).shape == Shape(Cuboid{{.5, 4, -1}, {1, 5, 1}}));
+}
+
 TEST_CASE("POV-Ray: a plane is seen where a body has a face in its place") {
     const auto box_of = [](const std::string& camera) {
         return shape<Cuboid>(
@@ -410,11 +421,20 @@ TEST_CASE("POV-Ray: lathes are contours that turn, and have inside what POV-Ray 
     const Lathe two = lathe("bezier_spline 8, <0, 0>, <1, 0>, <2, 0>, <3, 0>, <0, 2>, <1, 2>, <2, 2>, <3, 1>");
     CHECK(two.data->contours.size() == 2);
     CHECK(two.data->contours[0] == Contour{{0, 0}, {{{3, 0}, {3, 0}}}});
-    // An open one as a part is solid up to its axis.
-    const Scene cut = opened("difference { lathe { 2, <1, 0>, <1, 1> } sphere { 9, .1 } }").scene;
-    const Shape& part = shape<Difference>(cut).parts->at(0).shape;
-    CHECK_FALSE(std::get<Lathe>(part).open());
-    CHECK(std::get<Lathe>(part).contains({.5, .5, 0}));
+    // An open one as a part is solid up to its least radius and its ends, where nothing is seen.
+    const Scene cut = opened("difference { lathe { 4, <1.2, 1>, <1, 2>, <2, 2>, <2, 0> } sphere { 9, .1 } }").scene;
+    const std::vector<Primitive>& parts = *std::get<Difference>(shape<Difference>(cut).parts->at(0).shape).parts;
+    REQUIRE(parts.size() == 4);
+    CHECK_FALSE(std::get<Lathe>(parts[0].shape).open());
+    for (std::size_t i = 1; i < parts.size(); ++i) CHECK(cut.materials[parts[i].material].rgb.transmit == 1);
+    for (const double y : {-.0001, .0001, .9999, 1.0001, 1.4, 1.6, 1.9999, 2.0001}) {
+        CHECK(contains(cut.primitives[0], {1.1, y, 0}) == (y > 0 && y < 2 && !(y > 1 && y < 1.5)));
+        CHECK_FALSE(contains(cut.primitives[0], {.9, y, 0}));
+    }
+    const auto inner = [&](const std::string& words) { return lathe(words).data->inner; };
+    CHECK(inner("bezier_spline 4, <.6, 0>, <.3, .4>, <.35, .8>, <.8, 1.3>") == .3);
+    CHECK(inner("quadratic_spline 4, <1, -1>, <1, 0>, <.5, 1>, <1, 2>") == .5);
+    CHECK(shape<Lathe>(whole("sor { 4, <.3, 0>, <.3, .2>, <.4, .6>, <.3, 1> open }")).data->inner == 0);
     CHECK(says(notes_of("\nlathe { 2, <0, 0>, <0, 1> }"), "left out: a body without extent: it has no surface"));
 }
 

@@ -1,5 +1,5 @@
-// Blobs and sweeps by themselves: crosses them with rays one by one, compares that with the referee, and tests rays that
-// start on them.
+// Blobs and sweeps by themselves: crosses them with rays one by one, compares that with the referee, and tests rays
+// that start on them.
 #pragma once
 #include <doctest/doctest.h>
 
