@@ -30,7 +30,7 @@ struct PovFile {
     int width = 320, height = 240;
     double gamma = 0;                    // the `assumed_gamma` of its scene
     std::vector<std::string> library{};  // folders of included files
-    std::optional<double> clock;
+    std::optional<double> clock{};
     int grid = 0;  // n > 0: as in PovRequest
     /// If given, this camera of the Scene that was made of the file replaces the file's own. `mirrored`: that scene is
     /// the file's mirror image in z.
