@@ -232,7 +232,7 @@ template <class P, class S, class T>
 void trace_in_parts(const World<T>& world, const Limits<T>& limits, int slot, int depth, const PixelBatch<T>& batch,
                     Workspace<T>& workspace, Counts& counts) {
     if (limits.stopped()) return;
-    constexpr int part = batch_rays / 2;
+    const int part = room_of_queue(world) / rays_of_hit(world);
     const Generation<T>& all = generation(workspace, slot);
     Generation<T>& next = generation(workspace, slot + 1);
     const auto go = [&](const Generation<T>& some) {

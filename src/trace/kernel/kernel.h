@@ -88,8 +88,8 @@ struct HitList {
     T* order;             // numbers of the rays, by the bin of their hit, see of(); misses have the bin World::bins
     std::int32_t* count;  // by bin
     T* of(int bin) const { return order + std::size_t(bin) * capacity; }
-    static constexpr std::size_t capacity = batch_rays + 336;  // packs are stored whole; not a power of two, or bins
-                                                               // would compete for the same lines of caches
+    static constexpr std::size_t capacity = batch_rays + 80;  // packs are stored whole; not a power of two, or bins
+                                                              // would compete for the same lines of caches
 };
 
 /// Numbered stacks of the transparent bodies that rays have entered, as POV-Ray keeps them: each is a shorter stack and

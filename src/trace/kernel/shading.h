@@ -6,6 +6,17 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
+/// Returns how many rays a hit makes at most: two for each of the normals of its layers.
+template <class T>
+int rays_of_hit(const World<T>& world) {
+    return 2 * (1 + world.finishes.most_bends);
+}
+/// Returns how many rays a queue may hold before a further pack of hits.
+template <class T>
+int room_of_queue(const World<T>& world) {
+    return batch_rays - 2 * world.finishes.most_bends * static_cast<int>(widest_pack);
+}
+
 /// The inputs and outputs of shading one generation, by a kernel of policy P (see plain.h).
 template <class S, class P>
 struct Shading {
@@ -22,7 +33,10 @@ struct Shading {
     int depth;
     bool has_notes;  // hits have HitNotes: sights are noted, patterns filtered, or normals bent
 
-    bool full() const { return next.open.count + refracted.count > batch_rays || next.inside.count > batch_rays; }
+    bool full() const {
+        const int room = room_of_queue(world);
+        return next.open.count + refracted.count > room || next.inside.count > room;
+    }
 };
 
 /// Picks the values of up to `lanes` rays from arrays by ray; lanes left over get those of any ray.

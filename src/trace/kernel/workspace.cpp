@@ -5,8 +5,7 @@
 
 namespace strahl {
 namespace {
-// Whole packs are stored past the end, of layers with up to 8 normals two of each.
-constexpr std::size_t queue_capacity = batch_rays + 18 * widest_pack;
+constexpr std::size_t queue_capacity = batch_rays + 4 * widest_pack;  // whole packs are stored past the end
 constexpr std::size_t most_hit_bins = 128;
 }  // namespace
 

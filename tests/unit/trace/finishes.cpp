@@ -86,6 +86,24 @@ TEST_CASE("layers have their own bumps") {
     CHECK(off(same, scene("rgb <.8, .3, .2>" + bozo + veil + flat + "}"), 1, same, 0) > .01);
 }
 
+TEST_CASE("rays of layers with their own bumps are all followed where one pixel makes more than are held at once") {
+    const auto scene = [](const std::string& first, const std::string& second) {
+        const Scene room = parse_scene(stage + lamp +
+                                           "box { <-9, -9, -9>, <9, 9, 9>  material { rgb <1, .8, .6>  reflection .3"
+                                           "  coat { rgb <.9, .5, .5, 0, .5>  reflection .3  diffuse .1 " +
+                                           first + " }  coat { rgb <.5, .5, .9, 0, .5>  reflection .2  diffuse .1 " +
+                                           second + " } } }",
+                                       "x");
+        Camera camera = room.camera;
+        camera.position = {0, -7, 1};
+        return render(room, {.camera = camera, .width = 3, .height = 2, .depth = 10}, Precision::float64, 1);
+    };
+    // Each hit makes three rays, so that 19683 are in the last generation of a pixel.
+    const Frame one = scene("", "");
+    const Frame three = scene("bump solid { waves  height 0 }", "bump solid { waves  height 0  frequency 2 }");
+    CHECK(off(three, one, 1, one, 0) < 1e-9);
+}
+
 TEST_CASE("light goes through mixed glass, and its shadows, as the mean of what goes through both") {
     const auto scene = [&](const std::string& material) {
         return picture(
