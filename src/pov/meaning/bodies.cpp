@@ -184,13 +184,14 @@ void close_lathe(Primitive& body, int unseen) {
     contours.clear();
     std::vector<Primitive> parts(1);
     const double more = 1e-3 * open.unit;
+    const bool ends = open.unit <= endless / 4;
     const auto lengthened = [&](const Point& end) {
-        if (end[0] == 0 || open.unit > endless / 4) return end;
+        if (end[0] == 0 || !ends) return end;
         const double side = solid.contains({.999 * end[0], end[1] + 1e-6 * open.unit, 0}) ? -1 : 1;
         parts.push_back({Cylinder{{0, end[1], 0}, {0, end[1] + 2 * side * more, 0}, end[0] + more}, unseen, {}});
         return Point{end[0], end[1] + side * more};
     };
-    if (open.inner > 0 && open.unit <= endless / 4) {
+    if (open.inner > 0 && ends) {
         const double middle = open.centre[1], reach = open.half[1] + 2 * more;
         parts.push_back({Cylinder{{0, middle - reach, 0}, {0, middle + reach, 0}, open.inner}, unseen, {}});
     }

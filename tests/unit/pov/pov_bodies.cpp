@@ -63,7 +63,7 @@ TEST_CASE("POV-Ray: boxes and planes of an intersection that only touch have a f
     CHECK(contains(scene.primitives[0], {1.000001, 2.35, 0}));
     CHECK_FALSE(contains(scene.primitives[0], {1.000001, 2.25, 0}));
     CHECK_FALSE(contains(scene.primitives[0], {1.0001, 2.35, 0}));
-    // Those beside each other do not touch.
+    // Leaves boxes as they are that lie beside each other.
     const Scene apart = whole(teeth + "box { <.5, 4, -1>, <1, 5, 1> } }");
     CHECK(shape<Intersection>(apart).parts->at(1).shape == Shape(Cuboid{{.5, 4, -1}, {1, 5, 1}}));
 }

@@ -65,7 +65,7 @@ TEST_CASE("layers have their own bumps") {
                       matt = "rgb <.8, .3, .2>  blinn .7  reflection .3  diffuse .6 ";
     for (const auto& [a, b] : {std::pair(bozo, waves), {bozo, none}, {none, waves}}) {
         CAPTURE(a + b);
-        // Of stacks each is lit and mirrors by its own normals.
+        // Checks that each of two stacks is lit and mirrors by its own normals.
         const Frame one = scene(satin + a), two = scene(matt + b);
         const std::string own = b.empty() ? flat : b;
         CHECK(off(scene(satin + a + "share <.25, .25, .25>  coat { share <.75, .75, .75> " + matt + own + " }"), one,
@@ -153,7 +153,7 @@ TEST_CASE("a body looks as its two sides do, to the eye and to shadow rays") {
         CHECK(off(scene("-1", sides, more), inside, 1, inside, 0) < 1e-12);
         CHECK(off(outer, inside, 1, inside, 0) > .1);
     }
-    // What comes out of a ball of glass has passed both sides, on its way to the eye and on that of light.
+    // Checks balls of glass: light that comes out of one has passed both sides, to the eye and from the lamp.
     const std::string clear = "diffuse 0  ambient 0  reflection 0  specular 0  ";
     const std::string light = "light { position <0, 0, 8>  color <1, 1, 1> } ";
     const std::string floor = "plane { <0, 0, -2>, <1, 0, -2>, <0, 1, -2> " + white + "} } ";
