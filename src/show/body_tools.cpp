@@ -19,12 +19,15 @@ void BodyTools::loaded(const Loaded& scene) {
         bodies.take_lines(scene.lines, scene.text);
         return bodies.look(*session.scene);
     }
+    // What the text on its way is to do is done when that arrives, also if it was written into the file meanwhile.
+    const bool on_its_way = !scene.opened && scene.text == bodies.edited.text();
     if (scene.opened) not_shown.show_all();
     if (scene.opened)
         bodies.open(scene.text, is_pov(scene.path));
     else if (bodies.edited.reload(scene.text))
         notes.announce("the file has other numbers now, which replace yours");
-    handles.let_go(), awaited = {};
+    handles.let_go();
+    if (!on_its_way) awaited = {};
     good = scene.text;
     bodies.take_lines(scene.lines, scene.text);
     if (bodies.edited.changed()) return show_anew();  // there may be other bodies than in the file

@@ -74,11 +74,14 @@ drag "$x" "$y" 0 -20
 xdotool keyup Control_L
 writes '^sphere { <-2, 0, [1-3]\(\.[1-9]\)\?>, 1 }  // the ball$'
 xdotool key ctrl+z
+await 'undone'
+await 'the changed text is shown'
 
-echo "-- it is copied, and the copy removed"
-xdotool key ctrl+d
+echo "-- it is copied and written at once, and the copy removed"
+xdotool key --delay 1 ctrl+d F2
 await 'body 1 copied'
-writes '^sphere { <-2, 0, 1>, 1 }$'
+await 'written into'
+grep -q '^sphere { <-2, 0, 1>, 1 }$' scene.rt || fault "there is no copy: $(<scene.rt)"
 [[ $(wc -l <scene.rt) == 8 ]] || fault "not one line more: $(<scene.rt)"
 xdotool key Delete
 await 'body 2 removed; Ctrl+Z brings it back'
