@@ -109,14 +109,15 @@ void SceneMaker::add_light(const ObjectThing& object, const Around& around) {
     light_places.push_back(object.place);
 }
 
-/// Moves lights and the camera off surfaces that they lie on, to the side that the camera sees: in POV-Ray what is
-/// nearer than 1e-3 to a light casts no shadow, and what is nearer than 1e-4 to the camera is not seen.
+/// Moves the camera off flat surfaces that it lies on, to the side that it looks to: in POV-Ray what is nearer than 1e-4
+/// to it is not seen.
 void SceneMaker::leave_surfaces() {
-    constexpr double near_light = 1e-3, near_eye = 1e-4;
-    const DVec3 eye = scene.camera.position, view = scene.camera.look_at - eye;
-    std::vector<std::pair<DVec3*, double>> points{{&scene.camera.position, near_eye}};
-    for (Light& light : scene.lights)
-        if (!light.direction) points.emplace_back(&light.position, near_light);
+    constexpr double reach = 1e-4;
+    DVec3& eye = scene.camera.position;
+    const DVec3 way = .01 * (scene.camera.look_at - eye);
+    const double away = length(way);
+    if (!(away > 0)) return;
+    const DVec3 towards = way / away;
     const auto is_flat = []<class Kind>(const Kind&) {
         return is_composite<Kind> || std::is_same_v<Kind, Cuboid> || std::is_same_v<Kind, Plane> ||
                std::is_same_v<Kind, Disc> || std::is_same_v<Kind, Cylinder>;
@@ -124,20 +125,14 @@ void SceneMaker::leave_surfaces() {
     for (const Primitive& body : scene.primitives) {
         if (!std::visit(is_flat, body.shape)) continue;
         const Box box = world_bounds(body);
-        for (const auto& [point, reach] : points) {
-            bool holds = true;
-            for (int i = 0; i < 3; ++i)
-                holds &= (*point)[i] >= box.low[i] - reach && (*point)[i] <= box.high[i] + reach;
-            const DVec3 way = eye + .01 * view - *point;
-            const double away = length(way);
-            if (!holds || !(away > 0)) continue;
-            const DVec3 towards = way / away;
-            const auto hits = ray_hits(body, {*point - reach * towards, towards, {}}, 0, 2 * reach);
-            if (hits.empty()) continue;
-            const DVec3 normal = hits[0].normal * (dot_product(hits[0].normal, towards) < 0 ? -1. : 1.);
-            const double behind = (hits[0].t - reach) * dot_product(normal, towards);
-            *point = *point + (std::max(behind, 0.) + 1e-7 * (1 + away)) * normal;
-        }
+        bool holds = true;
+        for (int i = 0; i < 3; ++i) holds &= eye[i] >= box.low[i] - reach && eye[i] <= box.high[i] + reach;
+        if (!holds) continue;
+        const auto hits = ray_hits(body, {eye - reach * towards, towards, {}}, 0, 2 * reach);
+        if (hits.empty()) continue;
+        const DVec3 normal = hits[0].normal * (dot_product(hits[0].normal, towards) < 0 ? -1. : 1.);
+        const double behind = (hits[0].t - reach) * dot_product(normal, towards);
+        eye = eye + (std::max(behind, 0.) + 1e-7 * (1 + away)) * normal;
     }
 }
 

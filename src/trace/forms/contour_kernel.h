@@ -12,21 +12,23 @@ struct FormFunctions<OwnForm, S> : SingleByPack<FormFunctions<OwnForm, S>, S> {
     using T = Element<S>;
     static void intersect(const World<T>& world, int first, int count, const Ray<S>& ray, Mask<S> mask,
                           Nearest<S>& best) {
+        const S over(passed_over(world));
         for (int i = first; i < first + count; ++i)
-            each_crossing(world, i, 1, ray, mask, [&](Mask<S> lanes, const S& t, const S& surface) {
-                const Mask<S> better = lanes & (t > S(0)) & closer(t, surface, best.t, best.surface);
+            each_crossing(world, i, enough(world), ray, mask, [&](Mask<S> lanes, const S& t, const S& surface) {
+                const Mask<S> better = lanes & (t > over) & closer(t, surface, best.t, best.surface);
                 best.t = select(better, t, best.t);
                 best.surface = select(better, surface, best.surface);
             });
     }
     static bool occlude(const World<T>& world, int first, int count, const Ray<S>& ray, const S& distance, Mask<S> mask,
                         Transmission<S>& light) {
+        const S over(passed_over(world));
         for (int i = first; i < first + count; ++i) {
             const auto& item = items(world)[i];
             const bool clear = transparent(world, item), painted = patterned(world, static_cast<int>(item.material));
-            each_crossing(world, i, clear ? BlobData::unlimited : 1, ray, mask,
+            each_crossing(world, i, clear ? BlobData::unlimited : enough(world), ray, mask,
                           [&](Mask<S> lanes, const S& t, const S& surface) {
-                              lanes = lanes & (t > S(0)) & (t < distance);
+                              lanes = lanes & (t > over) & (t < distance);
                               if (none(lanes)) return;
                               if (!clear) return void(light.limit = select(lanes, S(-1), light.limit));
                               if (painted)
@@ -77,6 +79,13 @@ struct FormFunctions<OwnForm, S> : SingleByPack<FormFunctions<OwnForm, S>, S> {
     }
 
   private:
+    /// Returns up to which distance from where rays start crossings are not there for them. It is longer for blobs than
+    /// for other bodies, as in POV-Ray; parts of composites need all crossings.
+    static T passed_over(const World<T>& world) {
+        return std::is_same_v<typename OwnForm::Kind, Blob> ? 100 * world.passed_over : T(0);
+    }
+    /// Returns how many crossings are needed to find the nearest one that is there.
+    static int enough(const World<T>& world) { return passed_over(world) > T(0) ? BlobData::unlimited : 1; }
     static const Item<OwnForm, T>* items(const World<T>& world) { return world.groups.template get<OwnForm>().items; }
     static auto first_piece(const World<T>& world, const Item<OwnForm, T>& item) {
         if constexpr (has_contours<typename OwnForm::Kind>)

@@ -1,5 +1,4 @@
-// Shadow rays of worlds in whose bodies light fades, or whose surfaces have two sides: from surface to surface, as
-// POV-Ray follows them.
+// Shadow rays through clear surfaces: from surface to surface, as POV-Ray follows them.
 #pragma once
 #include <algorithm>
 
@@ -100,7 +99,7 @@ template <class S>
     Vec3<S> share = splat<S>(Vec3<Element<S>>(1));
     Ray<S> own = ray;
     Start<S> inside = start;
-    S left = distance, way(0);
+    S left = way_before_light(world, ray, distance), way(0);
     for (int i = 0; i < most_surfaces && any(active); ++i) {
         Nearest<S> met = nearest(world, own, active, ~BodySet(0));
         const S over(world.passed_in_shadows);
@@ -118,6 +117,19 @@ template <class S>
         }
         active = active & (max(share.x, max(share.y, share.z)) > S(0));
     }
+    return share;
+}
+
+/// Does so where light neither fades nor surfaces have two sides: only rays that clear surfaces dim need be followed,
+/// since what is near behind such a surface is passed over.
+template <class S>
+[[gnu::noinline]] Vec3<S> clear_visibility(const World<Element<S>>& world, const Ray<S>& ray, const S& distance,
+                                           Mask<S> active, const Start<S>& start) {
+    const S way = way_before_light(world, ray, distance);
+    Vec3<S> share = visibility_of_all(world, ray, way, active, start);
+    const Mask<S> less = active & dimmed(share), lit = less & (max(share.x, max(share.y, share.z)) > S(0));
+    look_past(world, ray, way, less & !lit, start, share);
+    if (any(lit)) share = select(lit, faded_visibility(world, ray, distance, lit, start), share);
     return share;
 }
 

@@ -397,32 +397,45 @@ template <class S>
     return select(light.limit < S(0), Vec3<S>(S(0), S(0), S(0)), light.share);
 }
 
-/// Finds the light of rays of which bodies take some once more, without those that are passed over.
+/// Returns the rays that lose light.
 template <class S>
-[[gnu::noinline]] void look_past(const World<Element<S>>& world, const Ray<S>& ray, const S& distance, Mask<S> dimmed,
+Mask<S> dimmed(const Vec3<S>& share) {
+    return Mask<S>((share.x < S(1)) | (share.y < S(1)) | (share.z < S(1)));
+}
+
+/// Finds the light of these rays once more without the bodies that are passed over, if there are any.
+template <class S>
+[[gnu::noinline]] void look_past(const World<Element<S>>& world, const Ray<S>& ray, const S& distance, Mask<S> lanes,
                                  const Start<S>& start, Vec3<S>& share) {
-    const auto any_lost = [](const Vec3<S>& light) {
-        return Mask<S>((light.x < S(1)) | (light.y < S(1)) | (light.z < S(1)));
-    };
-    dimmed = dimmed & any_lost(share);
-    if (none(dimmed)) return;
+    if (none(lanes)) return;
     const S way(world.passed_in_shadows);
     Start<S> near = start;
     near.ends_early = true;
-    const Mask<S> close = dimmed & any_lost(visibility_of_all(world, ray, min(distance, way), dimmed, near));
+    const Mask<S> close = lanes & dimmed(visibility_of_all(world, ray, min(distance, way), lanes, near));
     if (none(close)) return;
     Ray<S> behind{ray.origin, ray.direction, S(-1)};
     for (int c = 0; c < 3; ++c) behind.origin[c] = fma(way, ray.direction[c], ray.origin[c]);
     share = select(close, visibility_of_all(world, behind, max(distance - way, S(0)), close, start), share);
 }
 
+/// Returns up to where bodies are in the way of a light: not as far as this itself, so that one on a surface shines
+/// away from it, as in POV-Ray, whichever side rounding leaves it on.
+template <class S>
+STRAHL_INLINE S way_before_light(const World<Element<S>>& world, const Ray<S>& ray, const S& distance) {
+    if (world.passed_in_shadows <= 0) return distance;
+    const S bits(64 * std::numeric_limits<Element<S>>::epsilon());
+    return (S(1) - bits) * distance - bits * (abs(ray.origin.x) + abs(ray.origin.y) + abs(ray.origin.z));
+}
+
 /// Returns the share of light that is transmitted, see Visibility.
 template <class S>
 STRAHL_INLINE Vec3<S> visibility(const World<Element<S>>& world, const Ray<S>& ray, const S& distance, Mask<S> active,
                                  const Start<S>& start) {
-    Vec3<S> share = visibility_of_all(world, ray, distance, active, start);
-    if (world.passed_in_shadows > 0) [[unlikely]]
-        look_past(world, ray, distance, active, start, share);
+    if (world.passed_in_shadows <= 0) [[likely]]
+        return visibility_of_all(world, ray, distance, active, start);
+    const S way = way_before_light(world, ray, distance);
+    Vec3<S> share = visibility_of_all(world, ray, way, active, start);
+    look_past(world, ray, way, active & dimmed(share), start, share);
     return share;
 }
 
