@@ -207,6 +207,7 @@ PovRun run_povray_file(const PovFile& file, int threads, const std::atomic<bool>
                                    "Warning_Console=On",
                                    "Verbose=Off",
                                    file_gamma(file.gamma)};
+    if (file.by_tree) words.push_back("Bounding_Method=2");
     if (file.clock) words.push_back("+K" + text_of(*file.clock));
     for (const std::string& folder : file.library) words.push_back("+L\"" + fs::absolute(folder).string() + '"');
     if (threads > 0) words.push_back("Work_Threads=" + std::to_string(threads));

@@ -36,6 +36,7 @@ struct PovFile {
     /// the file's mirror image in z.
     std::optional<Camera> camera{};
     bool mirrored = false;
+    bool by_tree = false;  // bodies are found by POV-Ray's other hierarchy of boxes
 };
 
 /// Renders a file in its folder; without a grid one ray through the middle of each pixel. Throws as run_povray does.

@@ -25,7 +25,8 @@ struct Verdict {
 /// A pixel this near to an edge, in pixels, may differ, because POV-Ray ignores lengths below 1e-4 and 1e-3.
 inline constexpr double edge_radius = 0.01;
 
-/// Makes POV-Ray's picture once more, moved by a millionth of a pixel, for each number to another side.
+/// Makes POV-Ray's picture once more, moved by a millionth of a pixel, for each number to another side, and for every
+/// other one by another hierarchy of boxes: those in single precision may hide one of two faces in one place.
 using Again = std::function<Picture(int number)>;
 inline constexpr int most_again = 8;
 

@@ -107,7 +107,7 @@ bool check(const CrosscheckOptions& options, const std::string& path, const std:
     const OurRun ours = trace(tracer, view, options.threads, stop);
     const Again again = [&](int number) {
         file.camera = moved(scene.camera, file.width, double(file.width) / file.height, number);
-        file.mirrored = opened.mirrored;
+        file.mirrored = opened.mirrored, file.by_tree = number % 2 == 0;
         return run_povray_file(file, options.threads, stop).picture;
     };
     const Verdict verdict =

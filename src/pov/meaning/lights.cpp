@@ -109,8 +109,8 @@ void SceneMaker::add_light(const ObjectThing& object, const Around& around) {
     light_places.push_back(object.place);
 }
 
-/// Moves the camera off flat surfaces that it lies on, to the side that it looks to: in POV-Ray what is nearer than 1e-4
-/// to it is not seen.
+/// Moves the camera off flat surfaces that it lies on, to the side that it looks to: in POV-Ray what is nearer than
+/// 1e-4 to it is not seen.
 void SceneMaker::leave_surfaces() {
     constexpr double reach = 1e-4;
     DVec3& eye = scene.camera.position;

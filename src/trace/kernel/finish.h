@@ -70,9 +70,9 @@ void add_lights(const Shading<S, P>& shading, const Hit<S>& hit, const int* numb
     const S zero(0);
     const Vec3<S>& flat = world.patterns.bends ? notes.flat : hit.normal;
     const Vec3<S> reflected = reflect(hit), nothing = splat<S>(Vec3<T>(0));
-    const Visibility<S> visible = world.finishes.follows                                 ? faded_visibility<S>
+    const Visibility<S> visible = world.finishes.follows                                ? faded_visibility<S>
                                   : world.transparent && world.passed_in_shadows > T(0) ? clear_visibility<S>
-                                                                                         : visibility<S>;
+                                                                                        : visibility<S>;
     const Mask<S> both = world.finishes.behind ? FinishCalls<S>::lit_behind(world, numbers) : first_lanes<S>(0);
     const bool through = lights_bent_sides(world);
     for (int i = 0; i < world.light_count; ++i) {

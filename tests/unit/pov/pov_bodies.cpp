@@ -78,18 +78,14 @@ TEST_CASE("POV-Ray: a plane is seen where a body has a face in its place") {
     CHECK(box_of("location -5*y look_at 0").opposite.y == 0);  // that side is not seen
 }
 
-TEST_CASE("POV-Ray: lights and the camera are beside the surfaces that they lie on, where they look") {
-    const std::string room =
-        "camera { right -4/3*x location <0, 1, -3> look_at <0, 1, 0> } box { <-3, 0, -3>, <3, 4, 3> } ";
-    const Scene scene = whole(room + "light_source { <0, 4, 0> rgb 1 } light_source { <0, 2, 0> rgb 1 }", false);
+TEST_CASE("POV-Ray: a camera is beside the surface that it lies on, where it looks; lights stay") {
+    const Scene scene = whole(
+        "camera { right -4/3*x location <0, 1, -3> look_at <0, 1, 0> } "
+        "box { <-3, 0, -3>, <3, 4, 3> } light_source { <0, 4, 0> rgb 1 }",
+        false);
     CHECK(scene.camera.position.z > -3);
     CHECK(scene.camera.position.z < -3 + 1e-5);
-    CHECK(scene.lights.at(0).position.y < 4);
-    CHECK(scene.lights.at(0).position.y > 4 - 1e-5);
-    CHECK(scene.lights.at(1).position == DVec3(0, 2, 0));
-    // Covers a light by less than POV-Ray's tolerance, for which that is nothing.
-    const Scene covered = whole(room + "light_source { <0, 4.0005, 0> rgb 1 }", false);
-    CHECK(covered.lights.at(0).position.y < 4);
+    CHECK(scene.lights.at(0).position == DVec3(0, 4, 0));
 }
 
 TEST_CASE("POV-Ray: a polygon of several outlines is where an odd number of them is") {
