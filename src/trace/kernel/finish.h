@@ -164,7 +164,7 @@ template <class S, class P>
     const S zero(0), one(1);
     constexpr int deepest = 256;  // also of rays that go straight on, whose level stays
     const Vec3<S> before = tint_of(from, pick);
-    const Vec3<S> tint = world.fog.any ? before * tint_of_fog(world, S(hit.medium)) : before;
+    Vec3<S> tint = world.fog.any ? before * tint_of_fog(world, S(hit.medium)) : before;
     if (world.finishes.hides) {
         const Mask<S> hidden = hit.active & FinishCalls<S>::hidden(world, numbers, pick(from.mirrored));
         if (bend == 0 && any(hidden) && shading.depth < deepest)
@@ -186,6 +186,11 @@ template <class S, class P>
     const S level = pick(from.level);
     const Mask<S> deeper = hit.active & (level < S(static_cast<T>(shading.limits.depth)));
     if (none(deeper) || shading.depth >= deepest) return bend == 0 ? truncate(shading, hit) : void();
+    if (world.fog.any && world.finishes.bailout > T(0)) {
+        // POV-Ray follows rays by their strength before fog dims them.
+        const S strength = pick(from.weight);
+        tint = scale(hit.weight / strength, tint), hit.weight = strength;
+    }
     const S least(std::numeric_limits<T>::min());  // so that 1 / share is finite
     const Mask<S> glass = deeper & (largest(layers.through) > least);
     const bool bends = world.patterns.bends;
