@@ -72,6 +72,81 @@ std::vector<Contour> contours_of(SplineKind kind, std::span<const Point2> points
     return contours;
 }
 
+namespace {
+
+/// A piece of a sor: its squared radius is a cubic of t from 0 to 1, along which the height grows evenly.
+struct SorPiece {
+    double first, m, c, d;  // first + t (m + t (c + t d))
+    double base, height;
+    double radius, last;  // at its ends
+
+    double square(double t) const { return first + t * (m + t * (c + t * d)); }
+    double slope(double t) const { return m + t * (2 * c + t * 3 * d); }
+    Point2 at(double t) const {
+        return {t == 0 ? radius : t == 1 ? last : std::sqrt(std::max(square(t), 0.)), base + t * height};
+    }
+    /// Returns the direction there, of length 1. It is level where the radius is 0, unless that has a tip.
+    Point2 direction(double t, const Point2& point) const {
+        double aside = slope(t), up = 2 * point[0] * height;
+        if (up == 0 && std::fabs(aside) <= 1e-12 * (std::fabs(m) + std::fabs(c) + std::fabs(d)))
+            aside = std::copysign(std::sqrt(std::max(c + t * 3 * d, 0.)), .5 - t), up = height;
+        const double length = std::hypot(aside, up);
+        return length > 0 ? Point2{aside / length, up / length} : Point2{0, std::copysign(1., height)};
+    }
+    /// Returns how far a point is from the surface, nearly, and below 0 inside.
+    double away(const Point2& p) const {
+        const double t = (p[1] - base) / height, steep = std::hypot(2 * p[0], slope(t) / height);
+        return steep > 0 ? (p[0] * p[0] - square(t)) / steep : p[0];
+    }
+    /// Returns where the radius begins or ends, between the ends of the piece.
+    std::vector<double> parts() const {
+        constexpr int steps = 64;
+        std::vector<double> places{0};
+        for (int i = 0; i < steps; ++i) {
+            double low = double(i) / steps, high = double(i + 1) / steps;
+            if ((square(low) > 0) == (square(high) > 0) || square(low) == 0 || square(high) == 0) continue;
+            for (int k = 0; k < 60; ++k) {
+                const double middle = (low + high) / 2;
+                ((square(middle) > 0) == (square(low) > 0) ? low : high) = middle;
+            }
+            // Nearer to the ends rounding makes them.
+            if (std::min(low, 1 - low) > 1e-6) places.push_back(low);
+        }
+        places.push_back(1);
+        return places;
+    }
+};
+
+/// Adds a part of a piece as cubic curves: their ends and directions there are the piece's, and so are their middles.
+void add_sor(const SorPiece& piece, double low, double high, double tolerance, int halvings, Contour& contour) {
+    const Point2 from = piece.at(low), to = piece.at(high);
+    if (!(piece.square((low + high) / 2) > 0)) return contour.strokes.push_back({to, to});
+    const Point2 d = piece.direction(low, from), e = piece.direction(high, to);
+    double reach = std::hypot(to[0] - from[0], to[1] - from[1]) / 3;
+    const double shortest = reach / 2, longest = reach * 2;
+    const auto on = [&](double t) {
+        const double u = 1 - t, p = u * u * (1 + 2 * t), q = t * t * (1 + 2 * u), k = 3 * t * u * reach;
+        return Point2{p * from[0] + q * to[0] + k * (u * d[0] - t * e[0]),
+                      p * from[1] + q * to[1] + k * (u * d[1] - t * e[1])};
+    };
+    for (int i = 0; i < 8; ++i) {
+        const double off = piece.away(on(.5)), before = reach, step = 1e-4 * reach;
+        reach += step;
+        const double change = (piece.away(on(.5)) - off) / step;
+        reach = std::fabs(change) > 1e-6 ? std::clamp(before - off / change, shortest, longest) : before;
+    }
+    double off = 0;
+    for (const double t : {.25, .5, .75}) off = std::max(off, std::fabs(piece.away(on(t))));
+    if (halvings == 0 || off <= tolerance)
+        return contour.strokes.push_back(
+            {{from[0] + reach * d[0], from[1] + reach * d[1]}, to, Point2{to[0] - reach * e[0], to[1] - reach * e[1]}});
+    const double half = (low + high) / 2;
+    add_sor(piece, low, half, tolerance, halvings - 1, contour);
+    add_sor(piece, half, high, tolerance, halvings - 1, contour);
+}
+
+}  // namespace
+
 Contour contour_of_sor(std::span<const Point2> points, bool open) {
     Contour contour;
     double largest = 0;
@@ -85,40 +160,15 @@ Contour contour_of_sor(std::span<const Point2> points, bool open) {
         const double height = q[1] - p[1], m = slope(i) * height, n = slope(i + 1) * height;
         if (!std::isfinite(m) || !std::isfinite(n) || height == 0) return {};
         const double first = p[0] * p[0], rise = q[0] * q[0] - first;
-        const double c = 3 * rise - 2 * m - n, d = m + n - 2 * rise;
-        const auto square = [&](double t) { return first + t * (m + t * (c + t * d)); };
-        const auto at = [&](double t) {
-            const double radius = t == 0 ? p[0] : t == 1 ? q[0] : std::sqrt(std::max(square(t), 0.));
-            return Point2{radius, t == 1 ? q[1] : p[1] + t * height};
-        };
         if (i == 1) {
             contour.start = open ? p : Point2{0, p[1]};
             if (!open) contour.strokes.push_back({p, p});
         }
-        const auto add = [&](const auto& self, double low, double high, int halvings) -> void {
-            const Point2 from = at(low), to = at(high);
-            const double own = (high - low) / 3;
-            const auto control = [&](double t, const Point2& end, double step) {
-                const double by = (m + t * (2 * c + t * 3 * d)) / (2 * end[0]);
-                return Point2{end[0] + step * by, end[1] + step * height};
-            };
-            Contour::Stroke step{control(low, from, own), to, control(high, to, -own)};
-            Point2 middle{(from[0] + to[0] + 3 * (step.control[0] + (*step.second)[0])) / 8, 0};
-            // Where a radius is 0 the curve is a parabola about the axis, or nearly.
-            if (from[0] == 0 || to[0] == 0) {
-                const bool begins = from[0] == 0;
-                const Point2 end = begins ? to : from;
-                Point2 corner = end[0] == 0 ? to : control(begins ? high : low, end, begins ? -3 * own : 3 * own);
-                corner[1] = begins ? from[1] : to[1];
-                step = {corner, to};
-                middle[0] = (from[0] + to[0] + 2 * corner[0]) / 4;
-            }
-            const double off = std::fabs(middle[0] - at((low + high) / 2)[0]);
-            if (halvings > 8 || off <= 2e-7 * largest) return contour.strokes.push_back(step);
-            const double half = (low + high) / 2;
-            self(self, low, half, halvings + 1), self(self, half, high, halvings + 1);
-        };
-        add(add, 0, 1, 0);
+        const SorPiece piece{first, m, 3 * rise - 2 * m - n, m + n - 2 * rise, p[1], height, p[0], q[0]};
+        const std::vector<double> places = piece.parts();
+        for (std::size_t k = 1; k < places.size(); ++k)
+            add_sor(piece, places[k - 1], places[k], 7e-9 * largest, 8, contour);
+        contour.strokes.back().end = q;
     }
     if (!open && !contour.strokes.empty()) {
         const Point2 end{0, contour.strokes.back().end[1]};

@@ -12,7 +12,7 @@ namespace strahl::pov {
 /// Returns the contours that the splines of a prism are, or that of a lathe, which goes on where it is closed.
 std::vector<Contour> contours_of(SplineKind kind, std::span<const Point2> points, bool turned = false);
 /// Returns the contour of a sor, whose squared radius is a cubic of the height between points, as cubic curves: these
-/// are off by no more than 2e-7 of the largest radius. It is empty if heights of points are equal.
+/// are off by no more than 1e-8 of the largest radius. It is empty if heights of points are equal.
 Contour contour_of_sor(std::span<const Point2> points, bool open);
 /// Returns the moves to places by uv of a lathe, and of a sor: around it, and along the pieces of its spline, or by the
 /// heights of those of a sor, whose flat ends are at -1 to 0 and at 1 to 2.

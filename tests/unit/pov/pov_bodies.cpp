@@ -446,8 +446,8 @@ TEST_CASE("POV-Ray: a sor is a lathe whose squared radius is a cubic of the heig
         const double lower = std::sqrt(square(t, .64, .09, .5 * 1.6 * -.2, .5 * .6 * -1));
         const double upper = std::sqrt(square(t, .09, 0, .3 * .6 * -1, 0));
         for (const auto& [radius, y] : {std::pair(lower, .5 + .5 * t), std::pair(upper, 1 + .3 * t)}) {
-            CHECK(vase.contains({radius - 2e-7, y, 0}));
-            CHECK_FALSE(vase.contains({0, y, radius + 2e-7}));
+            CHECK(vase.contains({radius - 1e-8, y, 0}));
+            CHECK_FALSE(vase.contains({0, y, radius + 1e-8}));
         }
     }
     CHECK(sor("5, <.5, -.5>, <.5, 0>, <.8, .5>, <.3, 1>, <.2, 1.5> open").open());
