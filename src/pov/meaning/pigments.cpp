@@ -164,25 +164,27 @@ ColorStop PigmentMaker::stop_of(const Blend& blend, const MapEntry& entry, doubl
     Moves inside = moves_inside(blend);
     const auto place = std::pair(entry.thing, patterns_around);
     if (const auto known = inside.empty() ? made_stops.find(place) : made_stops.end(); known != made_stops.end()) {
-        stop = known->second, stop.at = at;
+        stop = known->second.stop, stop.at = at;
+        too_deep |= known->second.too_deep;
         return stop;
     }
     const bool alike = inside.empty();  // wherever the pattern around it is
+    const bool others_too_deep = std::exchange(too_deep, false);
     ++patterns_around;
     std::swap(around, inside);
     const Look look = look_of(*nested, {}, {});
     std::swap(around, inside);
     --patterns_around;
-    if (!look.pigment.pattern) {
+    if (look.pigment.pattern) {
+        Pattern inner = *look.pigment.pattern;
+        // The space of the pattern around it is POV-Ray's.
+        if (mirrored) inner.transformations.push_back(Scale{{1, 1, -1}});
+        stop = {at, Color(0), 0, 0, std::make_shared<const Pattern>(std::move(inner))};
+    } else {
         stop = {at, look.pigment.color, look.filter, look.transmit};
-        if (alike && !too_deep) made_stops[place] = stop;
-        return stop;
     }
-    Pattern inner = *look.pigment.pattern;
-    // The space of the pattern around it is POV-Ray's.
-    if (mirrored) inner.transformations.push_back(Scale{{1, 1, -1}});
-    stop = {at, Color(0), 0, 0, std::make_shared<const Pattern>(std::move(inner))};
-    if (alike && !too_deep) made_stops[place] = stop;
+    if (alike) made_stops[place] = {stop, too_deep};
+    too_deep |= others_too_deep;
     return stop;
 }
 
@@ -394,7 +396,8 @@ Look PigmentMaker::look_of(const PigmentThing& pigment, const Steps& way, const 
     if (patterns_around == 0 && std::exchange(too_deep, false)) {
         Pattern pattern{.kind = Checker{}, .colors = {}, .transformations = {}};
         const Brightest most = brightest_of(pigment);
-        if (pigment.blend.uv || !set_channels(colors_of(pigment, notes.in.noise_generator), {}, most, pattern)) {
+        if (pigment.blend.uv ||
+            !set_channels(colors_of(pigment, notes.in.noise_generator, &made_colors), {}, most, pattern)) {
             notes.approximated(pigment.blend.place, "patterns that are nested deeply are their mean colours");
         } else {
             pattern.transformations = space_of_argument({}, way);

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "pov/meaning/notes.h"
+#include "pov/things/pattern_values.h"
 #include "pov/things/textures.h"
 #include "scene/material.h"
 #include "text/reading/scene_files.h"
@@ -70,9 +71,15 @@ class PigmentMaker {
     bool add_mean(const Blend& blend, Pattern& pattern);
     Moves moves_inside(const Blend& blend) const;
 
+    /// What a pigment in a map became, and whether it has patterns that are nested too deeply.
+    struct MadeStop {
+        ColorStop stop;
+        bool too_deep;
+    };
     // Keep what was made of pigments in maps, so that bodies share it; stops also by how many patterns are around them.
     std::map<std::shared_ptr<const Thing>, Mean> means;
-    std::map<std::pair<std::shared_ptr<const Thing>, int>, ColorStop> made_stops;
+    std::map<std::pair<std::shared_ptr<const Thing>, int>, MadeStop> made_stops;
+    MadeColors made_colors;
     // From the space of the pigment that is made, if it is nested: into that of the pattern around it, where that
     // cannot be done by transformations.
     Moves around;

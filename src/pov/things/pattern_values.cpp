@@ -535,7 +535,7 @@ std::shared_ptr<const SolidFunction> turned_bends(const glm::dmat4& turn, std::s
     return std::make_shared<const TurnedBends>(Moves{turn}, std::move(bends));
 }
 
-std::shared_ptr<const FunctionThing> colors_of(const PigmentThing& pigment, int generator) {
+std::shared_ptr<const FunctionThing> colors_of(const PigmentThing& pigment, int generator, MadeColors* known) {
     auto made = std::make_shared<PigmentFunction>();
     made->color = pigment.color;
     const Blend& blend = pigment.blend;
@@ -551,7 +551,12 @@ std::shared_ptr<const FunctionThing> colors_of(const PigmentThing& pigment, int 
         if (average) made->total += entry.at;
         if (!entry.thing) continue;
         const auto* const nested = dynamic_cast<const PigmentThing*>(entry.thing.get());
-        entry.thing = nested ? colors_of(*nested, generator) : nullptr;
+        if (!nested) return nullptr;
+        std::shared_ptr<const FunctionThing> colors;
+        if (known) colors = (*known)[entry.thing];
+        if (!colors) colors = colors_of(*nested, generator, known);
+        if (known) (*known)[entry.thing] = colors;
+        entry.thing = std::move(colors);
         if (!entry.thing) return nullptr;
     }
     if (average && !(made->total > 0)) return nullptr;

@@ -1,5 +1,6 @@
 // Values of POV-Ray's patterns that scene text has no words for.
 #pragma once
+#include <map>
 #include <memory>
 
 #include "pov/language/user_function.h"
@@ -35,8 +36,9 @@ Moves moves_of(const Blend& blend, bool last);
 bool moves_points(const Blend& blend);
 
 /// Returns the colour of a pigment as a function of a point with five results; null where there are pictures or
-/// patterns of which the values are not known.
-std::shared_ptr<const FunctionThing> colors_of(const PigmentThing& pigment, int generator);
+/// patterns of which the values are not known. `made`, if given, keeps those of the pigments in maps.
+using MadeColors = std::map<std::shared_ptr<const Thing>, std::shared_ptr<const FunctionThing>>;
+std::shared_ptr<const FunctionThing> colors_of(const PigmentThing& pigment, int generator, MadeColors* made = nullptr);
 
 /// Returns the entries that POV-Ray takes for a pattern without a map.
 const std::vector<MapEntry>& usual_entries(const Blend& blend);
