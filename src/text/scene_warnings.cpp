@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <variant>
 
 #include "files/streams.h"
@@ -56,7 +57,9 @@ void check_pigment(const Pigment& pigment, const std::string& owner, std::vector
 }  // namespace
 
 std::vector<std::string> scene_warnings(const Scene& moving) {
-    const Scene scene = at(moving, 0);
+    std::optional<Scene> begun;
+    if (Movers(moving).any()) begun = at(moving, 0);
+    const Scene& scene = begun ? *begun : moving;
     const Camera camera = own_camera_at(moving, 0);
     std::vector<std::string> warnings;
     const auto& bodies = scene.primitives;
