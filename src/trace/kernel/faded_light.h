@@ -31,10 +31,11 @@ S stacks_beyond(const World<Element<S>>& world, MediumStacks& mediums, const S& 
 }
 
 /// Attenuates light that crosses the nearest surfaces, all of one bin, in these lanes, where the rays go on from there.
-/// `way` is how far light has come since the surface before, which surfaces that cast no shadow leave as it is.
+/// `way` is how far light has come since the surface before, and `over` how far rays pass over what is there: surfaces
+/// that cast no shadow leave both as they are.
 template <class S>
 void cross_surfaces(const World<Element<S>>& world, Ray<S>& ray, const Nearest<S>& met, Mask<S> lanes, Start<S>& start,
-                    S& way, Vec3<S>& share) {
+                    S& way, S& over, Vec3<S>& share) {
     using T = Element<S>;
     const int first_lane = first(lanes);
     const int surface = static_cast<int>(lane(met.surface, first_lane)), material = material_of(world, surface);
@@ -83,7 +84,7 @@ void cross_surfaces(const World<Element<S>>& world, Ray<S>& ray, const Nearest<S
             kept = select(leaving, kept * faded, kept);
         }
         for (int c = 0; c < 3; ++c) share[c] = select(same, min(share[c] * kept[c], S(largest_gain)), share[c]);
-        way = select(same, S(0), way);
+        way = select(same, S(0), way), over = select(same, S(world.passed_in_shadows), over);
         if (world.nested && start.mediums)
             start.medium = stacks_beyond(world, *start.mediums, start.medium, hit.body, same, leaving);
     }
@@ -99,20 +100,21 @@ template <class S>
     Vec3<S> share = splat<S>(Vec3<Element<S>>(1));
     Ray<S> own = ray;
     Start<S> inside = start;
-    S left = way_before_light(world, ray, distance), way(0);
+    S left = way_before_light(world, distance), way(0), over(world.passed_in_shadows);
     for (int i = 0; i < most_surfaces && any(active); ++i) {
         Nearest<S> met = nearest(world, own, active, ~BodySet(0));
-        const S over(world.passed_in_shadows);
         const Mask<S> close = active & (met.t < over);
         if (any(close)) {
             pass_over(world, over, close, S(-1), own, met);
             left = select(close, left - over, left), way = select(close, way + over, way);
+            over = select(close, S(0), over);
         }
         active = active & (met.t < left);
         left = select(active, left - met.t, left), way = select(active, way + met.t, way);
+        over = max(over - met.t, S(0));
         for (Mask<S> rest = active; any(rest);) {
             const Mask<S> same = rest & (met.bin == S(lane(met.bin, first(rest))));
-            cross_surfaces(world, own, met, same, inside, way, share);
+            cross_surfaces(world, own, met, same, inside, way, over, share);
             rest = rest & !same;
         }
         active = active & (max(share.x, max(share.y, share.z)) > S(0));
@@ -125,7 +127,7 @@ template <class S>
 template <class S>
 [[gnu::noinline]] Vec3<S> clear_visibility(const World<Element<S>>& world, const Ray<S>& ray, const S& distance,
                                            Mask<S> active, const Start<S>& start) {
-    const S way = way_before_light(world, ray, distance);
+    const S way = way_before_light(world, distance);
     Vec3<S> share = visibility_of_all(world, ray, way, active, start);
     const Mask<S> less = active & dimmed(share), lit = less & (max(share.x, max(share.y, share.z)) > S(0));
     look_past(world, ray, way, less & !lit, start, share);
