@@ -211,6 +211,10 @@ PovRun run_povray_file(const PovFile& file, int threads, const std::atomic<bool>
     if (file.clock) words.push_back("+K" + text_of(*file.clock));
     for (const std::string& folder : file.library) words.push_back("+L\"" + fs::absolute(folder).string() + '"');
     if (threads > 0) words.push_back("Work_Threads=" + std::to_string(threads));
+    if (file.part)
+        words.insert(words.end(),
+                     {"+SC" + std::to_string(file.part->left + 1), "+EC" + std::to_string(file.part->right + 1),
+                      "+SR" + std::to_string(file.part->top + 1), "+ER" + std::to_string(file.part->bottom + 1)});
     add_grid(words, file.grid);
     return finished(scratch, path.parent_path().string(), std::move(words), file.width, file.height, stop);
 }

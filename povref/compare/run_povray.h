@@ -24,6 +24,11 @@ struct PovRun {
 /// true it ends povray, removes its files, and throws Stopped.
 PovRun run_povray(const Scene& scene, PovRequest request, int threads, const std::atomic<bool>* stop = nullptr);
 
+/// A part of a picture: its first and last columns and rows, counted from 0.
+struct PicturePart {
+    int left, top, right, bottom;
+};
+
 /// A scene file of POV-Ray's own, as it is.
 struct PovFile {
     std::string path;
@@ -37,6 +42,7 @@ struct PovFile {
     std::optional<Camera> camera{};
     bool mirrored = false;
     bool by_tree = false;  // bodies are found by POV-Ray's other hierarchy of boxes
+    std::optional<PicturePart> part{};  // if given, only this is rendered, and the rest of the picture is black
 };
 
 /// Renders a file in its folder; without a grid one ray through the middle of each pixel. Throws as run_povray does.

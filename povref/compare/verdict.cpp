@@ -26,42 +26,58 @@ int steps_apart(Values a, int channels_a, Values b, int channels_b, std::size_t 
     return apart;
 }
 
-/// POV-Ray's pictures of the same view.
-class Repeated {
-  public:
-    Repeated(const Picture& first, const Again& more) : theirs(first), again(more) {}
-    /// Removes from `off` the pixels in which these pictures differ, of which ours differ by `apart` of theirs.
-    void remove_unsure(std::vector<std::size_t>& off, const std::vector<int>& apart) {
-        constexpr int enough = 4;
-        int in_vain = 0;
-        for (std::size_t k = 0; again && k < most_again && in_vain < enough && !off.empty(); ++k) {
-            const bool made = k == pictures.size();
-            if (made) pictures.push_back(again(int(k)));
-            const std::size_t before = off.size();
-            if (same_view(pictures[k], apart))
-                std::erase_if(off, [&](std::size_t i) {
-                    const int moved = between(pictures[k], i);
-                    return moved > 1 && 2 * moved >= apart[i];
-                });
-            if (made) in_vain = off.size() == before ? in_vain + 1 : 0;
-        }
-    }
+/// Of POV-Ray's pictures made again as much around the pixels in question is made.
+constexpr int margin = 16;
 
-  private:
+/// The comparison of two pictures, ours and theirs, of which pixel i differs by apart[i] steps.
+struct Disagreement {
+    const Picture& theirs;
+    const std::vector<int>& apart;
+
+    /// Is this so large a part of all pixels that the pictures are not the same?
+    bool many(std::size_t off) const { return off * 50 >= apart.size(); }
     int between(const Picture& other, std::size_t i) const {
         return steps_apart(theirs.values, theirs.channels, other.values, other.channels, i);
     }
-    /// Are most pixels the same of those in which ours is? A camera that cannot be moved would show another view.
-    bool same_view(const Picture& other, const std::vector<int>& apart) const {
+    /// Returns the smallest part with all these pixels and the margin around them.
+    PicturePart part_around(std::span<const std::size_t> pixels) const {
+        PicturePart part{theirs.width, theirs.height, 0, 0};
+        for (const std::size_t i : pixels) {
+            const int x = int(i % theirs.width), y = int(i / theirs.width);
+            part.left = std::min(part.left, std::max(x - margin, 0));
+            part.top = std::min(part.top, std::max(y - margin, 0));
+            part.right = std::max(part.right, std::min(x + margin, theirs.width - 1));
+            part.bottom = std::max(part.bottom, std::min(y + margin, theirs.height - 1));
+        }
+        return part;
+    }
+    /// Are most pixels of a part the same of those in which ours is? A camera that cannot be moved would show another
+    /// view.
+    bool same_view(const Picture& other, const PicturePart& part) const {
         std::size_t same = 0, all = 0;
-        for (std::size_t i = 0; i < apart.size(); ++i)
-            if (apart[i] <= 1) ++all, same += between(other, i) <= 1;
+        for (int y = part.top; y <= part.bottom; ++y)
+            for (int x = part.left; x <= part.right; ++x) {
+                const std::size_t i = std::size_t(y) * theirs.width + x;
+                if (apart[i] <= 1) ++all, same += between(other, i) <= 1;
+            }
         return 2 * same > all;
     }
-
-    const Picture& theirs;
-    const Again& again;
-    std::vector<Picture> pictures;
+    /// Removes from `off` the pixels in which POV-Ray's picture made again differs by half as much as ours.
+    void remove_unsure(std::vector<std::size_t>& off, const Again& again) const {
+        const auto enough = [&] { return many(off.size()) ? 1 : 4; };
+        int in_vain = 0;
+        for (int k = 0; again && k < most_again && in_vain < enough() && !off.empty(); ++k) {
+            const PicturePart part = part_around(off);
+            const Picture other = again(k, part);
+            const std::size_t before = off.size();
+            if (same_view(other, part))
+                std::erase_if(off, [&](std::size_t i) {
+                    const int moved = between(other, i);
+                    return moved > 1 && 2 * moved >= apart[i];
+                });
+            in_vain = off.size() == before ? in_vain + 1 : 0;
+        }
+    }
 };
 
 }  // namespace
@@ -82,29 +98,31 @@ Verdict judge(Tracer& tracer, const View& view, const Frame& ours, const Picture
             verdict.worst_off_edges = std::max(verdict.worst_off_edges, apart[i]);
     }
     const auto pixel = [&](std::size_t i) { return Pixel{int(i % ours.width), int(i / ours.width)}; };
-    Repeated repeated(theirs, again);
-    for (std::size_t first = 0; first < beyond.size(); first += together) {
-        const auto some = std::span(beyond).subspan(first, std::min(together, beyond.size() - first));
+    std::vector<std::size_t> off;  // the edges
+    const Disagreement compared{theirs, apart};
+    const auto decided = [&] { return compared.many(off.size()); };
+    std::size_t asked = 0;
+    while (asked < beyond.size() && !decided()) {
+        const auto some = std::span(beyond).subspan(asked, std::min(together, beyond.size() - asked));
         std::vector<Pixel> pixels;
         for (const std::size_t i : some) pixels.push_back(pixel(i));
-        const auto decided = [&] { return verdict.beyond_off_edges * 50 >= verdict.pixels; };
-        std::vector<bool> edges(some.size());
-        if (!decided()) edges = on_edges(tracer, view, alone, pixels, edge_radius, 1. / 65535, stop);
+        const std::vector<bool> edges = on_edges(tracer, view, alone, pixels, edge_radius, 1. / 65535, stop);
         if (stop && *stop) throw Stopped{};
-        std::vector<std::size_t> off;
         for (std::size_t k = 0; k < some.size(); ++k)
             if (!edges[k]) off.push_back(some[k]);
+        asked += some.size();
+        if (asked < beyond.size() && !decided()) continue;
         const std::size_t differing = off.size();
-        if (!decided()) repeated.remove_unsure(off, apart);
+        compared.remove_unsure(off, again);
         verdict.unsure += differing - off.size();
-        verdict.beyond_on_edges += some.size() - differing;
-        for (const std::size_t i : off) {
-            if (!decided() && apart[i] > verdict.worst_off_edges)
-                verdict.worst_off_edges = apart[i], verdict.x = pixel(i).x, verdict.y = pixel(i).y;
-            ++verdict.beyond_off_edges;
-            verdict.places.push_back({pixel(i).x, pixel(i).y});
-        }
     }
+    verdict.beyond_on_edges = asked - off.size() - verdict.unsure;
+    for (const std::size_t i : off)
+        if (apart[i] > verdict.worst_off_edges)
+            verdict.worst_off_edges = apart[i], verdict.x = pixel(i).x, verdict.y = pixel(i).y;
+    off.insert(off.end(), beyond.begin() + std::ptrdiff_t(asked), beyond.end());
+    verdict.beyond_off_edges = off.size();
+    for (const std::size_t i : off) verdict.places.push_back({pixel(i).x, pixel(i).y});
     return verdict;
 }
 

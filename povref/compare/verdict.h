@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "image/picture.h"
+#include "povref/compare/run_povray.h"
 #include "trace/tracer.h"
 
 namespace strahl {
@@ -25,16 +26,17 @@ struct Verdict {
 /// A pixel this near to an edge, in pixels, may differ, because POV-Ray ignores lengths below 1e-4 and 1e-3.
 inline constexpr double edge_radius = 0.01;
 
-/// Makes POV-Ray's picture once more, moved by a millionth of a pixel, for each number to another side, and for every
-/// other one by another hierarchy of boxes: those in single precision may hide one of two faces in one place.
-using Again = std::function<Picture(int number)>;
+/// Makes this part of POV-Ray's picture once more, moved by a millionth of a pixel, for each number to another side,
+/// and for every other one by another hierarchy of boxes: those in single precision may hide one of two faces in one
+/// place.
+using Again = std::function<Picture(int number, const PicturePart& part)>;
 inline constexpr int most_again = 8;
 
 /// Compares POV-Ray's picture of a view, `theirs`, with the tracer's, `ours`. Searches for edges where they differ,
 /// until one pixel in 50 does off the edges: all that differ after that count as off the edges, except in
 /// `worst_off_edges`. POV-Ray's rounding decides in a pixel if one of its pictures made again differs there from
-/// `theirs` by more than a step and by half of what `ours` does; no more are made once four in a row show no other
-/// pixel of that kind. Throws Stopped once `stop` is true.
+/// `theirs` by more than a step and by half of what `ours` does; no more are made once four in a row, or one if so many
+/// differ, show no other pixel of that kind. Throws Stopped once `stop` is true.
 Verdict judge(Tracer& tracer, const View& view, const Frame& ours, const Picture& theirs,
               const std::atomic<bool>* stop = nullptr, const Again& again = {});
 

@@ -105,9 +105,9 @@ bool check(const CrosscheckOptions& options, const std::string& path, const std:
                                                     options.threads, stop);
     Tracer tracer(scene, Precision::float64);
     const OurRun ours = trace(tracer, view, options.threads, stop);
-    const Again again = [&](int number) {
+    const Again again = [&](int number, const PicturePart& part) {
         file.camera = moved(scene.camera, file.width, double(file.width) / file.height, number);
-        file.mirrored = opened.mirrored, file.by_tree = number % 2 == 0;
+        file.mirrored = opened.mirrored, file.by_tree = number % 2 == 0, file.part = part;
         return run_povray_file(file, options.threads, stop).picture;
     };
     const Verdict verdict =

@@ -243,6 +243,15 @@ TEST_CASE("a scene file of POV-Ray's is seen by another camera than its own") {
         const Picture own = run_povray_file(file, 1).picture;
         file.camera = opened.scene.camera;
         CHECK(compare(own, run_povray_file(file, 1).picture, 0).max < 2. / 65535);
+        file.part = {.left = 3, .top = 2, .right = 20, .bottom = 16};
+        const Picture part = run_povray_file(file, 1).picture;
+        for (int i = 0; i < 40 * 30; ++i) {
+            const int x = i % 40, y = i / 40;
+            const bool within = x >= 3 && x <= 20 && y >= 2 && y <= 16;
+            for (int c = 3 * i; c < 3 * i + 3; ++c)
+                CHECK(std::abs(part.values[c] - (within ? own.values[c] : 0)) < 2. / 65535);
+        }
+        file.part.reset();
         file.camera->position += DVec3(2, 1, 0), file.camera->fov = 25;
         const Picture other = run_povray_file(file, 1).picture;
         const View view{.camera = *file.camera, .width = 40, .height = 30};

@@ -94,11 +94,15 @@ TEST_CASE("a verdict counts differences on and off edges") {
     int made = 0;
     const auto with = [&](int steps, double everywhere) {
         made = 0;
-        return judge(tracer, view, ours, theirs, nullptr, [&, steps](int) {
+        return judge(tracer, view, ours, theirs, nullptr, [&, steps](int, const PicturePart& part) {
             ++made;
+            // Only what is near the pixel is made again.
+            CHECK((part.left == 0 && part.top == 0 && part.right == 17 && part.bottom == 17));
             Picture other = theirs;
             other.values[3 * 41 + 1] -= steps / 65535.;
             for (double& v : other.values) v += v < .5 ? everywhere : -everywhere;
+            for (std::size_t i = 0; i < verdict.pixels; ++i)
+                if (i % 40 > 17 || i / 40 > 17) other.values[3 * i] = other.values[3 * i + 1] = 1;
             return other;
         });
     };
@@ -108,6 +112,20 @@ TEST_CASE("a verdict counts differences on and off edges") {
         const Verdict sure = with(everywhere > 0 ? 3 : 2, everywhere);
         CHECK((sure.unsure == 0 && sure.beyond_off_edges == 1 && sure.worst_off_edges == 5));
         CHECK((made > 1 && made < most_again));
+    }
+    // Where more than one pixel in 50 differs, one picture that shows no rounding ends the search.
+    Picture far = theirs;
+    for (int i = 0; i < 30; ++i) far.values[3 * (40 * i + 20)] = far.values[3 * (40 * i + 20)] < .5 ? 1 : 0;
+    for (const Picture& again : {far, theirs}) {
+        made = 0;
+        const Verdict many = judge(tracer, view, ours, far, nullptr, [&](int, const PicturePart&) {
+            ++made;
+            return again;
+        });
+        const bool moved = again.values != far.values;
+        CHECK(made == (moved ? 5 : 1));
+        CHECK((moved ? many.unsure : many.beyond_off_edges) >= 24);
+        CHECK((moved ? many.beyond_off_edges : many.unsure) == (moved ? 1 : 0));
     }
     const std::atomic<bool> stop = true;
     CHECK_THROWS_AS(judge(tracer, view, ours, theirs, &stop), Stopped);
