@@ -10,3 +10,10 @@ sphere { <-1.5, 1.1, 0>, 1 texture { Clear } interior { ior 1.4 } }
 box { <.4, .1, -1>, <2, 1.6, .4> texture { Clear } interior { ior 1.2 } rotate 15*y }
 cylinder { <0, .1, -2.2>, <0, .7, -2.2>, .45 texture { pigment { rgb 1 filter .8 } finish { ambient 0 diffuse 0 reflection .2 } }
            interior { ior 1.33 } }
+difference {
+  sphere { 0, .5 }
+  sphere { 0, .4 }
+  texture { pigment { rgb 1 transmit .9 } finish { ambient .6 diffuse 0 reflection { .05, 1 fresnel on } } }
+  interior { ior 1.5 }
+  translate <-.7, .55, -3>
+}

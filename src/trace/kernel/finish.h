@@ -24,12 +24,30 @@ Vec3<S> color_of(const LayeredHit<S>& layers) {
     return sum;
 }
 
+/// Finds the indices of refraction at surfaces in nested worlds, by the bodies that rays are in. As POV-Ray does, it
+/// takes the body entered last for what is beyond one of several that a ray leaves, even if it leaves that.
+template <class S, class P>
+[[gnu::noinline]] void find_indices(const Shading<S, P>& shading, const Hit<S>& hit, SeenSurface<S>& seen) {
+    using T = Element<S>;
+    MediumStacks& all = mediums(shading.workspace);
+    each_stack_and_body(shading.world, hit.medium, hit.body, hit.active, [&](int stack, int body, Mask<S> lanes) {
+        const int inner = top(all, stack);
+        const bool leaves = contains(all, stack, body);
+        const S around(inner < 0 ? T(1) : shading.world.media.iors[inner]);
+        seen.enters = (seen.enters & !lanes) | (leaves ? first_lanes<S>(0) : lanes);
+        seen.before = select(lanes, around, seen.before);
+        const bool last = leaves && top(all, remove(all, stack, body)) < 0;
+        seen.beyond = select(lanes, last ? S(1) : around, seen.beyond);
+    });
+}
+
 /// Finds the layers of hits; where patterns are filtered, their means over footprints.
 template <class S, class P>
 void look_at_layers(const Shading<S, P>& shading, const Hit<S>& hit, const int* numbers,
                     const RayQueue<Element<S>>& from, const LaneIndices<S>& pick, const HitNotes<S, P>& notes,
                     LayeredHit<S>& layers) {
-    const SeenSurface<S> seen{hit.position, hit.direction, hit.normal, hit.surface, hit.outside};
+    SeenSurface<S> seen{hit.position, hit.direction, hit.normal, hit.surface, hit.outside};
+    if (shading.world.nested && shading.world.finishes.fresnel) find_indices(shading, hit, seen);
     if (!filters(shading)) return void(FinishCalls<S>::look(shading.world, numbers, seen, nullptr, layers));
     if (shading.world.patterns.quick) {
         const Footprint<S> own = footprint_of(notes.cone.width, hit.direction, notes.flat);

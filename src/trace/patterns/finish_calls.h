@@ -13,6 +13,8 @@ struct SeenSurface {
     Vec3<S> position, direction, normal;
     S surface;
     Mask<S> outside;
+    Mask<S> enters = outside;  // the ray is in no such body
+    S before{1}, beyond{1};    // the indices of refraction that it comes from, and that it leaves into
 };
 /// The way from there to a light. `reflected` is the ray's mirrored direction.
 template <class S>

@@ -132,7 +132,7 @@ Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, c
             if (largest(layer.mirror) > 0 && (!apart || layer.conserves)) {
                 S x = one;
                 if (layer.fresnel)
-                    x = fresnel(select(seen.outside, S(finish.ior), S(1 / finish.ior)), cosine);
+                    x = fresnel(select(seen.enters, S(finish.ior) / seen.before, seen.beyond / S(finish.ior)), cosine);
                 else if (layer.facing != 1)
                     x = power_or_zero(one - cosine, layer.falloff);
                 const S share = fma(S(1 - layer.facing), x, S(layer.facing));

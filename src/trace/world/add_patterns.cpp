@@ -188,6 +188,7 @@ void WorldArrays<T>::add_finish(const Material& material, const Scene& scene, co
         layer.metallic = number(own.metallic), layer.gilding = number(own.gilding);
         layer.mirror = cast<T>(own.reflection * own.mirror);
         layer.facing = number(own.facing), layer.falloff = number(own.falloff), layer.fresnel = own.fresnel > 0;
+        world.finishes.fresnel |= layer.fresnel;
         layer.conserves = own.conserve > 0, layer.old_opacity = own.old_opacity > 0;
         layer.share = -1, layer.outside = layer.inside = 1, layer.bend = 0;
         if (&own != &material && material.bends_apart(own)) {

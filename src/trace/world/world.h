@@ -244,7 +244,8 @@ struct FinishTables {
     bool follows = false;  // shadow rays go from surface to surface: light fades in bodies, or their sides differ
     bool hides = false;   // some body is not seen by all rays
     bool behind = false;  // some surface is lit from behind
-    bool groups = false;  // some lights shine on some bodies only
+    bool groups = false;   // some lights shine on some bodies only
+    bool fresnel = false;  // some surface reflects by the indices on its sides
 };
 
 /// Transparent bodies of nested worlds, by surface. Null in other worlds.
