@@ -53,6 +53,8 @@ std::shared_ptr<const LayerValues> without_blend(const LayerValues& layer, const
     const std::shared_ptr<const LayerValues> itself(std::shared_ptr<void>(), &layer);
     if (layer.blend.ignored == word("material_map"))
         notes.left_out(layer.place, "all textures of a material_map but the first");
+    if (const FilterColor& own = layer.pigment.color; !layer.pigment.blend && own.filter + own.transmit < 0)
+        notes.approximated(layer.place, "a surface that lets through less than nothing takes no light from behind it");
     if (int left = 4096; holds_more(layer.blend, left)) {
         notes.approximated(layer.blend.place, "of thousands of textures in a pattern none is shown");
         return itself;
