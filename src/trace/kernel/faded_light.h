@@ -100,7 +100,7 @@ template <class S>
     Vec3<S> share = splat<S>(Vec3<Element<S>>(1));
     Ray<S> own = ray;
     Start<S> inside = start;
-    S left = way_before_light(world, distance), way(0), over(world.passed_in_shadows);
+    S left = way_before_light(world, ray, distance), way(0), over(world.passed_in_shadows);
     for (int i = 0; i < most_surfaces && any(active); ++i) {
         Nearest<S> met = nearest(world, own, active, ~BodySet(0));
         const Mask<S> close = active & (met.t < over);
@@ -122,17 +122,26 @@ template <class S>
     return share;
 }
 
-/// Does so where light neither fades nor surfaces have two sides: only rays that clear surfaces dim need be followed,
-/// since what is near behind such a surface is passed over.
+/// Does so where light neither fades nor surfaces have two sides: only rays that surfaces dim need be followed, since
+/// what is near behind a clear surface is passed over. Rays that lose all their light may lose it to colours alone,
+/// unless they start into an opaque body, which followed ones do not see.
 template <class S>
 [[gnu::noinline]] Vec3<S> clear_visibility(const World<Element<S>>& world, const Ray<S>& ray, const S& distance,
                                            Mask<S> active, const Start<S>& start) {
-    const S way = way_before_light(world, distance);
+    const S way = way_before_light(world, ray, distance);
     Vec3<S> share = visibility_of_all(world, ray, way, active, start);
-    const Mask<S> less = active & dimmed(share), lit = less & (max(share.x, max(share.y, share.z)) > S(0));
+    const auto is_lit = [](const Vec3<S>& light) { return Mask<S>(max(light.x, max(light.y, light.z)) > S(0)); };
+    const Mask<S> less = active & dimmed(share), lit = less & is_lit(share);
     look_past(world, ray, way, less & !lit, start, share);
-    if (any(lit)) share = select(lit, faded_visibility(world, ray, distance, lit, start), share);
-    return share;
+    Mask<S> dark = less & !is_lit(share);
+    for (unsigned left = bits(dark & !start.outside); left != 0; left &= left - 1) {
+        const int k = std::countr_zero(left), surface = static_cast<int>(lane(ray.source, k));
+        const bool clear = surface >= 0 && world.materials[material_of(world, surface)].refraction > 0;
+        if (!clear) dark = dark & !mask_of<S>(1u << k);
+    }
+    if (none(lit | dark)) return share;
+    const Vec3<S> followed = faded_visibility(world, ray, distance, lit | dark, start);
+    return select(lit | (dark & dimmed(followed)), followed, share);
 }
 
 }  // namespace strahl::inline STRAHL_LEVEL

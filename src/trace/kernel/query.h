@@ -418,19 +418,21 @@ template <class S>
     share = select(close, visibility_of_all(world, behind, max(distance - way, S(0)), close, start), share);
 }
 
-/// Returns up to where bodies are in the way of a light at this distance.
+/// Returns up to where bodies are in the way of a light. Where one on a surface shines away from it, as in POV-Ray,
+/// whichever side rounding leaves it on, that is not quite the distance.
 template <class S>
-STRAHL_INLINE S way_before_light(const World<Element<S>>& world, const S& distance) {
-    return max(distance - S(world.passed_at_lights), S(0));
+STRAHL_INLINE S way_before_light(const World<Element<S>>& world, const Ray<S>& ray, const S& distance) {
+    const S share(world.around_lights);
+    return (S(1) - share) * distance - share * (abs(ray.origin.x) + abs(ray.origin.y) + abs(ray.origin.z));
 }
 
 /// Returns the share of light that is transmitted, see Visibility.
 template <class S>
 STRAHL_INLINE Vec3<S> visibility(const World<Element<S>>& world, const Ray<S>& ray, const S& distance, Mask<S> active,
                                  const Start<S>& start) {
-    if (world.passed_at_lights <= 0) [[likely]]
+    if (world.around_lights <= 0) [[likely]]
         return visibility_of_all(world, ray, distance, active, start);
-    const S way = way_before_light(world, distance);
+    const S way = way_before_light(world, ray, distance);
     Vec3<S> share = visibility_of_all(world, ray, way, active, start);
     if (world.passed_in_shadows > 0) look_past(world, ray, way, active & dimmed(share), start, share);
     return share;

@@ -273,8 +273,8 @@ WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, Thre
 
     add_items(scene, placement, pool, proves);
     world.rounding = static_cast<T>(rounding(reach));
+    if (!proves && scene.settings.passed_over > 0) world.around_lights = 64 * std::numeric_limits<T>::epsilon();
     const double passed_over = scene.settings.passed_over * placement.scale;
-    if (!proves) world.passed_at_lights = static_cast<T>(10 * passed_over);
     // Leaves it out where rounding is as large: there rays would meet the surface again that they start on.
     if (!proves && passed_over > 1024 * std::numeric_limits<T>::epsilon() * reach) {
         world.passed_over = static_cast<T>(passed_over);

@@ -300,7 +300,7 @@ struct World {
     Vec3<T> eye{0};  // of the view that is traced
     T rounding = 0;  // what the coordinates of points on bodies may be off
     T passed_over = 0, passed_in_shadows = 0;  // what is nearer to the start of a ray is not there for it
-    T passed_at_lights = 0;                    // what is nearer to a light casts no shadow
+    T around_lights = 0;  // what is so near to a light, as a share of its distance, is not in its way
     const MaterialKernel<T>* materials = nullptr;
     const LightKernel<T>* lights = nullptr;
     int light_count = 0;
