@@ -19,7 +19,7 @@ void BodyTools::loaded(const Loaded& scene) {
         bodies.take_lines(scene.lines, scene.text);
         return bodies.look(*session.scene);
     }
-    // What the text on its way is to do is done when that arrives, also if it was written into the file meanwhile.
+    // The file may have the text already that is still read for the window: what is to follow that follows.
     const bool on_its_way = !scene.opened && scene.text == bodies.edited.text();
     if (scene.opened) not_shown.show_all();
     if (scene.opened)

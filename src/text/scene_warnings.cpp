@@ -57,9 +57,9 @@ void check_pigment(const Pigment& pigment, const std::string& owner, std::vector
 }  // namespace
 
 std::vector<std::string> scene_warnings(const Scene& moving) {
-    std::optional<Scene> begun;
-    if (Movers(moving).any()) begun = at(moving, 0);
-    const Scene& scene = begun ? *begun : moving;
+    std::optional<Scene> at_start;
+    if (Movers(moving).any()) at_start = at(moving, 0);
+    const Scene& scene = at_start ? *at_start : moving;
     const Camera camera = own_camera_at(moving, 0);
     std::vector<std::string> warnings;
     const auto& bodies = scene.primitives;

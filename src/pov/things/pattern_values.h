@@ -35,10 +35,12 @@ Moves moves_of(const Blend& blend, bool last);
 /// Does turbulence move the points of this pattern?
 bool moves_points(const Blend& blend);
 
-/// Returns the colour of a pigment as a function of a point with five results; null where there are pictures or
-/// patterns of which the values are not known. `made`, if given, keeps those of the pigments in maps.
+/// Keeps the colours of pigments in maps as functions, by pigment.
 using MadeColors = std::map<std::shared_ptr<const Thing>, std::shared_ptr<const FunctionThing>>;
-std::shared_ptr<const FunctionThing> colors_of(const PigmentThing& pigment, int generator, MadeColors* made = nullptr);
+/// Returns the colour of a pigment as a function of a point with five results; null where there are pictures or
+/// patterns of which the values are not known. Takes those of the pigments in its maps from `known`, if given, and adds
+/// them there.
+std::shared_ptr<const FunctionThing> colors_of(const PigmentThing& pigment, int generator, MadeColors* known = nullptr);
 
 /// Returns the entries that POV-Ray takes for a pattern without a map.
 const std::vector<MapEntry>& usual_entries(const Blend& blend);
