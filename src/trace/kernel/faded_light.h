@@ -30,6 +30,15 @@ S stacks_beyond(const World<Element<S>>& world, MediumStacks& mediums, const S& 
     return after;
 }
 
+/// Does a surface, if there is one, let light through, or may another one of its body?
+template <class T>
+bool is_clear(const World<T>& world, T surface) {
+    const int number = static_cast<int>(surface);
+    if (number < 0) return false;
+    if (world.composites.leaf_faces && world.composites.leaf_faces[number] >= 0) return true;
+    return world.materials[material_of(world, number)].refraction > 0;
+}
+
 /// Attenuates light that crosses the nearest surfaces, all of one bin, in these lanes, where the rays go on from there.
 /// `way` is how far light has come since the surface before, and `over` how far rays pass over what is there: surfaces
 /// that cast no shadow leave both as they are.
@@ -92,10 +101,11 @@ void cross_surfaces(const World<Element<S>>& world, Ray<S>& ray, const Nearest<S
     ray.source = select(lanes, hit.surface, ray.source);
 }
 
-/// Returns the share of light that is transmitted, see Visibility.
+/// Returns the share of light that is transmitted, and adds to `hidden` the rays that pass over an opaque surface,
+/// behind which they do not see the same body again.
 template <class S>
-[[gnu::noinline]] Vec3<S> faded_visibility(const World<Element<S>>& world, const Ray<S>& ray, const S& distance,
-                                           Mask<S> active, const Start<S>& start) {
+[[gnu::noinline]] Vec3<S> followed_light(const World<Element<S>>& world, const Ray<S>& ray, const S& distance,
+                                         Mask<S> active, const Start<S>& start, Mask<S>& hidden) {
     constexpr int most_surfaces = 256;
     Vec3<S> share = splat<S>(Vec3<Element<S>>(1));
     Ray<S> own = ray;
@@ -105,6 +115,10 @@ template <class S>
         Nearest<S> met = nearest(world, own, active, ~BodySet(0));
         const Mask<S> close = active & (met.t < over);
         if (any(close)) {
+            for (unsigned all = bits(close); all != 0; all &= all - 1) {
+                const int k = std::countr_zero(all);
+                if (!is_clear(world, lane(met.surface, k))) hidden = hidden | mask_of<S>(1u << k);
+            }
             pass_over(world, over, close, S(-1), own, met);
             left = select(close, left - over, left), way = select(close, way + over, way);
             over = select(close, S(0), over);
@@ -122,9 +136,17 @@ template <class S>
     return share;
 }
 
+/// Returns the share of light that is transmitted, see Visibility.
+template <class S>
+Vec3<S> faded_visibility(const World<Element<S>>& world, const Ray<S>& ray, const S& distance, Mask<S> active,
+                         const Start<S>& start) {
+    Mask<S> hidden = first_lanes<S>(0);
+    return followed_light(world, ray, distance, active, start, hidden);
+}
+
 /// Does so where light neither fades nor surfaces have two sides: only rays that surfaces dim need be followed, since
 /// what is near behind a clear surface is passed over. Rays that lose all their light may lose it to colours alone,
-/// unless they start into an opaque body, which followed ones do not see.
+/// unless they are in an opaque body, which followed ones do not see.
 template <class S>
 [[gnu::noinline]] Vec3<S> clear_visibility(const World<Element<S>>& world, const Ray<S>& ray, const S& distance,
                                            Mask<S> active, const Start<S>& start) {
@@ -134,14 +156,15 @@ template <class S>
     const Mask<S> less = active & dimmed(share), lit = less & is_lit(share);
     look_past(world, ray, way, less & !lit, start, share);
     Mask<S> dark = less & !is_lit(share);
+    Mask<S> hidden = first_lanes<S>(0);
     for (unsigned left = bits(dark & !start.outside); left != 0; left &= left - 1) {
-        const int k = std::countr_zero(left), surface = static_cast<int>(lane(ray.source, k));
-        const bool clear = surface >= 0 && world.materials[material_of(world, surface)].refraction > 0;
-        if (!clear) dark = dark & !mask_of<S>(1u << k);
+        const int k = std::countr_zero(left);
+        if (!is_clear(world, lane(ray.source, k))) hidden = hidden | mask_of<S>(1u << k);
     }
+    dark = dark & !hidden;
     if (none(lit | dark)) return share;
-    const Vec3<S> followed = faded_visibility(world, ray, distance, lit | dark, start);
-    return select(lit | (dark & dimmed(followed)), followed, share);
+    const Vec3<S> followed = followed_light(world, ray, distance, lit | dark, start, hidden);
+    return select(lit | (dark & dimmed(followed) & !hidden), followed, share);
 }
 
 }  // namespace strahl::inline STRAHL_LEVEL
