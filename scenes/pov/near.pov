@@ -25,6 +25,9 @@ union {
     rotate 20*y
     translate <-.035, .008, -.005>
 }
+// Panes that let no light through together, but where they cross.
+box { <-.02, .02, -.02>, <.015, .0203, .012> pigment { rgbf <1, 0, 0, 1> } finish { diffuse 0 } rotate 2*z translate -.02*z }
+box { <-.02, .02, -.02>, <.015, .0203, .012> pigment { rgbf <0, 1, 0, 1> } finish { diffuse 0 } rotate -1*z translate -.02*z }
 union {
     sphere { .012*y, .007 }
     cone { 0, .009, .028*y, 0 }
