@@ -98,7 +98,7 @@ Verdict judge(Tracer& tracer, const View& view, const Frame& ours, const Picture
             verdict.worst_off_edges = std::max(verdict.worst_off_edges, apart[i]);
     }
     const auto pixel = [&](std::size_t i) { return Pixel{int(i % ours.width), int(i / ours.width)}; };
-    std::vector<std::size_t> off;  // the edges
+    std::vector<std::size_t> off;  // of those asked about, the pixels that are on no edge
     const Disagreement compared{theirs, apart};
     const auto decided = [&] { return compared.many(off.size()); };
     std::size_t asked = 0;

@@ -17,6 +17,10 @@ drag() {
 # writes PATTERN: F2 writes a file with a line that matches.
 writes() {
     xdotool key F2
+    written "$1"
+}
+# written PATTERN: a file with a line that matches is written.
+written() {
     await 'written into'
     grep -q -e "$1" scene.rt || fault "no line has '$1': $(<scene.rt)"
 }
@@ -80,8 +84,7 @@ await 'the changed text is shown'
 echo "-- it is copied and written at once, and the copy removed"
 xdotool key --delay 1 ctrl+d F2
 await 'body 1 copied'
-await 'written into'
-grep -q '^sphere { <-2, 0, 1>, 1 }$' scene.rt || fault "there is no copy: $(<scene.rt)"
+written '^sphere { <-2, 0, 1>, 1 }$'
 [[ $(wc -l <scene.rt) == 8 ]] || fault "not one line more: $(<scene.rt)"
 xdotool key Delete
 await 'body 2 removed; Ctrl+Z brings it back'

@@ -71,7 +71,7 @@ class PigmentMaker {
     bool add_mean(const Blend& blend, Pattern& pattern);
     Moves moves_inside(const Blend& blend) const;
 
-    /// What a pigment in a map became, and whether it has patterns that are nested too deeply.
+    /// Holds what a pigment in a map became, and whether it has patterns that are nested too deeply.
     struct MadeStop {
         ColorStop stop;
         bool too_deep;

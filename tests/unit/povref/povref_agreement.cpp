@@ -113,7 +113,7 @@ TEST_CASE("a verdict counts differences on and off edges") {
         CHECK((sure.unsure == 0 && sure.beyond_off_edges == 1 && sure.worst_off_edges == 5));
         CHECK((made > 1 && made < most_again));
     }
-    // Where more than one pixel in 50 differs, one picture that shows no rounding ends the search.
+    // Ends the search after one picture that shows no rounding, where more than one pixel in 50 differs.
     Picture far = theirs;
     for (int i = 0; i < 30; ++i) far.values[3 * (40 * i + 20)] = far.values[3 * (40 * i + 20)] < .5 ? 1 : 0;
     for (const Picture& again : {far, theirs}) {
