@@ -30,13 +30,21 @@ S stacks_beyond(const World<Element<S>>& world, MediumStacks& mediums, const S& 
     return after;
 }
 
-/// Does a surface, if there is one, let light through, or may another one of its body?
+/// Does a surface belong to a leaf of a composite?
 template <class T>
-bool is_clear(const World<T>& world, T surface) {
-    const int number = static_cast<int>(surface);
-    if (number < 0) return false;
-    if (world.composites.leaf_faces && world.composites.leaf_faces[number] >= 0) return true;
-    return world.materials[material_of(world, number)].refraction > 0;
+bool is_on_leaf(const World<T>& world, int surface) {
+    return world.composites.leaf_faces && world.composites.leaf_faces[surface] >= 0;
+}
+/// Returns those of the lanes that have no surface, or one that lets no light through and is not of a composite: of its
+/// surfaces others may be clear.
+template <class S>
+Mask<S> opaque_lanes(const World<Element<S>>& world, const S& surfaces, Mask<S> lanes) {
+    for (unsigned left = bits(lanes); left != 0; left &= left - 1) {
+        const int k = std::countr_zero(left), own = static_cast<int>(lane(surfaces, k));
+        if (own >= 0 && (is_on_leaf(world, own) || world.materials[material_of(world, own)].refraction > 0))
+            lanes = lanes & !mask_of<S>(1u << k);
+    }
+    return lanes;
 }
 
 /// Attenuates light that crosses the nearest surfaces, all of one bin, in these lanes, where the rays go on from there.
@@ -50,7 +58,7 @@ void cross_surfaces(const World<Element<S>>& world, Ray<S>& ray, const Nearest<S
     const int surface = static_cast<int>(lane(met.surface, first_lane)), material = material_of(world, surface);
     const SortBin& bin = world.sort_bins[static_cast<int>(lane(met.bin, first_lane))];
     const Mask<S> alike = lanes & (met.surface == S(static_cast<T>(surface)));
-    const bool on_leaf = world.composites.leaf_faces && world.composites.leaf_faces[surface] >= 0;
+    const bool on_leaf = is_on_leaf(world, surface);
     SurfaceHit<S> hit;
     int materials[width<S>];
     const auto opaque = [&](int material) {
@@ -115,10 +123,7 @@ template <class S>
         Nearest<S> met = nearest(world, own, active, ~BodySet(0));
         const Mask<S> close = active & (met.t < over);
         if (any(close)) {
-            for (unsigned all = bits(close); all != 0; all &= all - 1) {
-                const int k = std::countr_zero(all);
-                if (!is_clear(world, lane(met.surface, k))) hidden = hidden | mask_of<S>(1u << k);
-            }
+            hidden = hidden | opaque_lanes(world, met.surface, close);
             pass_over(world, over, close, S(-1), own, met);
             left = select(close, left - over, left), way = select(close, way + over, way);
             over = select(close, S(0), over);
@@ -152,15 +157,11 @@ template <class S>
                                            Mask<S> active, const Start<S>& start) {
     const S way = way_before_light(world, ray, distance);
     Vec3<S> share = visibility_of_all(world, ray, way, active, start);
-    const auto is_lit = [](const Vec3<S>& light) { return Mask<S>(max(light.x, max(light.y, light.z)) > S(0)); };
+    const auto is_lit = [](const Vec3<S>& light) { return Mask<S>(largest(light) > S(0)); };
     const Mask<S> less = active & dimmed(share), lit = less & is_lit(share);
     look_past(world, ray, way, less & !lit, start, share);
     Mask<S> dark = less & !is_lit(share);
-    Mask<S> hidden = first_lanes<S>(0);
-    for (unsigned left = bits(dark & !start.outside); left != 0; left &= left - 1) {
-        const int k = std::countr_zero(left);
-        if (!is_clear(world, lane(ray.source, k))) hidden = hidden | mask_of<S>(1u << k);
-    }
+    Mask<S> hidden = opaque_lanes(world, ray.source, dark & !start.outside);
     dark = dark & !hidden;
     if (none(lit | dark)) return share;
     const Vec3<S> followed = followed_light(world, ray, distance, lit | dark, start, hidden);
