@@ -47,24 +47,24 @@ struct Mesh {
     template <class T, class Emit>
     void emit(const WorldTransform& to_world, const Emit& emit) const {
         const std::size_t triangles = data->triangles.size();
-        if constexpr (requires { emit.template count<TriangleKernel<T>>(triangles); })
+        if constexpr (requires { emit.template count<TriangleKernel<T>>(triangles); }) {
             data->corner_normals.empty() ? emit.template count<TriangleKernel<T>>(triangles)
                                          : emit.template count<SmoothTriangleKernel<T>>(triangles);
-        else
-            emit_stretch(to_world, points_in<T>(to_world), 0, triangles, emit);
+        } else {
+            std::vector<Vec3<T>> points(data->points.size());
+            place_points(to_world, 0, points.size(), points.data());
+            emit_stretch(to_world, points.data(), 0, triangles, emit);
+        }
     }
-    /// Returns the points in the world.
+    /// Puts the points from `first` to before `last` into the world.
     template <class T>
-    std::vector<Vec3<T>> points_in(const WorldTransform& to_world) const {
-        std::vector<Vec3<T>> points;
-        points.reserve(data->points.size());
-        for (const DVec3& point : data->points) points.push_back(cast<T>(to_world.point(point)));
-        return points;
+    void place_points(const WorldTransform& to_world, std::size_t first, std::size_t last, Vec3<T>* places) const {
+        for (std::size_t i = first; i < last; ++i) places[i] = cast<T>(to_world.point(data->points[i]));
     }
     /// Emits the triangles from `first` to before `last`.
     template <class T, class Emit>
-    void emit_stretch(const WorldTransform& to_world, const std::vector<Vec3<T>>& corners, std::size_t first,
-                      std::size_t last, const Emit& emit) const {
+    void emit_stretch(const WorldTransform& to_world, const Vec3<T>* corners, std::size_t first, std::size_t last,
+                      const Emit& emit) const {
         const auto& normals = data->normals;
         const auto &triangles = data->triangles, &corner_normals = data->corner_normals;
         const NormalTransform turn(to_world.matrix);

@@ -138,13 +138,17 @@ void WorldArrays<T>::add_items(const Scene& scene, const Placement& placement, T
     });
     reach = *std::max_element(reaches.begin(), reaches.end());
     for (const LargeMesh& own : large) {
-        const std::vector<Vec3<T>> points = own.mesh.template points_in<T>(own.to_world);
+        const auto count = static_cast<std::int32_t>(own.mesh.data->points.size());
+        const Buffer<Vec3<T>> points = uninitialized_buffer<Vec3<T>>(count);
+        share_out(pool, count, share_items, [&](std::int32_t first, std::int32_t last) {
+            own.mesh.place_points(own.to_world, first, last, points.get());
+        });
         share_out(pool, static_cast<std::int32_t>(own.mesh.data->triangles.size()), share_items,
                   [&](std::int32_t first, std::int32_t last) {
                       ItemCounts at = own.before;
                       for (int& items : at.items) items += first;
                       at.surfaces += first;
-                      own.mesh.emit_stretch(own.to_world, points, first, last,
+                      own.mesh.emit_stretch(own.to_world, points.get(), first, last,
                                             PutItems<T>{*this, at, {}, own.material, Mesh::faces, 0});
                   });
     }
