@@ -20,6 +20,7 @@ static_assert(leaf_items <= LeafCode::most_items);
 constexpr int deepest_cut = 30;      // from this depth on, in the middle: 2^30 items have no more than 60 levels
 constexpr int shared_items = 16384;  // more than these are cut by a grid, by all threads together,
 constexpr int few_cells = 128;       // until a part has no more cells than these
+constexpr int enough_boxes = 256;    // so many of a part are looked at for a cut
 constexpr int chunk_items = 8192;    // a thread's piece of other work on all items
 // A ray asks all parts of a composite and all pieces of a contour, a blob or a sweep: each of these bodies has a leaf,
 // and so a box, of its own.
@@ -117,12 +118,14 @@ class HierarchyBuilder {
         const int count = bins_for(part.count());
         const BinScale scale(part.extents.middles, Quad{} + static_cast<float>(count));
         Bins bins(count, count, count);
-        for (const ItemBox* e = first_of(part); e < last_of(part); ++e) {
+        // Some hundred boxes tell as well as all where to cut.
+        const std::int32_t step = std::max(1, part.count() / enough_boxes);
+        for (const ItemBox* e = first_of(part); e < last_of(part); e += step) {
             const QuadBox box = bounds_of(*e);
             const WholeQuad bin = scale.bins(box);
             for (int axis = 0; axis < 3; ++axis) bins.add(axis, bin[axis], box, 1);
         }
-        return best_cut(bins, part.count());
+        return best_cut(bins, (part.count() - 1) / step + 1);
     }
 
     /// Completes a part whose items and extents are known: if it has few items it may become a leaf.

@@ -21,7 +21,9 @@ template <class T>
 std::vector<std::int32_t> duplicates(const T* items, std::int32_t count, std::size_t stride, std::size_t size,
                                      ThreadPool& pool) {
     using Hashed = std::uint64_t;  // an item, and above it 32 bits of its numbers
-    const auto numbers = [=](Hashed i) { return std::span<const T>(items + static_cast<std::uint32_t>(i) * stride, size); };
+    const auto numbers = [=](Hashed i) {
+        return std::span<const T>(items + static_cast<std::uint32_t>(i) * stride, size);
+    };
     const std::int32_t parts = 1 << std::max<int>(0, std::bit_width(static_cast<std::uint32_t>(count)) - 15);
     const std::int32_t pieces = 2 * pool.size(), step = count / pieces + 1;
     const int unused_bits = std::countl_zero(64 + 32 * static_cast<Hashed>(count / parts));
