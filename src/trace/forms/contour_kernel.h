@@ -14,7 +14,7 @@ struct FormFunctions<OwnForm, S> : SingleByPack<FormFunctions<OwnForm, S>, S> {
                           Nearest<S>& best) {
         const S over(passed_over(world));
         for (int i = first; i < first + count; ++i)
-            each_crossing(world, i, enough(world), ray, mask, [&](Mask<S> lanes, const S& t, const S& surface) {
+            each_crossing(world, i, enough(world), ray, S(0), mask, [&](Mask<S> lanes, const S& t, const S& surface) {
                 const Mask<S> better = lanes & (t > over) & closer(t, surface, best.t, best.surface);
                 best.t = select(better, t, best.t);
                 best.surface = select(better, surface, best.surface);
@@ -26,7 +26,7 @@ struct FormFunctions<OwnForm, S> : SingleByPack<FormFunctions<OwnForm, S>, S> {
         for (int i = first; i < first + count; ++i) {
             const auto& item = items(world)[i];
             const bool clear = transparent(world, item), painted = patterned(world, static_cast<int>(item.material));
-            each_crossing(world, i, clear ? BlobData::unlimited : enough(world), ray, mask,
+            each_crossing(world, i, clear ? BlobData::unlimited : enough(world), ray, clear ? S(0) : distance, mask,
                           [&](Mask<S> lanes, const S& t, const S& surface) {
                               lanes = lanes & (t > over) & (t < distance);
                               if (none(lanes)) return;
@@ -52,6 +52,19 @@ struct FormFunctions<OwnForm, S> : SingleByPack<FormFunctions<OwnForm, S>, S> {
             const S first = own.shape.first;
             hit = {own.shape.at(pieces_of(world.contour_pieces, first, faces), ray, t, faces), own.surface + faces,
                    own.surface};
+        } else if constexpr (julia) {
+            for (unsigned left = bits(S(0) == S(0)); left;) {
+                const int number = numbers[std::countr_zero(left)];
+                unsigned own = 0;
+                for (int k = 0; k < width<S>; ++k) own |= unsigned(numbers[k] == number) << k;
+                left &= ~own;
+                const auto& item = items(world)[number];
+                const Mask<S> lanes = mask_of<S>(own);
+                const SurfacePoint<S> point = item.shape.at(first_piece(world, item), ray, t);
+                hit.point = {select(lanes, point.position, hit.point.position),
+                             select(lanes, point.normal, hit.point.normal)};
+                hit.surface = hit.body = select(lanes, S(item.surface), hit.surface);
+            }
         } else {
             T found[7][width<S>];
             for (int k = 0; k < width<S>; ++k) {
@@ -69,7 +82,7 @@ struct FormFunctions<OwnForm, S> : SingleByPack<FormFunctions<OwnForm, S>, S> {
     }
     static void list_crossings(const World<T>& world, const CompositeLeaf& leaf, const Ray<S>& ray, Mask<S> mask,
                                const S& place, const S&, Mask<S>, MeshCrossings<S>& found) {
-        each_crossing(world, leaf.item, BlobData::unlimited, ray, mask,
+        each_crossing(world, leaf.item, BlobData::unlimited, ray, S(0), mask,
                       [&](Mask<S> lanes, const S& t, const S& surface) {
                           for (unsigned left = bits(lanes & (t > place)); left; left &= left - 1) {
                               const int k = std::countr_zero(left);
@@ -79,6 +92,8 @@ struct FormFunctions<OwnForm, S> : SingleByPack<FormFunctions<OwnForm, S>, S> {
     }
 
   private:
+    static constexpr bool julia = std::is_same_v<typename OwnForm::Kind, JuliaFractal>;
+
     /// Returns up to which distance from where rays start crossings are not there for them. It is longer for blobs than
     /// for other bodies, as in POV-Ray; parts of composites need all crossings.
     static T passed_over(const World<T>& world) {
@@ -107,14 +122,17 @@ struct FormFunctions<OwnForm, S> : SingleByPack<FormFunctions<OwnForm, S>, S> {
         return gather_items<ContourPiece<S>, S>(pieces, index);
     }
     /// Calls visit(lanes, t, surface) for each crossing of rays with an item, or at least the nearest `enough` of them.
+    /// For what is nearer than `anywhere` t need not be exact.
     template <class Visit>
-    static void each_crossing(const World<T>& world, int i, int enough, const Ray<S>& ray, Mask<S> mask,
-                              const Visit& visit) {
+    static void each_crossing(const World<T>& world, int i, int enough, const Ray<S>& ray, const S& anywhere,
+                              Mask<S> mask, const Visit& visit) {
         const auto& item = items(world)[i];
         const auto* const pieces = first_piece(world, item);
         const S surface(item.surface), start = ray.source - surface;
         const auto visit_face = [&](Mask<S> lanes, const S& t, const S& face) { visit(lanes, t, S(surface + face)); };
-        if constexpr (requires { OwnForm::template Kernel<T>::in_double; }) {
+        if constexpr (julia) {
+            item.shape.each_crossing(pieces, enough, ray, start, mask, visit_face, anywhere);
+        } else if constexpr (requires { OwnForm::template Kernel<T>::in_double; }) {
             using V = Doubles<S>;
             for (int part = 0; part < width<S> / width<V>; ++part) {
                 const int first = part * width<V>;

@@ -1,12 +1,14 @@
 // The body whose points stay near the origin under an iteration of quaternions or of hypercomplex numbers: POV-Ray's
 // julia_fractal.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <type_traits>
 
 #include "scene/kinds/julia/julia_march.h"
 #include "scene/kinds/prism.h"
@@ -17,7 +19,7 @@ namespace strahl {
 /// digits than one has.
 template <class T>
 struct StoredJulia {
-    static constexpr int count = 15;
+    static constexpr int count = 16;
     std::array<T, count> high, low;
 
     template <class R>
@@ -32,6 +34,7 @@ struct StoredJulia {
                             static_cast<JuliaStep>(static_cast<int>(at(13))),
                             JuliaRule::function,
                             R(16),
+                            at(15),
                             R(16)};
         if (at(14) == 0) {
             // POV-Ray squares where it says cube.
@@ -42,7 +45,8 @@ struct StoredJulia {
         own.rule = own.step == JuliaStep::cube ? JuliaRule::quaternion_cube : JuliaRule::quaternion_square;
         const FourParts<R>& c = own.constant;
         const R all = 1 + std::sqrt(c.x * c.x + c.y * c.y + c.z * c.z + c.w * c.w) + R(1e-7), radius = min(all, R(2));
-        own.square = radius * radius, own.exit = own.square + R(1e-7);
+        // Rays begin on the ball, and are not to be told to be further out, which makes another first step.
+        own.square = radius * radius, own.exit = own.square + (std::is_same_v<R, float> ? R(4e-6) : R(1e-7));
         return own;
     }
     static StoredJulia of(const std::array<double, count>& numbers) {
@@ -53,10 +57,9 @@ struct StoredJulia {
     }
 };
 
-/// A Julia set in its own space. It has one face. Points are doubles, or have more digits.
+/// A Julia set in its own space. It has one face.
 template <class T>
 struct JuliaKernel : ContourKernel<T> {
-    static constexpr bool in_double = true;
     using Base = ContourKernel<T>;
     using Base::box, Base::centre, Base::turn;
     StoredJulia<T> numbers;
@@ -67,47 +70,66 @@ struct JuliaKernel : ContourKernel<T> {
     /// `enough` times for each ray. As in POV-Ray: it goes along the ray by what iterations tell of the distance, but
     /// at least by 1 / precision, and halves a step whose ends are on different sides. A crossing is where it is inside
     /// by up to 1e-7. A ray that starts on the surface and leaves it at once is not looked at any further, if only the
-    /// nearest crossing is asked for; floats do not know which rays these are, and go on.
+    /// nearest crossing is asked for; floats do not know which rays these are, and go on. For what is nearer than
+    /// `anywhere` t may be any place in the step that crosses the surface.
     template <class V, class Crossed>
     STRAHL_INLINE void each_crossing(const void*, int enough, const Ray<V>& ray, V start, Mask<V> lanes,
-                                     const Crossed& crossed) const {
+                                     const Crossed& crossed, const V& anywhere = V(0)) const {
         using R = Element<V>;
-        const V zero(0), near(JuliaMarch<V>::near), none_yet(R(1e-10));
+        const V zero(0), near(JuliaMarch<V>::near), itself_until(JuliaMarch<V>::itself), none_yet(R(1e-10));
         const Mask<V> starts = lanes & (start == zero);
         lanes = lanes & (starts | box.may_meet(ray));
         if (none(lanes)) return;
         const JuliaNumbers<R> own = numbers.template as<R>();
-        const OwnLine<V> line = this->own_line(ray, lanes | !lanes);
+        const OwnLine<V> line = this->own_line(ray, starts);
         const Vec3<V>&origin = line.nearest, &way = line.unit;
-        const V towards = -dot(origin, way), far = dot(origin, origin);
-        const V chord = V(own.square) - far + towards * towards;
-        const V root = sqrt(max(chord, zero)), last = towards + root;
-        lanes = lanes & (chord > none_yet) & !((far >= V(own.square)) & (towards < none_yet)) & !(last < near);
+        const V towards = -dot(origin, way), off = towards * towards - dot(origin, origin);
+        const V chord = V(own.square) + off, root = sqrt(max(chord, zero)), ahead = near - line.shift;
+        const V held = V(own.reach) + off, leaves = towards + sqrt(max(held, zero));
+        lanes = lanes & (chord > none_yet) & (held > zero) & (leaves > ahead);
         if (none(lanes)) return;
-        JuliaMarch<V> march{.way = way, .last = last, .place = max(towards - root, near), .lanes = lanes};
-        march.p = march.moved(origin, march.place);
+        JuliaMarch<V> march{.from = origin,
+                            .way = way,
+                            .last = towards + root,
+                            .leaves = leaves,
+                            .sure_from = select(starts, itself_until, zero - line.shift),
+                            .sure_to = anywhere / line.per - line.shift,
+                            .place = max(towards - root, ahead),
+                            .lanes = lanes};
         with_rule(own.rule, [&](auto rule) __attribute__((always_inline)) { start_march<rule()>(own, march); });
         for (int found = 0; any(march.lanes);) {
             with_rule(own.rule, [&](auto rule) __attribute__((always_inline)) { advance<rule()>(own, march); });
-            const Mask<V> itself = march.turned & starts & (march.at < V(R(1e-4)));
-            const V t = march.at * line.per;
+            const Mask<V> itself = march.turned & starts & (march.at < itself_until);
+            const V t = (line.shift + march.at) * line.per;
             const Mask<V> there = march.turned & !itself & (starts | box.holds(ray, t, abs(t)));
             if (any(there)) crossed(there, t, zero), ++found;
             if (found >= enough) march.lanes = march.lanes & !there;
-            if (std::is_same_v<T, R> && enough == 1) march.lanes = march.lanes & !itself;
+            if (!std::is_same_v<R, float> && enough == 1) march.lanes = march.lanes & !itself;
         }
     }
-    /// Returns the point of one ray at `t`, and the normal there.
-    STRAHL_INLINE SurfacePoint<T> at(const void*, const Ray<T>& ray, T t) const {
-        using R = std::conditional_t<std::is_same_v<T, float>, double, T>;
-        const Vec3<T> position = fma(t, ray.direction, ray.origin), p = turn(position - splat<T>(centre));
+    /// Returns the points of rays at `t`, and the normals there, which are found in double at least.
+    template <class S>
+    STRAHL_INLINE SurfacePoint<S> at(const void*, const Ray<S>& ray, const S& t) const {
+        using V = Doubles<S>;
+        using R = Element<V>;
+        const Vec3<S> position = fma(t, ray.direction, ray.origin), p = turn(position - splat<S>(centre));
         const JuliaNumbers<R> own = numbers.template as<R>();
-        const Vec3<R> n = with_rule(own.rule, [&](auto rule) __attribute__((always_inline)) {
-            return JuliaOrbit<R, rule()>::normal(own, Vec3<R>(R(p.x), R(p.y), R(p.z)));
-        });
-        const R length = std::sqrt(dot(n, n));
-        if (!(length > 0) || !(length <= std::numeric_limits<R>::max())) return {position, -ray.direction};
-        return {position, this->normal(T(n.x / length), T(n.y / length), T(n.z / length))};
+        Vec3<S> unit(S(0));
+        for (int part = 0; part < width<S> / width<V>; ++part) {
+            const Vec3<V> own_p = doubles_of(p, part);
+            const Vec3<V> n = with_rule(own.rule, [&](auto rule) __attribute__((always_inline)) {
+                if constexpr (width<V> != 1)
+                    return call_normal<rule()>(own, own_p);
+                else
+                    return JuliaOrbit<V, rule()>::normal(own, own_p);
+            });
+            const V length = sqrt(dot(n, n));
+            const Mask<V> known = (length > V(0)) & (length <= V(std::numeric_limits<R>::max()));
+            const V per = select(known, V(1) / length, V(0));
+            for (int c = 0; c < 3; ++c) unit[c] = unit[c] + lanes_of<S>(select(known, per * n[c], V(0)), part);
+        }
+        const Mask<S> known = dot(unit, unit) > S(0);
+        return {position, select(known, this->normal(unit.x, unit.y, unit.z), -ray.direction)};
     }
 
   private:
@@ -133,6 +155,10 @@ struct JuliaKernel : ContourKernel<T> {
     template <JuliaRule rule, class V>
     [[gnu::noinline]] static void call_advance(const JuliaNumbers<Element<V>>& own, JuliaMarch<V>& march) {
         march.template advance<rule>(own);
+    }
+    template <JuliaRule rule, class V>
+    [[gnu::noinline]] static Vec3<V> call_normal(const JuliaNumbers<Element<V>>& own, const Vec3<V>& p) {
+        return JuliaOrbit<V, rule>::normal(own, p);
     }
 };
 
@@ -186,20 +212,45 @@ struct JuliaFractal {
     }
     bool open() const { return false; }
     double radius() const { return std::sqrt(numbers<double>().template as<double>().square); }
-    Box bounds() const { return {DVec3(-radius()), DVec3(radius())}; }
+    Box bounds() const {
+        const double reach = std::sqrt(numbers<double>().template as<double>().reach);
+        return {DVec3(-reach), DVec3(reach)};
+    }
     bool contains(const DVec3& p) const {
         const JuliaNumbers<double> own = numbers<double>().template as<double>();
         return with_rule(own.rule, [&](auto rule) { return julia_holds<rule()>(own, Vec3<double>(p), true); });
     }
     static constexpr int face_count() { return 1; }
 
+    /// Returns the square of the radius of a ball around the origin that holds it. A number that is inside after a step
+    /// was not further from the origin before than the root of how far it may be, and the constant with it.
+    double reach() const {
+        const auto before = [this](double constant, double far) {
+            for (int i = 1; i < iterations; ++i) {
+                const double power = constant + far;
+                far = std::min(far, !hypercomplex && step == JuliaStep::cube ? std::cbrt(power) : std::sqrt(power));
+            }
+            return far * far;
+        };
+        if (step > JuliaStep::cube) return 16;
+        const DVec3& c = constant;
+        constexpr double margin = 1 + 1e-5;
+        if (!hypercomplex) {
+            const double size = std::sqrt(c.x * c.x + c.y * c.y + c.z * c.z + fourth * fourth);
+            return margin * before(size, std::min(1 + size, 2.));
+        }
+        const double far = std::sqrt(2 * 16.);  // each of two complex numbers, of whose squares the size is the mean
+        const double first = before(std::hypot(c.x - fourth, c.y + c.z), far);
+        const double second = before(std::hypot(c.x + fourth, c.y - c.z), far);
+        return margin * std::min(16., (first + second) / 2);
+    }
     template <class T>
     StoredJulia<T> numbers() const {
         const double square = slice.x * slice.x + slice.y * slice.y + slice.z * slice.z + slice_fourth * slice_fourth;
         const double per = 1 / std::sqrt(square);
         return StoredJulia<T>::of({constant.x, constant.y, constant.z, fourth, per * slice.x, per * slice.y,
                                    per * slice.z, per * slice_fourth, distance, 1 / precision, exponent, imaginary,
-                                   iterations, static_cast<double>(step), hypercomplex ? 0. : 1.});
+                                   iterations, static_cast<double>(step), hypercomplex ? 0. : 1., reach()});
     }
     template <class T>
     using Kernels = std::tuple<JuliaKernel<T>>;

@@ -1,273 +1,181 @@
-// Iterations whose Julia sets are bodies: which points stay near the origin, how far those are from these that leave
-// it, and the normals of the surface between them, in the way of POV-Ray's julia_fractal, after A. Norton, "Generation
-// and Display of Geometric Fractals in 3-D", 1982.
+// How rays go along through a Julia set, and where they cross its surface, in the way of POV-Ray's julia_fractal.
 #pragma once
-#include <array>
 #include <bit>
-#include <cmath>
-#include <numbers>
 #include <type_traits>
 
-#include "num/lane_math.h"
 #include "scene/kinds/contours.h"
-#include "scene/kinds/julia/julia_numbers.h"
+#include "scene/kinds/julia/julia_orbit.h"
+#include "scene/kinds/julia/shared_lanes.h"
 
 namespace strahl {
 
-/// What is iterated: squares or cubes of quaternions, or functions of hypercomplex numbers.
-enum class JuliaRule { quaternion_square, quaternion_cube, square, reciprocal, function };
-
-/// The numbers that an iteration is given by. It begins at the point of three coordinates, with a fourth part by which
-/// it is on the plane slice . z = distance, and in each of `count` steps z becomes step(z) + constant. What is never
-/// further from the origin than the root of `exit` is inside.
-template <class R>
-struct JuliaNumbers {
-    FourParts<R> constant, slice;
-    R distance, precision;
-    TwoParts<R> exponent;
-    int count;
-    JuliaStep step;
-    JuliaRule rule;
-    R square, exit;  // of the radius of a ball around it, and of where the iteration ends
-
-    template <class V>
-    STRAHL_INLINE FourParts<V> begin(const Vec3<V>& p) const {
-        const V w = V(distance) - V(slice.x) * p.x - V(slice.y) * p.y - V(slice.z) * p.z;
-        return {p.x, p.y, p.z, slice.w == 1 ? w : w / V(slice.w)};
-    }
-};
-
-/// A quaternion that is iterated. The distance to the surface is estimated by log |z| / |z'|, and |z'| is the product
-/// of the sizes of all numbers before.
-template <class V, JuliaRule rule>
-struct JuliaOrbit {
-    using R = Element<V>;
-    static constexpr bool cubed = rule == JuliaRule::quaternion_cube;
-    const JuliaNumbers<R>& own;
-    FourParts<V> z;
-    V x2, rest, growth{1}, last{1}, last_growth{1};
-
-    STRAHL_INLINE JuliaOrbit(const JuliaNumbers<R>& own, const Vec3<V>& p) : own(own), z(own.begin(p)) {}
-    /// Returns the square of how far from the origin it is; a step needs what this computes.
-    STRAHL_INLINE V size() {
-        x2 = z.x * z.x, rest = fma(z.y, z.y, fma(z.z, z.z, z.w * z.w));
-        return x2 + rest;
-    }
-    STRAHL_INLINE void step(Mask<V>) {
-        const V all = cubed ? fma(V(3), x2, -rest) : V(2) * z.x;
-        const V x = cubed ? z.x * fma(V(-3), rest, x2) : x2 - rest;
-        z = {x + V(own.constant.x), fma(z.y, all, V(own.constant.y)), fma(z.z, all, V(own.constant.z)),
-             fma(z.w, all, V(own.constant.w))};
-    }
-    /// Notes the size of those that are out.
-    STRAHL_INLINE void leave(Mask<V> out, const V& size) {
-        last = select(out, size, last), last_growth = select(out, growth, last_growth);
-    }
-    STRAHL_INLINE void grow(Mask<V>, const V& size, int) { growth *= V(R(cubed ? 9 : 4)) * size; }
-    /// Returns how far those may go that are out, in any direction.
-    STRAHL_INLINE V free(const Vec3<V>&) const {
-        constexpr R ln2 = std::numbers::ln2_v<R>;
-        return V(R(cubed ? ln2 / 3 : ln2 / 2)) * log2_by_series(last) / sqrt(last_growth);
-    }
-    /// Returns the normal at a point inside and near the surface, of any length: the size of the last number grows
-    /// along it. Its slopes by earlier numbers are found from the last back to the first.
-    STRAHL_INLINE static Vec3<R> normal(const JuliaNumbers<R>& own, const Vec3<R>& p) {
-        std::array<FourParts<R>, most_julia_steps> passed;
-        JuliaOrbit<R, rule> orbit(own, p);
-        for (int i = 0; i < own.count; ++i) passed[i] = orbit.z, orbit.size(), orbit.step(true);
-        FourParts<R> n = orbit.z;
-        for (int i = own.count; i-- > 0;) {
-            const auto& [x, y, u, v] = passed[i];
-            const R along = y * n.y + u * n.z + v * n.w, d = y * y + u * u + v * v;
-            const R all = cubed ? 3 * x * x - d : 2 * x, back = cubed ? 6 * x * n.x + 2 * along : 2 * n.x;
-            n = {cubed ? 3 * (x * x - d) * n.x + 6 * x * along : 2 * (x * n.x + along), all * n.y - y * back,
-                 all * n.z - u * back, all * n.w - v * back};
-        }
-        return {n.x, n.y, n.z};
-    }
-};
-
-/// A hypercomplex number that is iterated, as two complex numbers, x - w + i (y + z) and x + w + i (y - z), which do
-/// not mix. How fast its size grows in a direction tells how far it is to where it is 0.
-template <class V, JuliaRule rule>
-requires(rule >= JuliaRule::square)
-struct JuliaOrbit<V, rule> {
-    using R = Element<V>;
-    using Two = std::array<TwoParts<V>, 2>;
-    const JuliaNumbers<R>& own;
-    Two z, constant, growth, last_z, last_growth;
-    V last{0}, last_factor{0};
-    R factor = own.step == JuliaStep::square ? R(2) : R(1);  // of the slope, as POV-Ray has it
-
-    STRAHL_INLINE JuliaOrbit(const JuliaNumbers<R>& own, const Vec3<V>& p) : own(own) {
-        const auto [x, y, u, v] = own.begin(p);
-        const FourParts<R>& c = own.constant;
-        z = growth = last_z = last_growth = {{{x - v, y + u}, {x + v, y - u}}};
-        constant = {{{V(c.x - c.w), V(c.y + c.z)}, {V(c.x + c.w), V(c.y - c.z)}}};
-    }
-    STRAHL_INLINE V size() const { return V(R(.5)) * (z[0].square_of_size() + z[1].square_of_size()); }
-    STRAHL_INLINE void step(Mask<V> lanes) {
-        for (int i = 0; i < 2; ++i) z[i] = stepped(z[i], lanes) + constant[i];
-    }
-    /// Notes the numbers of those that are out.
-    STRAHL_INLINE void leave(Mask<V> out, const V& size) {
-        last = select(out, size, last), last_factor = select(out, V(factor), last_factor);
-        for (int i = 0; i < 2; ++i)
-            last_z[i] = z[i].where(out, last_z[i]), last_growth[i] = growth[i].where(out, last_growth[i]);
-    }
-    STRAHL_INLINE void grow(Mask<V> lanes, const V&, int i) {
-        if (i < 2) return;
-        if (own.step == JuliaStep::square) factor *= 2;
-        for (int k = 0; k < 2; ++k) {
-            const TwoParts<V> by = rule == JuliaRule::square ? z[k] : stepped(z[k], lanes);
-            growth[k] = growth[k] * (rule == JuliaRule::reciprocal ? by * TwoParts<V>{-by.x, -by.y} : by);
-        }
-    }
-    /// Returns how far those may go that are out until the size would be 0, if that is neither near nor far.
-    STRAHL_INLINE V free(const Vec3<V>& way) const {
-        const Vec3<V> n = slope(last_growth, last_z);
-        const V least(own.precision), twice = V(-2) * last_factor * dot(n, way);
-        const Mask<V> known = (twice > V(R(2e-8))) & (last > least * twice) & (last < V(R(30)) * least * twice);
-        return any(known) ? select(known, last / twice, least) : least;
-    }
-    STRAHL_INLINE static Vec3<R> normal(const JuliaNumbers<R>& own, const Vec3<R>& p) {
-        JuliaOrbit<R, rule> orbit(own, rule == JuliaRule::function ? Vec3<R>(p.x, p.y, p.y) : p);
-        for (int i = 1; i <= own.count; ++i) orbit.grow(true, R(0), i), orbit.step(true);
-        return slope(orbit.growth, orbit.z);
-    }
-
-  private:
-    /// Returns how the size of a number grows with the point, but for a factor.
-    STRAHL_INLINE static Vec3<V> slope(const Two& growth, const Two& z) {
-        const TwoParts<V> a = growth[0].conjugate() * z[0], b = growth[1].conjugate() * z[1];
-        const V half(R(.5));
-        return {half * (a.x + b.x), half * (a.y + b.y), half * (a.y - b.y)};
-    }
-    STRAHL_INLINE TwoParts<V> stepped(const TwoParts<V>& a, Mask<V> lanes) const {
-        if constexpr (rule == JuliaRule::square) return a * a;
-        if constexpr (rule == JuliaRule::reciprocal) return a.reciprocal();
-        alignas(64) R x[width<V>], y[width<V>];
-        store_lanes(x, a.x), store_lanes(y, a.y);
-        for (unsigned left = bits(lanes); left; left &= left - 1) {
-            const int k = std::countr_zero(left);
-            const TwoParts<R> value = julia_function<R>(own.step, {x[k], y[k]}, own.exponent);
-            x[k] = value.x, y[k] = value.y;
-        }
-        return {load_lanes<V>(x), load_lanes<V>(y)};
-    }
-};
-
-/// Returns which points are inside. By functions POV-Ray asks so with y in place of z, but not how far those outside
-/// may go.
-template <JuliaRule rule, class V>
-STRAHL_INLINE Mask<V> julia_holds(const JuliaNumbers<Element<V>>& own, const Vec3<V>& p, Mask<V> lanes) {
-    JuliaOrbit<V, rule> orbit(own, rule == JuliaRule::function ? Vec3<V>(p.x, p.y, p.y) : p);
-    for (int i = 1; any(lanes); ++i) {
-        lanes = lanes & !(orbit.size() > V(own.exit));
-        if (i >= own.count) break;
-        orbit.step(lanes);
-    }
-    return lanes;
-}
-/// Returns which points are inside, and how far those outside may go in a direction without passing the surface.
-template <JuliaRule rule, class V>
-STRAHL_INLINE Mask<V> julia_look(const JuliaNumbers<Element<V>>& own, const Vec3<V>& p, const Vec3<V>& way,
-                                 Mask<V> lanes, V& free) {
-    JuliaOrbit<V, rule> orbit(own, p);
-    for (int i = 1;; ++i) {
-        const V size = orbit.size();
-        const Mask<V> out = lanes & (size > V(own.exit));
-        if (any(out)) {
-            orbit.leave(out, size);
-            lanes = lanes & !out;
-            if (none(lanes)) break;
-        }
-        if (i >= own.count) break;
-        orbit.grow(lanes, size, i);
-        orbit.step(lanes);
-    }
-    free = orbit.free(way);
-    return lanes;
-}
-
-/// Rays that go through a Julia set: the lines along which they go until `last`, where they are and how far they may go
-/// from there, which of them are inside, which were found to cross the surface, and where.
+/// Rays that go through a Julia set, by places along lines from points `from`. They go until `last`, or outside of it
+/// until it is behind them: until `leaves`. Between `sure_from` and `sure_to` it matters that they cross the surface,
+/// but not where. Places are counted as a number of least steps from `base`, so that they are the same whether they are
+/// looked at one after the other or side by side.
 template <class V>
 struct JuliaMarch {
-    Vec3<V> way;
-    V last, place;
+    using R = Element<V>;
+    Vec3<V> from, way;
+    V last, leaves, sure_from, sure_to;
+    V place;
     Mask<V> lanes;
-    Vec3<V> p{};
-    V free{0}, at{0};
+    V base{place}, steps{0}, free{0};  // free: how far they may go from where they are
+    V at{0};                           // where those that turned crossed the surface
     Mask<V> inside{}, turned{};
 
-    using R = Element<V>;
-    static constexpr R near = R(1e-7);  // how exactly a crossing is found
+    static constexpr R near = std::is_same_v<R, float> ? R(4e-7) : R(1e-7);  // how exactly a crossing is found
+    static constexpr R itself = R(1e-4);  // up to here rays that start on it cross the surface that they start on
 
-    STRAHL_INLINE Vec3<V> moved(const Vec3<V>& from, const V& by) const {
-        return {fma(by, way.x, from.x), fma(by, way.y, from.y), fma(by, way.z, from.z)};
-    }
     /// Looks at the places where rays begin, or somewhat further in if these are inside.
     template <JuliaRule rule>
     STRAHL_INLINE void start(const JuliaNumbers<R>& own) {
-        inside = julia_look<rule>(own, p, way, lanes, free);
+        inside = julia_look<rule>(own, fma(place, way, from), way, lanes, free);
         if (none(inside)) return;
-        const V step = select(inside, V(near + near), V(0));
-        place = place + step, p = moved(p, step);
+        place = place + select(inside, V(near + near), V(0)), base = place;
         lanes = lanes & !(inside & !(place <= last));
-        inside = julia_look<rule>(own, p, way, lanes, free);
+        inside = julia_look<rule>(own, fma(place, way, from), way, lanes, free);
     }
     /// Goes on until all rays have crossed the surface or passed the last place, and finds where they crossed it. Those
     /// that did wait for the others.
     template <JuliaRule rule>
     STRAHL_INLINE void advance(const JuliaNumbers<R>& own) {
-        const V zero(0);
+        const V zero(0), one(1), least(own.precision);
         Mask<V> going = lanes;
-        Vec3<V> q = p;
-        V part = zero;
+        V part = zero;  // the length of the step that crosses the surface
         turned = lanes & !lanes;
-        while (true) {
-            const V step = select(going, max(free, V(own.precision)), zero);
-            const Vec3<V> before = p;
-            place = place + step, p = moved(p, step);
-            const Mask<V> ended = going & !(place <= last);  // or it is no number
+        while (any(going)) {
+            if constexpr (few > 0)
+                if (count(going) <= few) {
+                    advance_few<rule>(own, bits(going), part);
+                    break;
+                }
+            const V before = place, step = max(free, least);
+            const V more = steps + one, next = select(going, fma(more, least, base), place), far = place + free;
+            const Mask<V> longer = going & (free > least);
+            place = select(longer, far, next), base = select(longer, far, base);
+            steps = select(longer, zero, select(going, more, steps));
+            const Mask<V> ended = going & !(place <= select(inside, last, leaves));  // or it is no number
             lanes = lanes & !ended, going = going & !ended;
             if (none(going)) break;
             V free_next;
-            const Mask<V> turns = going & either(julia_look<rule>(own, p, way, going, free_next), inside);
+            const Mask<V> turns =
+                going & either(julia_look<rule>(own, fma(place, way, from), way, going, free_next), inside);
             free = select(going, free_next, free);
             if (none(turns)) continue;
-            q = select(turns, before, q), part = select(turns, step, part), at = select(turns, place - step, at);
+            part = select(turns, step, part), at = select(turns, before, at);
             turned = turned | turns, going = going & !turns;
-            if (none(going)) break;
         }
-        while (any(part > V(near))) {
-            const Mask<V> halves = part > V(near);
-            part = select(halves, V(R(.5)) * part, part);
-            const Vec3<V> middle = moved(q, part);
-            const Mask<V> same = halves & !either(julia_holds<rule>(own, middle, halves), inside);
-            q = select(same, middle, q), at = select(same, at + part, at);
-        }
-        at = select(inside, at, at + part), inside = either(inside, turned);
+        const Mask<V> sure = turned & (at >= sure_from) & (at + part <= sure_to);
+        at = select(sure & !inside, at + part, at), part = select(sure, zero, part);
+        halve<rule>(own, part);
+        inside = either(inside, turned);
         turned = turned & !(at > last);
     }
-};
 
-/// Calls call(rule), in which `rule` is a constant.
-template <class Call>
-STRAHL_INLINE auto with_rule(JuliaRule rule, const Call& call) {
-    switch (rule) {
-        case JuliaRule::quaternion_square:
-            return call(std::integral_constant<JuliaRule, JuliaRule::quaternion_square>());
-        case JuliaRule::quaternion_cube:
-            return call(std::integral_constant<JuliaRule, JuliaRule::quaternion_cube>());
-        case JuliaRule::square:
-            return call(std::integral_constant<JuliaRule, JuliaRule::square>());
-        case JuliaRule::reciprocal:
-            return call(std::integral_constant<JuliaRule, JuliaRule::reciprocal>());
-        default:
-            return call(std::integral_constant<JuliaRule, JuliaRule::function>());
+  private:
+    static constexpr int few = width<V> / 4;  // so few rays have several lanes each
+
+    /// Does what advance() does for few rays: looks at several places of each at once, as far as the steps between are
+    /// the least. `part` becomes the steps in which they cross the surface.
+    template <JuliaRule rule>
+    STRAHL_INLINE void advance_few(const JuliaNumbers<R>& own, unsigned going, V& part) {
+        const R least = own.precision;
+        alignas(64) R bases[width<V>], counts[width<V>], places[width<V>], frees[width<V>], ats[width<V>],
+            parts[width<V>];
+        store_lanes(bases, base), store_lanes(counts, steps), store_lanes(places, place), store_lanes(frees, free);
+        store_lanes(ats, at), store_lanes(parts, part);
+        unsigned ends = 0, turns = 0;
+        const unsigned in = bits(inside);
+        while (going) {
+            const SharedLanes<V> shared(going);
+            const Vec3<V> origin = shared.of(from), direction = shared.of(way);
+            const V limit = shared.of(select(inside, last, leaves));
+            const Mask<V> within = shared.lanes_of(in);
+            do {
+                for (unsigned left = going; left; left &= left - 1) {
+                    const int k = std::countr_zero(left);
+                    const bool longer = frees[k] > least;
+                    bases[k] = longer ? places[k] + frees[k] : bases[k], counts[k] = longer ? 0 : counts[k] + 1;
+                }
+                const V t = fma(shared.of(counts) + shared.number, V(least), shared.of(bases));
+                const Mask<V> used = shared.lanes_of(going), here = used & (t <= limit);
+                V next;
+                const Mask<V> turn =
+                    here & either(julia_look<rule>(own, fma(t, direction, origin), direction, here, next), within);
+                const unsigned out = bits(used & !here), turned_there = bits(turn);
+                const unsigned stops = out | turned_there | bits(used & (next > V(least)));
+                for (int i = 0; i < shared.count; ++i) {
+                    const int k = shared.rays[i];
+                    if (!(going >> k & 1)) continue;
+                    const unsigned own_stops = shared.bits_of(stops, i);
+                    const int ahead = own_stops ? std::countr_zero(own_stops) : shared.each - 1;
+                    const int j = i * shared.each + ahead;
+                    if (out >> j & 1) {
+                        ends |= 1u << k, going &= ~(1u << k);
+                        continue;
+                    }
+                    if (turned_there >> j & 1) {
+                        turns |= 1u << k, going &= ~(1u << k);
+                        ats[k] = ahead ? lane(t, j - 1) : places[k];
+                        parts[k] = ahead || !(frees[k] > least) ? least : frees[k];
+                    }
+                    counts[k] += static_cast<R>(ahead), places[k] = lane(t, j), frees[k] = lane(next, j);
+                }
+            } while (2 * std::popcount(going) > shared.count);
+        }
+        base = load_lanes<V>(bases), steps = load_lanes<V>(counts), place = load_lanes<V>(places);
+        free = load_lanes<V>(frees), at = load_lanes<V>(ats), part = load_lanes<V>(parts);
+        lanes = lanes & !mask_of<V>(ends), turned = turned | mask_of<V>(turns);
     }
-}
+    /// Halves the steps `part` from `at` on in which rays cross the surface, until the rest is short.
+    template <JuliaRule rule>
+    STRAHL_INLINE void halve(const JuliaNumbers<R>& own, const V& part) {
+        const V half(R(.5)), close(near);
+        V share(0), size(1);  // of the step: what is passed, and the rest that is left
+        Mask<V> left = turned & (part > close);
+        if constexpr (few > 0)
+            if (any(left) && count(left) <= few) {
+                halve_few<rule>(own, bits(left), part, share, size);
+                left = left & !left;
+            }
+        for (; any(left); left = left & (size * part > close)) {
+            size = select(left, half * size, size);
+            const V middle = share + size;
+            const Vec3<V> p = fma(fma(middle, part, at), way, from);
+            share = select(left & !either(julia_holds<rule>(own, p, left), inside), middle, share);
+        }
+        at = select(turned, fma(select(inside, share, share + size), part, at), at);
+    }
+    /// Does so for few rays: looks at once at all places where several halvings may look.
+    template <JuliaRule rule>
+    STRAHL_INLINE void halve_few(const JuliaNumbers<R>& own, unsigned left, const V& part, V& share, V& size) {
+        alignas(64) R shares[width<V>], sizes[width<V>], parts[width<V>];
+        store_lanes(shares, share), store_lanes(sizes, size), store_lanes(parts, part);
+        const SharedLanes<V> shared(left);
+        const unsigned whole = std::bit_floor(static_cast<unsigned>(shared.each) + 1);
+        const Vec3<V> origin = shared.of(from), direction = shared.of(way);
+        const V begin = shared.of(at), length = shared.of(part);
+        const V number = V(R(1) / static_cast<R>(whole)) * (shared.number + V(1));
+        const unsigned in = bits(inside);
+        while (left) {
+            const V t = fma(fma(number, shared.of(sizes), shared.of(shares)), length, begin);
+            const Mask<V> used = shared.lanes_of(left);
+            const unsigned held = bits(julia_holds<rule>(own, fma(t, direction, origin), used));
+            for (int i = 0; i < shared.count; ++i) {
+                const int k = shared.rays[i];
+                if (!(left >> k & 1)) continue;
+                const unsigned crossed = shared.bits_of(held, i) ^ (in >> k & 1 ? ~0u : 0u);
+                unsigned passed = 0;
+                for (unsigned step = whole / 2; step && left >> k & 1; step /= 2) {
+                    sizes[k] *= R(.5);
+                    if (!(crossed >> (passed + step - 1) & 1)) passed += step, shares[k] += sizes[k];
+                    if (!(sizes[k] * parts[k] > near)) left &= ~(1u << k);
+                }
+            }
+        }
+        share = load_lanes<V>(shares), size = load_lanes<V>(sizes);
+    }
+};
 
 }  // namespace strahl
