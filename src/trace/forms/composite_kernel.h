@@ -19,17 +19,18 @@ class CompositeWalk {
         : world(world),
           composite(composite),
           ray(ray),
+          from(ray),
           whole{select(lanes, S(0), S(inf)), select(lanes, limit, S(-inf))} {
         start_key = S(T(-1));
         const Mask<S> start = (ray.source >= S(static_cast<T>(composite.surface))) &
                               (ray.source < S(static_cast<T>(composite.surface + composite.surfaces)));
         starts_here = any(start);
-        if (starts_here) find_start_keys(start);
+        if (starts_here && composite.shares_faces) find_start_keys(start);
         find_leaves();
     }
 
     /// Returns the lanes in which the inside of the composite is there, just after `t`.
-    [[gnu::noinline]] Mask<S> inside_after(const S& t) const {
+    STRAHL_INLINE Mask<S> inside_after(const S& t) const {
         return combined([&](int i) { return inside_leaf(i, t); });
     }
     /// Does so as if leaf `other` were the opposite of what it is, and leaves from `passed` on as just before `t`.
@@ -40,42 +41,51 @@ class CompositeWalk {
         });
     }
     /// Returns the next end of any leaf beyond `t`; infinite if there is none.
-    [[gnu::noinline]] S next(const S& t) const {
+    STRAHL_INLINE S next(const S& t) const {
         S best(inf);
-        const auto look = [&](const S& end) { best = select((end > t) & (end < best), end, best); };
+        const auto look = [&](const S& end) { best = select(end > t, min(end, best), best); };
         each_leaf([&](int i) {
             for (int k = 0; k < ends[i].pairs; ++k) look(ends[i].near[k]), look(ends[i].far[k]);
         });
         return best;
     }
-    /// Calls visit(leaf, lanes, faces) for the leaves that make the whole change at `t`. If several end there, this is
-    /// the first declared one without which the whole would not change. If it would change without any of them, this is
-    /// the one at which it changes when they end in the order declared: never one that does not matter there.
-    template <class Visit>
-    void ends_at(const S& t, Mask<S> lanes, const Visit& visit) const {
-        S found(0);
-        if (leaf_count > 1) each_leaf([&](int i) { found = found + select(ends_of(i, t), S(1), S(0)); });
-        const Mask<S> several = lanes & (found > S(1));
+    /// Returns the surfaces at which the whole changes at `t`, in these lanes. If several leaves end there, it is the one
+    /// of the first declared without which the whole would not change. If it would change without any of them, it is the
+    /// one of that leaf at which it changes when they end in the order declared: never of one that does not matter.
+    S surface_at(const S& t, Mask<S> lanes) const {
+        S surface(T(-1));
+        Mask<S> found = first_lanes<S>(0), several = found;
+        const auto show = [&](int i, Mask<S> shown) {
+            surface = select(shown, S(static_cast<T>(leaf(i).surface)) + face_at(i, t), surface);
+        };
+        each_leaf([&](int i) {
+            const Mask<S> own = lanes & ends_of(i, t);
+            several = several | (found & own), found = found | own;
+            show(i, own);
+        });
         if (any(several)) [[unlikely]] {
             const Mask<S> inside = inside_after(t);
-            Mask<S> left = several;
             const auto show_first = [&](const auto& decides) {
                 each_leaf([&](int i) {
-                    const Mask<S> own = left & ends_of(i, t);
+                    const Mask<S> own = several & ends_of(i, t);
                     if (none(own)) return;
                     const Mask<S> shown = own & decides(i);
-                    show(i, t, shown, visit);
-                    left = left & !shown;
+                    show(i, shown);
+                    several = several & !shown;
                 });
             };
             show_first([&](int i) { return differ(inside, inside_if(t, i)); });
             show_first([&](int i) { return !differ(inside, inside_if(t, -1, i + 1)); });
-            lanes = lanes & !several;
         }
+        return surface;
+    }
+    /// Calls visit(leaf, lanes) for the leaves that surfaces are of.
+    template <class Visit>
+    void each_leaf_of(const S& surface, Mask<S> lanes, const Visit& visit) const {
         each_leaf([&](int i) {
-            const Mask<S> own = lanes & ends_of(i, t);
-            show(i, t, own, visit);
-            lanes = lanes & !own;
+            const S face = surface - S(static_cast<T>(leaf(i).surface));
+            const Mask<S> own = lanes & (face >= S(0)) & (face < S(static_cast<T>(leaf(i).faces)));
+            if (any(own)) visit(leaf(i), own);
         });
     }
     /// Walks along the rays and calls crossed(t, lanes) where they enter or leave the composite, until no lanes are
@@ -213,12 +223,11 @@ class CompositeWalk {
         if (ends[i].pairs > 1) any = any | (ends[i].near[1] == t) | (ends[i].far[1] == t);
         return any;
     }
-    template <class Visit>
-    void show(int i, const S& t, Mask<S> lanes, const Visit& visit) const {
-        if (none(lanes)) return;
+    /// Returns the face of a leaf that ends there.
+    S face_at(int i, const S& t) const {
         Mask<S> near = ends[i].near[0] == t;
         if (ends[i].pairs > 1) near = near | (ends[i].near[1] == t);
-        visit(leaf(i), lanes, select(near, ends[i].near_face, ends[i].far_face));
+        return select(near, ends[i].near_face, ends[i].far_face);
     }
     const CompositePlane<T>& plane(int key) const { return world.composites.planes[composite.first_plane + key]; }
     /// Returns where rays cross a plane: at 0 if they start on it.
@@ -277,7 +286,7 @@ class CompositeWalk {
         const S far = dot(away, away) * S(1 - 64 * std::numeric_limits<T>::epsilon());
         return stretch.lanes() & !((far > square) & ((along < S(0)) | (far - along * along > square)));
     }
-    void cross_body(const CompositeLeaf& own, const std::int32_t* keys, LeafEnds<S>& end) const {
+    STRAHL_INLINE void cross_body(const CompositeLeaf& own, const std::int32_t* keys, LeafEnds<S>& end) {
         const S surface(static_cast<T>(own.surface));
         S start(T(-1));
         if (starts_here) {
@@ -287,8 +296,9 @@ class CompositeWalk {
             start = select((face >= zero) & (face < faces), face,
                            select((same >= zero) & (same < faces), same, start));
         }
-        const Ray<S> from{ray.origin, ray.direction, surface + start};
+        from.source = surface + start;
         calls<S>(own.form).ends(world, own.item, from, end);
+        if (!composite.shares_faces) return;
         const Mask<S> met = end.near[0] <= end.far[0];
         for (int face = 0; face < own.faces; ++face) {
             if (keys[face] >= most_planes) continue;
@@ -358,7 +368,7 @@ class CompositeWalk {
     // listed yet.
 
     /// Finds out whether rays start in a mesh: only those that start in its box can.
-    void cross_mesh(const CompositeLeaf& own, Reach& stretch, LeafEnds<S>& end) {
+    [[gnu::noinline]] void cross_mesh(const CompositeLeaf& own, Reach& stretch, LeafEnds<S>& end) {
         Vec3<S> low, high;
         Mask<S> within = stretch.lanes();
         for (int c = 0; c < 3; ++c) {
@@ -415,6 +425,7 @@ class CompositeWalk {
     const World<T>& world;
     const CompositeInfo& composite;
     const Ray<S>& ray;
+    Ray<S> from;  // the same ray, of which a leaf is told on which of its faces it starts
     Reach whole;  // of the composite
     int leaf_count = 0, step_count = 0, list_count = 0;
     bool starts_here;
@@ -433,12 +444,10 @@ struct FormFunctions<CompositeForm, S> : SingleByPack<FormFunctions<CompositeFor
         for (int i = first; i < first + count; ++i) {
             CompositeWalk<S> walk(world, composite_of(world, i), ray, mask, best.t);
             walk.go([&](const S& t, Mask<S> lanes) {
-                walk.ends_at(t, lanes, [&](const CompositeLeaf& leaf, Mask<S> own, const S& face) {
-                    const S surface = S(static_cast<T>(leaf.surface)) + face;
-                    const Mask<S> better = own & closer(t, surface, best.t, best.surface);
-                    best.t = select(better, t, best.t);
-                    best.surface = select(better, surface, best.surface);
-                });
+                const S surface = walk.surface_at(t, lanes);
+                const Mask<S> better = lanes & closer(t, surface, best.t, best.surface);
+                best.t = select(better, t, best.t);
+                best.surface = select(better, surface, best.surface);
                 return Mask<S>(!lanes);
             });
         }
@@ -449,7 +458,9 @@ struct FormFunctions<CompositeForm, S> : SingleByPack<FormFunctions<CompositeFor
             CompositeWalk<S> walk(world, composite_of(world, i), ray, mask, distance);
             walk.go([&](const S& t, Mask<S> lanes) {
                 Mask<S> through = !lanes;
-                walk.ends_at(t, lanes & (t < distance), [&](const CompositeLeaf& leaf, Mask<S> own, const S& face) {
+                lanes = lanes & (t < distance);
+                const S surface = walk.surface_at(t, lanes);
+                walk.each_leaf_of(surface, lanes, [&](const CompositeLeaf& leaf, Mask<S> own) {
                     const MaterialKernel<T>& material = world.materials[leaf.material];
                     if (!(material.refraction > 0)) {
                         light.limit = select(own, S(-1), light.limit);
@@ -457,8 +468,7 @@ struct FormFunctions<CompositeForm, S> : SingleByPack<FormFunctions<CompositeFor
                     }
                     through = through | own;
                     if (patterned(world, leaf.material)) [[unlikely]]
-                        return PatternCalls<S>::filter(world, leaf.material, S(static_cast<T>(leaf.surface)) + face,
-                                                       ray, t, own, light.share);
+                        return PatternCalls<S>::filter(world, leaf.material, surface, ray, t, own, light.share);
                     for (int c = 0; c < 3; ++c)
                         light.share[c] =
                             select(own, min(light.share[c] * S(material.filter[c]), S(largest_gain)), light.share[c]);

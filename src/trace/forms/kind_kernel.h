@@ -231,7 +231,11 @@ STRAHL_INLINE void tell_ends(const Crossings<S, 4>& crossings, LeafEnds<S>& ends
 }
 template <class Form, class S>
 void FormFunctions<Form, S>::ends(const World<T>& world, int item, const Ray<S>& ray, LeafEnds<S>& ends) {
-    tell_ends(cross_one(world.groups.template get<Form>().items[item], ray, all_lanes<S>()), ends);
+    const auto& own = world.groups.template get<Form>().items[item];
+    if constexpr (Form::hot)
+        tell_ends(crossings_of(own, ray, all_lanes<S>()), ends);
+    else
+        tell_ends(cross_one(own, ray, all_lanes<S>()), ends);
 }
 
 template <class Form, class S>

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <type_traits>
 #include <unordered_map>
 
@@ -52,6 +53,7 @@ class CompositeBuilder {
             [&](Operation operation) { tables.steps.push_back(step(operation)); });
         share_planes();
         info.leaves = static_cast<std::int32_t>(tables.leaves.size()) - info.first_leaf;
+        release_planes();
         info.steps = static_cast<std::int32_t>(tables.steps.size()) - info.first_step;
         info.surfaces = next_surface - surface;
         mark_what_cuts();
@@ -114,6 +116,7 @@ class CompositeBuilder {
             return add_with_contours(leaf, {to_world.place(box.low), to_world.place(box.high)});
         }
         leaf.first_key = most_planes + 8 * equal_leaf(leaf);
+        info.shares_faces |= leaf.first_key < most_planes + 8 * leaves_so_far();
         for (int face = 0; face < Kind::faces; ++face) {
             const std::optional<HalfSpace> plane = plane_of(shape, face);
             if (plane) {
@@ -184,10 +187,10 @@ class CompositeBuilder {
     }
     /// Returns the key of the first face of a mesh or a body with contours: that of the first one with the same
     /// numbers.
-    std::int32_t first_key(const CompositeLeaf& own) const {
+    std::int32_t first_key(const CompositeLeaf& own) {
         const int equal = equal_leaf(own);
-        const std::size_t count = tables.leaves.size() - info.first_leaf;
-        if (equal < static_cast<int>(count)) return tables.leaves[info.first_leaf + equal].first_key;
+        info.shares_faces |= equal < leaves_so_far();
+        if (equal < leaves_so_far()) return tables.leaves[info.first_leaf + equal].first_key;
         return most_planes + 8 * most_leaves + own.surface - info.surface;
     }
     std::int32_t plane_key(const PlaneNumbers& own) {
@@ -240,17 +243,34 @@ class CompositeBuilder {
         const auto numbers = [&](const CompositeLeaf& leaf) {
             return leaf_numbers[own.form].data() + (leaf.item - arrays.forms[own.form].count) * fields;
         };
-        const std::size_t count = tables.leaves.size() - info.first_leaf;
-        for (std::size_t i = 0; i < count; ++i) {
+        for (int i = 0; i < leaves_so_far(); ++i) {
             const CompositeLeaf& other = tables.leaves[info.first_leaf + i];
             const int items = own.nodes ? own.faces : 1;
             bool same = other.form == own.form && (other.nodes ? other.faces : 1) == items;
             for (int k = 0; same && k < items; ++k)
                 same = std::equal(numbers(own) + k * fields, numbers(own) + (k + 1) * fields - 2,
                                   numbers(other) + k * fields);
-            if (same) return static_cast<int>(i);
+            if (same) return i;
         }
-        return static_cast<int>(count);
+        return leaves_so_far();
+    }
+    int leaves_so_far() const { return static_cast<int>(tables.leaves.size()) - info.first_leaf; }
+    /// Gives faces keys of their own that lie in their planes alone: only where faces meet their crossings have to be
+    /// those of the plane.
+    void release_planes() {
+        std::vector<int> faces(planes.size());  // in each plane
+        const auto each_key = [&](const auto& visit) {
+            for (const CompositeLeaf& leaf : std::span(tables.leaves).subspan(info.first_leaf))
+                for (std::int32_t face = 0; face < leaf.faces; ++face) {
+                    std::int32_t& key = tables.face_keys[info.first_key + leaf.surface - info.surface + face];
+                    if (key < most_planes) visit(leaf, face, key);
+                }
+        };
+        each_key([&](const CompositeLeaf& leaf, int, int key) { faces[key] += leaf.half_space != 0 ? 2 : 1; });
+        each_key([&](const CompositeLeaf& leaf, int face, std::int32_t& key) {
+            if (faces[key] == 1) key = leaf.first_key + face;
+            info.shares_faces |= key < most_planes;
+        });
     }
 
     WorldArrays<T>& arrays;

@@ -142,11 +142,12 @@ struct CompositeLeaf {
 /// The steps that combine the insides of leaves to that of the whole: take the next leaf, or make one of the last two
 /// results.
 enum class CompositeStep : std::uint8_t { leaf, unite, intersect, subtract };
-/// Ranges of the world's arrays. Faces have keys: those below `most_planes` are numbers of planes. A triangle has that
-/// of its plane if a face of another part lies there.
+/// Ranges of the world's arrays. Faces have keys: those below `most_planes` are numbers of planes, which half-spaces
+/// have, and flat faces of parts if a face of another part lies in the same plane.
 struct CompositeInfo {
     std::int32_t first_leaf, leaves, first_step, steps, first_plane;
     std::int32_t first_key, surface, surfaces;
+    bool shares_faces;  // some keys are of planes, or of several parts
 };
 inline constexpr int most_planes = 6 * most_leaves;
 
