@@ -16,6 +16,10 @@ struct SmoothTriangleKernel {
 
     Box bounds() const { return flat.bounds(); }
     template <class S>
+    STRAHL_INLINE Span<S> span(const LineFrame<S>& line, const Ray<S>& ray, S start) const {
+        return flat.span(line, ray, start);
+    }
+    template <class S>
     STRAHL_INLINE Span<S> span(const Ray<S>& ray, S start) const {
         return flat.span(ray, start);
     }

@@ -12,17 +12,47 @@
 
 namespace strahl {
 
-/// The axes of a line: two directions across it, and one along it (T. Duff et al., "Building an Orthonormal Basis,
-/// Revisited", 2017).
+/// How a line goes: along the coordinate in which it gets furthest, and sideways in the other two (after Woop et al.,
+/// as below).
 template <class S>
 struct LineFrame {
-    Vec3<S> x, y, z;
-    STRAHL_INLINE explicit LineFrame(const Vec3<S>& d) : z(d) {
-        const S one(1), sign = select(d.z < S(0), -one, one), a = -one / (sign + d.z), b = d.x * d.y * a;
-        x = {fma(sign * d.x * d.x, a, one), sign * b, -sign * d.x};
-        y = {b, fma(d.y * d.y, a, sign), -d.y};
+    Mask<S> most_x, most_y;  // the lanes in which that is x, or y
+    int axis;                // its number if it is the same in all lanes, else 3
+    S along, shear_x, shear_y;
+
+    STRAHL_INLINE explicit LineFrame(const Vec3<S>& d) {
+        const S x = abs(d.x), y = abs(d.y), z = abs(d.z);
+        most_x = (x >= y) & (x >= z), most_y = (y >= z) & !most_x;
+        axis = all(most_x) ? 0 : all(most_y) ? 1 : none(most_x | most_y) ? 2 : 3;
+        Vec3<S> way = d;
+        roll(way);
+        along = way.z;
+        const S per = S(1) / along;
+        shear_x = way.x * per, shear_y = way.y * per;
     }
-    STRAHL_INLINE Vec3<S> operator()(const Vec3<S>& v) const { return {dot(v, x), dot(v, y), dot(v, z)}; }
+    /// Changes vectors from the line's start: x and y become how far they are beside the line, measured across the
+    /// coordinate along which it goes, and z that coordinate.
+    template <class... Vectors>
+    STRAHL_INLINE void see(Vectors&... v) const {
+        roll(v...);
+        ((v.x = fma(-shear_x, v.z, v.x), v.y = fma(-shear_y, v.z, v.y)), ...);
+    }
+
+  private:
+    /// Changes the order of coordinates so that the one along which the line goes is the last.
+    template <class... Vectors>
+    STRAHL_INLINE void roll(Vectors&... v) const {
+        if (axis == 0) {
+            ((v = {v.y, v.z, v.x}), ...);
+        } else if (axis == 1) {
+            ((v = {v.z, v.x, v.y}), ...);
+        } else if (axis == 3) {
+            const auto pick = [&](const S& x, const S& y, const S& z) __attribute__((always_inline)) {
+                return select(most_x, x, select(most_y, y, z));
+            };
+            ((v = {pick(v.y, v.z, v.x), pick(v.z, v.x, v.y), pick(v.x, v.y, v.z)}), ...);
+        }
+    }
 };
 
 /// A triangle seen along a line: the areas of the three triangles that the line makes with its sides, each belonging to
@@ -36,10 +66,14 @@ struct LineFrame {
 template <class S>
 struct SeenTriangle {
     Vec3<S> a, b, c;  // from the ray's origin, in the line's frame
-    S of_a, of_b, of_c;
+    S along, of_a, of_b, of_c;
     Mask<S> crossed;
 
-    STRAHL_INLINE SeenTriangle(const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& c) : a(a), b(b), c(c) {
+    /// Takes corners from the ray's origin.
+    STRAHL_INLINE SeenTriangle(const LineFrame<S>& line, const Vec3<S>& from_a, const Vec3<S>& from_b,
+                               const Vec3<S>& from_c)
+        : a(from_a), b(from_b), c(from_c), along(line.along) {
+        line.see(a, b, c);
         const S zero(0);
         of_a = area(b, c), of_b = area(c, a), of_c = area(a, b);
         crossed = one_sign(of_a, of_b, of_c);
@@ -48,7 +82,9 @@ struct SeenTriangle {
         crossed = one_sign(side(of_a, b, c), side(of_b, c, a), side(of_c, a, b));
         of_a = select(of_a + of_b + of_c == zero, S(1), of_a);  // where areas underflow any point of it will do
     }
-    STRAHL_INLINE S depth() const { return fma(of_a, a.z, fma(of_b, b.z, of_c * c.z)) / (of_a + of_b + of_c); }
+    STRAHL_INLINE S depth() const {
+        return fma(of_a, a.z, fma(of_b, b.z, of_c * c.z)) / ((of_a + of_b + of_c) * along);
+    }
 
   private:
     STRAHL_INLINE static Mask<S> one_sign(const S& u, const S& v, const S& w) {
@@ -80,18 +116,25 @@ struct TriangleKernel {
         return box;
     }
     template <class S>
+    STRAHL_INLINE SeenTriangle<S> seen(const LineFrame<S>& line, const Ray<S>& ray) const {
+        return {line, splat<S>(a) - ray.origin, splat<S>(b) - ray.origin, splat<S>(c) - ray.origin};
+    }
+    template <class S>
     STRAHL_INLINE SeenTriangle<S> seen(const Ray<S>& ray) const {
-        const LineFrame<S> frame(ray.direction);
-        return {frame(splat<S>(a) - ray.origin), frame(splat<S>(b) - ray.origin), frame(splat<S>(c) - ray.origin)};
+        return seen(LineFrame<S>(ray.direction), ray);
     }
     /// A ray crosses once and comes from outside on both sides: `near` is at -infinity.
     template <class S>
-    STRAHL_INLINE Span<S> span(const Ray<S>& ray, S start) const {
+    STRAHL_INLINE Span<S> span(const LineFrame<S>& line, const Ray<S>& ray, S start) const {
         constexpr auto inf = std::numeric_limits<Element<S>>::infinity();
-        const SeenTriangle<S> triangle = seen(ray);
+        const SeenTriangle<S> triangle = seen(line, ray);
         const Mask<S> hit = triangle.crossed & !(start == S(0));
         if (none(hit)) return {S(-inf), S(inf), hit};
         return {S(-inf), triangle.depth(), hit};
+    }
+    template <class S>
+    STRAHL_INLINE Span<S> span(const Ray<S>& ray, S start) const {
+        return span(LineFrame<S>(ray.direction), ray, start);
     }
     /// Returns the point where the line passes through the triangle.
     template <class S>

@@ -49,9 +49,9 @@ class CompositeWalk {
         });
         return best;
     }
-    /// Returns the surfaces at which the whole changes at `t`, in these lanes. If several leaves end there, it is the one
-    /// of the first declared without which the whole would not change. If it would change without any of them, it is the
-    /// one of that leaf at which it changes when they end in the order declared: never of one that does not matter.
+    /// Returns the surfaces at which the whole changes at `t`, in these lanes. If several leaves end there, it is that
+    /// of the first declared leaf without which the whole would not change. If it would change without any of them, it
+    /// is that of the leaf at which it changes when they end in the order declared: never one that does not matter.
     S surface_at(const S& t, Mask<S> lanes) const {
         S surface(T(-1));
         Mask<S> found = first_lanes<S>(0), several = found;

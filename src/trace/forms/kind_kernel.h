@@ -7,11 +7,25 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
+/// Is a form one of those of meshes?
+template <class Form>
+inline constexpr bool of_triangles = Form::compact && !Form::hot;
+
+/// Returns what all triangles need to know of rays, which is found once for the items of a leaf; nothing for others.
+template <class Form, class S>
+STRAHL_INLINE auto line_of(const Ray<S>& ray) {
+    if constexpr (of_triangles<Form>)
+        return LineFrame<S>(ray.direction);
+    else
+        return nullptr;
+}
 /// Returns an item's crossings: by inlined code if the form is compact, else by a call.
 template <class Form, class S, class Item>
-STRAHL_INLINE auto cross(const Item& item, const Ray<S>& ray, Mask<S> lanes,
+STRAHL_INLINE auto cross(const Item& item, const Ray<S>& ray, const auto& line, Mask<S> lanes,
                          CrossingsOf<S, Item> (*call)(const Item&, const Ray<S>&, Mask<S>)) {
-    if constexpr (Form::compact)
+    if constexpr (of_triangles<Form>)
+        return item.shape.span(line, ray, ray.source - S(item.surface));
+    else if constexpr (Form::compact)
         return crossings_of(item, ray, lanes);
     else
         return call(item, ray, lanes);
@@ -63,8 +77,8 @@ template <class Form, class S>
 [[gnu::noinline]] Mask<S> FormFunctions<Form, S>::holds_eye(const World<T>& world, int item, const Ray<S>& ray) {
     // Camera rays may start elsewhere: those of an orthographic camera do.
     const Ray<S> from_eye{select(ray.source < S(0), ray.origin, splat<S>(world.eye)), ray.direction, S(-1)};
-    const Span<S> span =
-        cross<Form>(world.groups.template get<Form>().items[item], from_eye, all_lanes<S>(), cross_one);
+    const Span<S> span = cross<Form>(world.groups.template get<Form>().items[item], from_eye, line_of<Form>(from_eye),
+                                     all_lanes<S>(), cross_one);
     return span.hit & (span.near <= S(0)) & (span.far > S(0));
 }
 /// Returns those rays, of rays that seem to start in an opaque convex body, that do not: rays get into such a body only
@@ -100,9 +114,10 @@ template <class Form, class S>
 void FormFunctions<Form, S>::intersect(const World<T>& world, int first, int count, const Ray<S>& ray, Mask<S> mask,
                                        Nearest<S>& best) {
     const auto& group = world.groups.template get<Form>();
+    const auto line = line_of<Form>(ray);
     for (int i = first; i < first + count; ++i) {
         const auto& item = group.items[i];
-        auto crossed = cross<Form>(item, ray, mask, cross_one);
+        auto crossed = cross<Form>(item, ray, line, mask, cross_one);
         settle_start(world, i, 0, item, ray, mask, crossed);
         intersect_item(world, item, crossed, mask, best,
                        [&](const auto& span, Mask<S> exits) { return outside(world, i, ray, span, exits); });
@@ -113,11 +128,12 @@ template <class Form, class S>
 void FormFunctions<Form, S>::intersect_single(const World<T>& world, int first, int count, SingleRay<S>& single) {
     const auto& group = world.groups.template get<Form>();
     const Ray<S>& ray = single.ray;
+    const auto line = line_of<Form>(ray);
     for (int i = first; i < first + count; i += width<S>) {
         const auto item = load_of_leaf<S>(group, first, count, i);
         const S surface = item.surface;
         const Mask<S> items = first_lanes<S>(first + count - i);
-        auto span = cross<Form>(item, ray, items, cross_each);
+        auto span = cross<Form>(item, ray, line, items, cross_each);
         settle_start(world, i, 1, item, ray, items, span);
         const S t = first_crossing(span);
         Mask<S> better = span.hit & (t > S(0)) & items;
@@ -136,9 +152,10 @@ template <class Form, class S>
 bool FormFunctions<Form, S>::occlude(const World<T>& world, int first, int count, const Ray<S>& ray, const S& distance,
                                      Mask<S> mask, Transmission<S>& light) {
     const auto& group = world.groups.template get<Form>();
+    const auto line = line_of<Form>(ray);
     for (int i = first; i < first + count; ++i) {
         const auto& item = group.items[i];
-        auto crossed = cross<Form>(item, ray, mask, cross_one);
+        auto crossed = cross<Form>(item, ray, line, mask, cross_one);
         settle_start(world, i, 0, item, ray, mask, crossed);
         if (occlude_item(world, item, ray, crossed, distance, mask, light,
                          [&](const auto& span, Mask<S> exits) { return outside(world, i, ray, span, exits); }))
@@ -151,11 +168,12 @@ template <class Form, class S>
 bool FormFunctions<Form, S>::occlude_single(const World<T>& world, int first, int count, SingleRay<S>& single) {
     const auto& group = world.groups.template get<Form>();
     const Ray<S>& ray = single.ray;
+    const auto line = line_of<Form>(ray);
     const S distance(single.t);
     for (int i = first; i < first + count; i += width<S>) {
         const auto item = load_of_leaf<S>(group, first, count, i);
         const Mask<S> items = first_lanes<S>(first + count - i);
-        auto span = cross<Form>(item, ray, items, cross_each);
+        auto span = cross<Form>(item, ray, line, items, cross_each);
         settle_start(world, i, 1, item, ray, items, span);
         auto crossed_by = crossed(span, span.hit & items, distance);
         if constexpr (Item<Form, T>::has_exits)
@@ -250,12 +268,13 @@ void FormFunctions<Form, S>::list_crossings(const World<T>& world, const Composi
         const T most = every ? std::numeric_limits<T>::infinity() : lane(limit, k);
         T end = most;
         const Ray<S> one = lane_of(ray, k);
+        const auto line_of_one = line_of<Form>(one);
         const S from(lane(place, k));
         visit_leaves(mesh.nodes, lane_of(line, k), end, [&](int first, int count) {
             for (int i = first; i < first + count; i += width<S>) {
                 const auto item = load_of_leaf<S>(group, first, count, i);
                 const Mask<S> items = first_lanes<S>(first + count - i);
-                auto crossed = cross<Form>(item, one, items, cross_each);
+                auto crossed = cross<Form>(item, one, line_of_one, items, cross_each);
                 settle_start(world, i, 1, item, one, items, crossed);
                 unsigned hits = bits(items & crossed.hit & (crossed.far > from));
                 if (!hits) continue;
@@ -275,8 +294,7 @@ constexpr FormCalls<S> calls_of() {
     FormCalls<S> calls{&Own::intersect, &Own::intersect_single, &Own::occlude, &Own::occlude_single};
     calls.surfaces_at = &Own::surfaces_at;
     if constexpr (Form::Kind::closed && Form::Kind::bounded) calls.ends = &Own::ends;
-    if constexpr (Form::compact && !Form::hot)  // the forms of meshes
-        calls.list_crossings = &Own::list_crossings;
+    if constexpr (of_triangles<Form>) calls.list_crossings = &Own::list_crossings;
     if constexpr (!Form::hot) calls.surface_at = &Own::surface_at;
     if constexpr (!Form::hot && Form::Kind::convex) calls.span = &Own::span;
     return calls;
