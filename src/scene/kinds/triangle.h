@@ -12,8 +12,8 @@
 
 namespace strahl {
 
-/// How a line goes: along the coordinate in which it gets furthest, and sideways in the other two (after Woop et al.,
-/// as below).
+/// Says how a line goes: along the coordinate in which it gets furthest, and sideways in the other two (after Woop et
+/// al., as below).
 template <class S>
 struct LineFrame {
     Mask<S> most_x, most_y;  // the lanes in which that is x, or y

@@ -250,10 +250,7 @@ STRAHL_INLINE void tell_ends(const Crossings<S, 4>& crossings, LeafEnds<S>& ends
 template <class Form, class S>
 void FormFunctions<Form, S>::ends(const World<T>& world, int item, const Ray<S>& ray, LeafEnds<S>& ends) {
     const auto& own = world.groups.template get<Form>().items[item];
-    if constexpr (Form::hot)
-        tell_ends(crossings_of(own, ray, all_lanes<S>()), ends);
-    else
-        tell_ends(cross_one(own, ray, all_lanes<S>()), ends);
+    tell_ends(cross<Form>(own, ray, line_of<Form>(ray), all_lanes<S>(), cross_one), ends);
 }
 
 template <class Form, class S>

@@ -116,7 +116,6 @@ class CompositeBuilder {
             return add_with_contours(leaf, {to_world.place(box.low), to_world.place(box.high)});
         }
         leaf.first_key = most_planes + 8 * equal_leaf(leaf);
-        info.shares_faces |= leaf.first_key < most_planes + 8 * leaves_so_far();
         for (int face = 0; face < Kind::faces; ++face) {
             const std::optional<HalfSpace> plane = plane_of(shape, face);
             if (plane) {
@@ -189,7 +188,6 @@ class CompositeBuilder {
     /// numbers.
     std::int32_t first_key(const CompositeLeaf& own) {
         const int equal = equal_leaf(own);
-        info.shares_faces |= equal < leaves_so_far();
         if (equal < leaves_so_far()) return tables.leaves[info.first_leaf + equal].first_key;
         return most_planes + 8 * most_leaves + own.surface - info.surface;
     }
@@ -237,8 +235,8 @@ class CompositeBuilder {
             leaf.in_planes = true;
         });
     }
-    /// Returns the number, in the composite, of the first leaf with the same numbers.
-    int equal_leaf(const CompositeLeaf& own) const {
+    /// Returns the number, in the composite, of the first leaf with the same numbers, and notes if there is one.
+    int equal_leaf(const CompositeLeaf& own) {
         const std::size_t fields = WorldArrays<T>::traits[own.form].fields;
         const auto numbers = [&](const CompositeLeaf& leaf) {
             return leaf_numbers[own.form].data() + (leaf.item - arrays.forms[own.form].count) * fields;
@@ -250,6 +248,7 @@ class CompositeBuilder {
             for (int k = 0; same && k < items; ++k)
                 same = std::equal(numbers(own) + k * fields, numbers(own) + (k + 1) * fields - 2,
                                   numbers(other) + k * fields);
+            info.shares_faces |= same;
             if (same) return i;
         }
         return leaves_so_far();

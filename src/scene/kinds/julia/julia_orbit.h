@@ -13,7 +13,7 @@
 
 namespace strahl {
 
-/// What is iterated: squares or cubes of quaternions, or functions of hypercomplex numbers.
+/// Says what is iterated: squares or cubes of quaternions, or functions of hypercomplex numbers.
 enum class JuliaRule { quaternion_square, quaternion_cube, square, reciprocal, function };
 
 /// The numbers that an iteration is given by. It begins at the point of three coordinates, with a fourth part by which
