@@ -39,12 +39,17 @@ struct LightBuffers<T>::Arrays {
         Slopes u, v;
         std::int32_t seen;  // index of the item in `seen`
     };
-    /// Rows of a face, and the candidates of its cells beyond the first ones, numbered from 1; 0 is none.
+    /// The cells of a face that an item covers.
+    struct Cover {
+        std::int32_t left, right, top, bottom;
+        std::int32_t seen;  // index of the item in `seen`
+    };
+    /// Rows of a face.
     struct Band {
         std::int32_t face, first_row, last_row;
-        std::vector<Candidate<T>> more;
-        std::int64_t begin = 0;  // place of these in `candidates`
-        double squares = 0;      // sum over cells of the square of the number of candidates
+        std::int64_t begin = 0;  // place in `candidates` of those of its cells beyond the first ones
+        std::int64_t more = 0;     // how many these are
+        std::int64_t squares = 0;  // sum over cells of the square of the number of candidates
     };
     static constexpr double epsilon = static_cast<double>(std::numeric_limits<T>::epsilon());
     static constexpr T none = std::numeric_limits<T>::infinity();
@@ -52,19 +57,23 @@ struct LightBuffers<T>::Arrays {
     std::vector<SeenItem> seen;
     std::vector<std::vector<Print>> prints;  // by face, furthest item first
     std::vector<BufferFace<T>> faces;
+    std::vector<std::vector<Cover>> covers;  // by face, furthest item first
     std::vector<Band> bands;
-    Buffer<Candidate<T>> first, candidates;  // those that cells begin with, and all
-    std::int64_t cells = 1, size = 0;
+    Buffer<std::int32_t> counts, ends;  // by cell: of candidates, and behind those beyond the first one
+    Buffer<Candidate<T>> candidates;
+    std::int64_t cells = 1, covered = 0, size = 0;  // covered: candidates of all cells
     double reach = 0;
 
     void see(const World<T>& world, const LightKernel<T>& light, bool proves);
     void look(const LightKernel<T>& light);
     void add_face(const Basis& basis, double limit, double slack, bool parallel);
     void divide(double area);
-    void fill(Band& band);
+    std::int64_t most_candidates() const { return most_per_item * static_cast<std::int64_t>(seen.size()); }
+    template <class Visit>
+    void each_cover(const Band& band, const Visit& visit) const;
+    void count(Band& band);
     bool make_room();
-    void join(Band& band);
-    bool slow() const;
+    void fill(const Band& band);
 };
 
 /// Lists the items, furthest from the light first. The errors of coordinates and rays are added to their balls.
@@ -160,78 +169,96 @@ void LightBuffers<T>::Arrays::divide(double area) {
         for (std::int32_t row = 0; row < rows; row += band_rows)
             bands.push_back({number, row, std::min(row + band_rows, rows) - 1, {}});
     }
-    first = uninitialized_buffer<Candidate<T>>(cells);
-    first[0] = {none, T(0), T(0), T(0)};
-}
-
-/// Puts items into the cells of a band, each in front of those that are further away.
-template <class T>
-void LightBuffers<T>::Arrays::fill(Band& band) {
-    const BufferFace<T>& face = faces[band.face];
-    const auto columns = static_cast<std::int32_t>(face.columns);
-    Candidate<T>* const own = &first[static_cast<std::int64_t>(face.first)];
-    std::fill(own + band.first_row * columns, own + (band.last_row + 1) * columns,
-              Candidate<T>{none, T(0), T(0), T(0)});
+    counts = uninitialized_buffer<std::int32_t>(cells), ends = uninitialized_buffer<std::int32_t>(cells);
+    constexpr double off = 1. / 64;  // of a cell, for rounding
     const auto cell = [](double slope, T low, T per, double off) {
         const double cells = (slope - static_cast<double>(low)) * static_cast<double>(per);
         return static_cast<std::int32_t>(std::floor(cells + off));
     };
-    constexpr double off = 1. / 64;  // of a cell, for rounding
-    for (const Print& print : prints[band.face]) {
-        const std::int32_t top = std::max(cell(print.v.low, face.low_v, face.per_v, -off), band.first_row);
-        const std::int32_t bottom = std::min(cell(print.v.high, face.low_v, face.per_v, off), band.last_row);
-        if (top > bottom) continue;
-        const std::int32_t left = std::max(cell(print.u.low, face.low_u, face.per_u, -off), 0);
-        const std::int32_t right = std::min(cell(print.u.high, face.low_u, face.per_u, off), columns - 1);
-        const SeenItem& s = seen[print.seen];
-        for (std::int32_t row = top; row <= bottom; ++row)
-            for (Candidate<T>* c = own + row * columns + left; c <= own + row * columns + right; ++c) {
-                if (c->near < none) band.more.push_back(*c);
-                const T next = c->near < none ? static_cast<T>(band.more.size()) : T(0);
-                *c = {static_cast<T>(s.near), static_cast<T>(s.item), static_cast<T>(s.form), next};
-            }
-        if (band.more.size() > most_per_item * seen.size()) return;  // see make_room
+    covers.resize(faces.size());
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        const BufferFace<T>& face = faces[i];
+        const auto columns = static_cast<std::int32_t>(face.columns), rows = static_cast<std::int32_t>(face.rows);
+        covers[i].reserve(prints[i].size());
+        for (const Print& print : prints[i]) {
+            const Cover cover{std::max(cell(print.u.low, face.low_u, face.per_u, -off), 0),
+                              std::min(cell(print.u.high, face.low_u, face.per_u, off), columns - 1),
+                              std::max(cell(print.v.low, face.low_v, face.per_v, -off), 0),
+                              std::min(cell(print.v.high, face.low_v, face.per_v, off), rows - 1), print.seen};
+            covered += std::int64_t(cover.right - cover.left + 1) * (cover.bottom - cover.top + 1);
+            covers[i].push_back(cover);
+        }
+    }
+    if (covered > most_candidates()) bands = {};
+    prints = {};
+}
+
+/// Calls visit(first cell, last cell, item) for each row that an item covers of a band.
+template <class T>
+template <class Visit>
+void LightBuffers<T>::Arrays::each_cover(const Band& band, const Visit& visit) const {
+    const auto columns = static_cast<std::int32_t>(faces[band.face].columns);
+    const auto start = static_cast<std::int32_t>(faces[band.face].first);
+    for (const Cover& cover : covers[band.face]) {
+        const std::int32_t bottom = std::min(cover.bottom, band.last_row);
+        for (std::int32_t row = std::max(cover.top, band.first_row); row <= bottom; ++row)
+            visit(start + row * columns + cover.left, start + row * columns + cover.right, seen[cover.seen]);
     }
 }
 
-/// Allocates the memory for all candidates and gives bands their places in it. Returns false if there are too many.
+/// Counts the candidates of a band's cells.
+template <class T>
+void LightBuffers<T>::Arrays::count(Band& band) {
+    const auto columns = static_cast<std::int32_t>(faces[band.face].columns);
+    const auto start = static_cast<std::int32_t>(faces[band.face].first);
+    const std::int32_t begin = start + band.first_row * columns, end = start + (band.last_row + 1) * columns;
+    std::fill(&counts[begin], &counts[end], 0);
+    each_cover(band, [&](std::int32_t left, std::int32_t right, const SeenItem&) {
+        for (std::int32_t c = left; c <= right; ++c) ++counts[c];
+    });
+    for (std::int32_t c = begin; c < end; ++c) {
+        band.more += std::max(counts[c] - 1, 0);
+        band.squares += std::int64_t(counts[c]) * counts[c];
+    }
+}
+
+/// Allocates the memory for all candidates and gives bands their places in it. Returns false if there are too many, or
+/// if usual cells, those that most candidates are in, have so many that the hierarchy is faster.
 template <class T>
 bool LightBuffers<T>::Arrays::make_room() {
     size = cells;
-    for (Band& band : bands) band.begin = size, size += static_cast<std::int64_t>(band.more.size());
-    if (size > static_cast<std::int64_t>(most_per_item * seen.size()) ||
-        static_cast<double>(size) > World<T>::capacity)
+    std::int64_t squares = 0;
+    for (Band& band : bands) {
+        band.begin = size;
+        size += band.more, squares += band.squares;
+    }
+    if (std::max(size, covered) > most_candidates() || static_cast<double>(size) > World<T>::capacity ||
+        squares > most_per_cell * covered)
         return false;
     candidates = uninitialized_buffer<Candidate<T>>(size);
-    candidates[0] = first[0];
+    candidates[0] = {none, T(0), T(0), T(0)};
     return true;
 }
 
-/// Copies a band's candidates to where they stay: those of a cell beyond the first one after the other.
+/// Puts items into the cells of a band, each in front of those that are further away: the last one is what the cell
+/// begins with, the others come one after the other.
 template <class T>
-void LightBuffers<T>::Arrays::join(Band& band) {
-    const BufferFace<T>& face = faces[band.face];
-    const auto columns = static_cast<std::int64_t>(face.columns), start = static_cast<std::int64_t>(face.first);
-    std::int64_t at = band.begin;
-    for (std::int64_t i = start + band.first_row * columns; i < start + (band.last_row + 1) * columns; ++i) {
-        double count = first[i].near < none;
-        Candidate<T>* last = &(candidates[i] = first[i]);
-        for (; last->next > 0; ++at, ++count) {
-            candidates[at] = band.more[static_cast<std::size_t>(last->next) - 1];
-            last->next = static_cast<T>(at);
-            last = &candidates[at];
-        }
-        band.squares += count * count;
+void LightBuffers<T>::Arrays::fill(const Band& band) {
+    const auto columns = static_cast<std::int32_t>(faces[band.face].columns);
+    const auto start = static_cast<std::int32_t>(faces[band.face].first);
+    auto end = static_cast<std::int32_t>(band.begin);
+    for (std::int32_t c = start + band.first_row * columns; c < start + (band.last_row + 1) * columns; ++c) {
+        candidates[c] = {none, T(0), T(0), T(0)};
+        ends[c] = end += std::max(counts[c] - 1, 0);
     }
-}
-
-/// Returns true if usual cells, those that most candidates are in, have so many that the hierarchy is faster.
-template <class T>
-bool LightBuffers<T>::Arrays::slow() const {
-    double squares = 0, sum = 0;
-    for (const Band& band : bands) squares += band.squares;
-    for (std::int64_t i = 1; i < size; ++i) sum += candidates[i].near < none;
-    return squares > most_per_cell * sum;
+    each_cover(band, [&](std::int32_t left, std::int32_t right, const SeenItem& s) {
+        Candidate<T> candidate{static_cast<T>(s.near), static_cast<T>(s.item), static_cast<T>(s.form), T(0)};
+        for (std::int32_t c = left; c <= right; ++c) {
+            const std::int32_t place = --counts[c] > 0 ? --ends[c] : c;
+            candidate.next = std::exchange(candidates[c].next, static_cast<T>(place));
+            candidates[place] = candidate;
+        }
+    });
 }
 
 template <class T>
@@ -268,17 +295,16 @@ LightBuffers<T>::LightBuffers(const World<T>& world, ThreadPool& pool, bool prov
         share_out(pool, static_cast<std::int32_t>(bands.size()), 1,
                   [&](std::int32_t i, std::int32_t) { work(*bands[i].first, *bands[i].second); });
     };
-    each_band([](Arrays& own, auto& band) { own.fill(band); });
+    each_band([](Arrays& own, auto& band) { own.count(band); });
     for (auto& own : arrays)
         if (own && !own->make_room()) own.reset();
-    each_band([](Arrays& own, auto& band) { own.join(band); });
+    each_band([](Arrays& own, auto& band) { own.fill(band); });
     for (std::size_t i = 0; i < arrays.size(); ++i) {
-        if (arrays[i] && arrays[i]->slow()) arrays[i].reset();
         if (!arrays[i]) continue;
         Arrays& own = *arrays[i];
         list[i] = {own.faces.data(), static_cast<int>(own.faces.size()), static_cast<T>(4 * own.reach),
                    own.candidates.get()};
-        own.first.reset(), own.seen = {}, own.prints = {}, own.bands = {};
+        own.counts.reset(), own.ends.reset(), own.seen = {}, own.covers = {}, own.bands = {};
     }
 }
 template <class T>
