@@ -106,6 +106,20 @@ STRAHL_INLINE R gather_items(const I* items, const int* index) {
     }
     return of_fields<R, S>([&](std::size_t f) __attribute__((always_inline)) { return load_lanes<S>(lanes[f]); });
 }
+/// Does so for items of floats, and converts them.
+template <template <class> class R, class S>
+STRAHL_INLINE R<S> gather_floats(const R<float>* items, const int* index) {
+    using F = std::conditional_t<width<S> == 1, float, Pack<float>>;
+    if constexpr (std::is_same_v<F, S>) return gather_items<R<S>, S>(items, index);
+    int places[width<F>] = {};  // those of the upper half are in the cache
+    for (int i = 0; i < width<S>; ++i) places[i] = index[i];
+    const R<F> found = gather_items<R<F>, F>(items, places);
+    return of_fields<R<S>, S>([&](std::size_t f) __attribute__((always_inline)) {
+        alignas(64) float lanes[width<F>];
+        store_lanes(lanes, reinterpret_cast<const F*>(&found)[f]);
+        return load_converted<S>(lanes);
+    });
+}
 /// Loads items [first, first + width), which are stored by columns: field f begins at columns + f * stride.
 template <class R, class S>
 STRAHL_INLINE R load_items(const Element<S>* columns, std::size_t stride, int first) {

@@ -51,8 +51,9 @@ struct LightBuffers<T>::Arrays {
         std::int64_t more = 0;     // how many these are
         std::int64_t squares = 0;  // sum over cells of the square of the number of candidates
     };
+    static constexpr double float_epsilon = std::numeric_limits<float>::epsilon();
     static constexpr double epsilon = static_cast<double>(std::numeric_limits<T>::epsilon());
-    static constexpr T none = std::numeric_limits<T>::infinity();
+    static constexpr Candidate<float> none{std::numeric_limits<float>::infinity(), 0, 0, 0};
 
     std::vector<SeenItem> seen;
     std::vector<std::vector<Print>> prints;  // by face, furthest item first
@@ -60,7 +61,7 @@ struct LightBuffers<T>::Arrays {
     std::vector<std::vector<Cover>> covers;  // by face, furthest item first
     std::vector<Band> bands;
     Buffer<std::int32_t> counts, ends;  // by cell: of candidates, and behind those beyond the first one
-    Buffer<Candidate<T>> candidates;
+    Buffer<Candidate<float>> candidates;
     std::int64_t cells = 1, covered = 0, size = 0;  // covered: candidates of all cells
     double reach = 0;
 
@@ -92,7 +93,7 @@ void LightBuffers<T>::Arrays::see(const World<T>& world, const LightKernel<T>& l
                 const DVec3 centre = parallel ? ball.centre : ball.centre - place;
                 const double away = parallel ? -dot_product(place, centre) : std::sqrt(dot_product(centre, centre));
                 const double radius = ball.radius + margin;
-                seen.push_back({centre, radius, away - radius - 16 * epsilon * std::abs(away), i, form});
+                seen.push_back({centre, radius, away - radius - 16 * float_epsilon * (std::abs(away) + radius), i, form});
             }
         ++form;
     });
@@ -232,11 +233,11 @@ bool LightBuffers<T>::Arrays::make_room() {
         band.begin = size;
         size += band.more, squares += band.squares;
     }
-    if (std::max(size, covered) > most_candidates() || static_cast<double>(size) > World<T>::capacity ||
+    if (std::max(size, covered) > most_candidates() || static_cast<double>(size) > World<float>::capacity ||
         squares > most_per_cell * covered)
         return false;
-    candidates = uninitialized_buffer<Candidate<T>>(size);
-    candidates[0] = {none, T(0), T(0), T(0)};
+    candidates = uninitialized_buffer<Candidate<float>>(size);
+    candidates[0] = none;
     return true;
 }
 
@@ -248,14 +249,15 @@ void LightBuffers<T>::Arrays::fill(const Band& band) {
     const auto start = static_cast<std::int32_t>(faces[band.face].first);
     auto end = static_cast<std::int32_t>(band.begin);
     for (std::int32_t c = start + band.first_row * columns; c < start + (band.last_row + 1) * columns; ++c) {
-        candidates[c] = {none, T(0), T(0), T(0)};
+        candidates[c] = none;
         ends[c] = end += std::max(counts[c] - 1, 0);
     }
     each_cover(band, [&](std::int32_t left, std::int32_t right, const SeenItem& s) {
-        Candidate<T> candidate{static_cast<T>(s.near), static_cast<T>(s.item), static_cast<T>(s.form), T(0)};
+        Candidate<float> candidate{static_cast<float>(s.near), static_cast<float>(s.item), static_cast<float>(s.form),
+                                   0};
         for (std::int32_t c = left; c <= right; ++c) {
             const std::int32_t place = --counts[c] > 0 ? --ends[c] : c;
-            candidate.next = std::exchange(candidates[c].next, static_cast<T>(place));
+            candidate.next = std::exchange(candidates[c].next, static_cast<float>(place));
             candidates[place] = candidate;
         }
     });

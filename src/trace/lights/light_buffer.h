@@ -12,13 +12,13 @@ namespace strahl {
 
 class ThreadPool;
 
-/// An item of the hierarchy that shadow rays of a cell may meet; no point of it is nearer to the light than `near`.
-/// Consists of elements only, so that it can be gathered lane by lane. In an empty cell, and where a cell has no more,
-/// `near` is infinite.
-template <class T>
+/// An item of the hierarchy that shadow rays of a cell may meet; no point of it is nearer to the light than `near`. In
+/// an empty cell, and where a cell has no more, that is infinite. Floats, for worlds in double as well: half the
+/// memory.
+template <class S>
 struct Candidate {
-    T near, item, form;
-    T next;  // the number of the cell's next candidate, which is no nearer
+    S near, item, form;
+    S next;  // the number of the cell's next candidate, which is no nearer
 };
 
 /// A face of the grid: the points p, relative to the light, whose slopes (u, v) = (right . p, up . p) / (axis . p) are
@@ -39,7 +39,7 @@ struct LightBuffer {
     const BufferFace<T>* faces = nullptr;  // null: this light has no buffer
     int face_count = 0;
     T furthest = 0;  // only for points no further from the world's origin than this
-    const Candidate<T>* candidates = nullptr;
+    const Candidate<float>* candidates = nullptr;
 };
 
 /// The buffers of a world's lights.
@@ -50,8 +50,8 @@ class LightBuffers {
     /// them.
     static constexpr std::int64_t pixels_per_item = 12;
     /// Limits above which a light has no buffer: candidates for each item, candidates in a usual cell, and items of
-    /// this light and those before it together. So buffers take no more than 512 MiB in float, and mostly 150 bytes for
-    /// each item and light.
+    /// this light and those before it together. So buffers take no more than 512 MiB, and mostly 150 bytes for each
+    /// item and light.
     static constexpr std::int64_t most_per_item = 32, most_per_cell = 12, most_items = 1 << 20;
 
     /// In buffers for proofs, a cell also has the bodies that come this near to it, as a share of the world: half of

@@ -43,7 +43,7 @@ STRAHL_INLINE void walk_candidates(const World<Element<S>>& world, int light, co
     while (any(left)) {
         int places[width<S>], items[width<S>];
         store_whole(places, at);
-        const auto candidate = gather_items<Candidate<S>, S>(buffer.candidates, places);
+        const auto candidate = gather_floats<Candidate, S>(buffer.candidates, places);
         left = left & (candidate.near < depth);
         if (none(left)) break;
         const S form(lane(candidate.form, first(left)));
