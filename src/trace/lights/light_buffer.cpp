@@ -47,7 +47,7 @@ struct LightBuffers<T>::Arrays {
     /// Rows of a face.
     struct Band {
         std::int32_t face, first_row, last_row;
-        std::int64_t begin = 0;  // place in `candidates` of those of its cells beyond the first ones
+        std::int64_t begin = 0;    // place in `candidates` of those of its cells beyond the first ones
         std::int64_t more = 0;     // how many these are
         std::int64_t squares = 0;  // sum over cells of the square of the number of candidates
     };
@@ -93,7 +93,8 @@ void LightBuffers<T>::Arrays::see(const World<T>& world, const LightKernel<T>& l
                 const DVec3 centre = parallel ? ball.centre : ball.centre - place;
                 const double away = parallel ? -dot_product(place, centre) : std::sqrt(dot_product(centre, centre));
                 const double radius = ball.radius + margin;
-                seen.push_back({centre, radius, away - radius - 16 * float_epsilon * (std::abs(away) + radius), i, form});
+                seen.push_back(
+                    {centre, radius, away - radius - 16 * float_epsilon * (std::abs(away) + radius), i, form});
             }
         ++form;
     });
