@@ -47,6 +47,7 @@ struct LightBuffers<T>::Arrays {
     /// Rows of a face.
     struct Band {
         std::int32_t face, first_row, last_row;
+        std::int32_t first_cell, end_cell;  // the numbers of its cells, and behind them
         std::int64_t begin = 0;    // place in `candidates` of those of its cells beyond the first ones
         std::int64_t more = 0;     // how many these are
         std::int64_t squares = 0;  // sum over cells of the square of the number of candidates
@@ -166,10 +167,13 @@ void LightBuffers<T>::Arrays::divide(double area) {
         cut(face.columns, face.per_u), cut(face.rows, face.per_v);
         face.first = static_cast<T>(cells);
         cells += static_cast<std::int64_t>(face.columns) * static_cast<std::int64_t>(face.rows);
-        const auto rows = static_cast<std::int32_t>(face.rows);
+        const auto rows = static_cast<std::int32_t>(face.rows), columns = static_cast<std::int32_t>(face.columns);
         const auto number = static_cast<std::int32_t>(&face - faces.data());
-        for (std::int32_t row = 0; row < rows; row += band_rows)
-            bands.push_back({number, row, std::min(row + band_rows, rows) - 1, {}});
+        const auto start = static_cast<std::int32_t>(face.first);
+        for (std::int32_t row = 0, end = band_rows; row < rows; row = end, end += band_rows) {
+            end = std::min(end, rows);
+            bands.push_back({number, row, end - 1, start + row * columns, start + end * columns});
+        }
     }
     counts = uninitialized_buffer<std::int32_t>(cells), ends = uninitialized_buffer<std::int32_t>(cells);
     constexpr double off = 1. / 64;  // of a cell, for rounding
@@ -211,14 +215,11 @@ void LightBuffers<T>::Arrays::each_cover(const Band& band, const Visit& visit) c
 /// Counts the candidates of a band's cells.
 template <class T>
 void LightBuffers<T>::Arrays::count(Band& band) {
-    const auto columns = static_cast<std::int32_t>(faces[band.face].columns);
-    const auto start = static_cast<std::int32_t>(faces[band.face].first);
-    const std::int32_t begin = start + band.first_row * columns, end = start + (band.last_row + 1) * columns;
-    std::fill(&counts[begin], &counts[end], 0);
+    std::fill(counts.get() + band.first_cell, counts.get() + band.end_cell, 0);
     each_cover(band, [&](std::int32_t left, std::int32_t right, const SeenItem&) {
         for (std::int32_t c = left; c <= right; ++c) ++counts[c];
     });
-    for (std::int32_t c = begin; c < end; ++c) {
+    for (std::int32_t c = band.first_cell; c < band.end_cell; ++c) {
         band.more += std::max(counts[c] - 1, 0);
         band.squares += std::int64_t(counts[c]) * counts[c];
     }
@@ -246,10 +247,8 @@ bool LightBuffers<T>::Arrays::make_room() {
 /// begins with, the others come one after the other.
 template <class T>
 void LightBuffers<T>::Arrays::fill(const Band& band) {
-    const auto columns = static_cast<std::int32_t>(faces[band.face].columns);
-    const auto start = static_cast<std::int32_t>(faces[band.face].first);
     auto end = static_cast<std::int32_t>(band.begin);
-    for (std::int32_t c = start + band.first_row * columns; c < start + (band.last_row + 1) * columns; ++c) {
+    for (std::int32_t c = band.first_cell; c < band.end_cell; ++c) {
         candidates[c] = none;
         ends[c] = end += std::max(counts[c] - 1, 0);
     }
