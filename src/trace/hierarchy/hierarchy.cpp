@@ -9,6 +9,7 @@
 #include "num/thread_pool.h"
 #include "scene/kinds/kinds.h"
 #include "trace/hierarchy/hierarchy_grid.h"
+#include "trace/hierarchy/hierarchy_opening.h"
 
 namespace strahl {
 namespace {
@@ -63,10 +64,14 @@ class HierarchyBuilder {
         });
         for (std::size_t i = 1; i < extents.size(); ++i) extents[0].add(extents[i]);
         std::vector<Node> top;
-        node(finished({extents[0], {}, 0, size, 0}), top, true);
+        node(finished({extents[0], {}, 0, size, 0}), top);
         std::vector<std::vector<Node>> below(tasks.size());
         share_out(pool, static_cast<std::int32_t>(tasks.size()), 1, [&](std::int32_t first, std::int32_t last) {
-            for (std::int32_t i = first; i < last; ++i) node(tasks[i].part, below[i], false), below[i].shrink_to_fit();
+            for (std::int32_t i = first; i < last; ++i) {
+                std::vector<OpenedPart> opened;
+                grow(tasks[i].part, opened);
+                node(opened, opened.back(), below[i]);
+            }
         });
         boxes.reset(), others.reset();
         join(top, below);
@@ -237,7 +242,7 @@ class HierarchyBuilder {
             for (int axis = 0; axis < 3; ++axis)
                 bins.add(axis, at[axis] - range.low[axis], cells[c].extents.all, cells[c].count);
         });
-        const bool done = range.cells() <= few_cells || part.depth >= deepest_cut;
+        const bool done = range.cells() <= few_cells || part.count() <= shared_items || part.depth >= deepest_cut;
         const Cut cut = done ? Cut{} : best_cut(bins, part.count());
         if (cut.axis == in_the_middle) {
             std::int32_t next = part.begin;
@@ -256,8 +261,9 @@ class HierarchyBuilder {
         cut_cells(both[1], grid, right, cells, ends);
     }
 
-    /// Makes a wide node and what is below it; or if others can do that, leaves them tasks.
-    std::int32_t node(const BinaryNode& root, std::vector<Node>& nodes, bool shared) {
+    /// Makes a wide node of the largest parts of one; of each that is still too large, the same again. The others are
+    /// left to tasks.
+    std::int32_t node(const BinaryNode& root, std::vector<Node>& nodes) {
         const std::size_t index = nodes.size();
         nodes.emplace_back();
         BinaryNode parts[Node::width];
@@ -281,21 +287,55 @@ class HierarchyBuilder {
             order[largest + 1] = count;
         }
         Node node{};
-        node.children = count;
-        for (int i = 0; i < node.children; ++i) {
+        for (int i = 0; i < count; ++i) {
             const BinaryNode& child = parts[order[i]];
-            for (int c = 0; c < 3; ++c)
-                node.low[c][i] = child.extents.all.low[c], node.high[c][i] = child.extents.all.high[c];
-            if (child.leaf) {
-                node.first[i] = child.begin;
-                node.leaves[i] = static_cast<std::int16_t>(LeafCode::make(first_of(child)->form, child.count()));
-                node.together |= alone(first_of(child)->form);
-                for (std::int32_t k = child.begin; k < child.end; ++k) result.order[k] = entries[child.side][k].item;
-            } else if (shared && child.count() <= shared_items) {
+            add_child(node, opened_part(child));
+            if (child.leaf) continue;
+            if (child.count() <= shared_items)
                 tasks.push_back({child, index, i});
-            } else {
-                node.first[i] = this->node(child, nodes, shared);
-            }
+            else
+                node.first[i] = this->node(child, nodes);
+        }
+        nodes[index] = node;
+        return static_cast<std::int32_t>(index);
+    }
+    static void add_child(Node& node, const OpenedPart& child) {
+        const int i = node.children++;
+        for (int c = 0; c < 3; ++c) node.low[c][i] = child.box.low[c], node.high[c][i] = child.box.high[c];
+        node.first[i] = child.first;
+        node.leaves[i] = static_cast<std::int16_t>(child.code);
+        node.together |= child.code != 0 && alone(LeafCode::form(child.code));
+    }
+    /// If a part is a leaf, its items get their places.
+    OpenedPart opened_part(const BinaryNode& part) {
+        if (!part.leaf) return {part.extents.all};
+        for (std::int32_t k = part.begin; k < part.end; ++k) result.order[k] = entries[part.side][k].item;
+        return {part.extents.all, part.begin, LeafCode::make(first_of(part)->form, part.count())};
+    }
+
+    /// Cuts a part down to leaves. It comes behind its halves.
+    void grow(BinaryNode part, std::vector<OpenedPart>& opened) {
+        OpenedPart whole = opened_part(part);
+        if (!part.leaf) {
+            const BinaryNode behind = open(part);
+            grow(part, opened);
+            whole.halves[0] = static_cast<std::int32_t>(opened.size() - 1);
+            grow(behind, opened);
+            whole.halves[1] = static_cast<std::int32_t>(opened.size() - 1);
+            whole.join(opened[whole.halves[0]], opened[whole.halves[1]]);
+        }
+        opened.push_back(whole);
+    }
+    /// Makes a wide node of a part, and what is below it.
+    static std::int32_t node(const std::vector<OpenedPart>& opened, const OpenedPart& whole, std::vector<Node>& nodes) {
+        const std::size_t index = nodes.size();
+        nodes.emplace_back();
+        std::vector<const OpenedPart*> children;
+        open_part(opened, whole, Node::width, children);
+        Node node{};
+        for (const OpenedPart* child : children) {
+            add_child(node, *child);
+            if (child->code == 0) node.first[node.children - 1] = HierarchyBuilder::node(opened, *child, nodes);
         }
         nodes[index] = node;
         return static_cast<std::int32_t>(index);

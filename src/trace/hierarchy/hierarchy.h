@@ -55,11 +55,12 @@ struct Hierarchy {
 };
 
 /// Builds the hierarchy of finite boxes, each grown by `margin` and the rounding of its corners, by the binned surface
-/// area heuristic (I. Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007): the largest of its
-/// binary nodes are opened until a node has 16 children. Many boxes are first sorted into the cells of a grid, along
-/// which they are cut (after K. Garanzha, J. Pantaleoni and D. McAllister, "Simpler and Faster HLBVH with Work Queues",
-/// 2011, who use cells of Morton codes). The result does not depend on the number of threads. Leaves have more
-/// triangles if single rays test as many `lanes` of them side by side as a leaf can hold.
+/// area heuristic (I. Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007). Of its binary nodes
+/// those become children of wide ones with which rays are expected to visit the fewest nodes. Many boxes are first
+/// sorted into the cells of a grid, along which they are cut (after K. Garanzha, J. Pantaleoni and D. McAllister,
+/// "Simpler and Faster HLBVH with Work Queues", 2011, who use cells of Morton codes). The result does not depend on the
+/// number of threads. Leaves have more triangles if single rays test as many `lanes` of them side by side as a leaf can
+/// hold.
 Hierarchy build_hierarchy(Buffer<ItemBox> boxes, std::int32_t size, double margin, ThreadPool& pool, int lanes = 1);
 
 }  // namespace strahl

@@ -19,6 +19,7 @@
 #include "tests/unit/levels.h"
 #include "tests/unit/sanitized.h"
 #include "text/parse.h"
+#include "trace/hierarchy/hierarchy_opening.h"
 #include "trace/hierarchy/moving_hierarchy.h"
 #include "trace/tracer.h"
 #include "trace/world/duplicate_bodies.h"
@@ -169,6 +170,71 @@ TEST_CASE("a hierarchy is fitted to items that move, and built anew where they h
     // With other forms the leaves of before would be wrong.
     boxes[starts[1]].form = 0, ++starts[1];
     check_hierarchy(fitted(), boxes, .25f);
+}
+
+TEST_CASE(
+    "wide nodes are made of binary ones at the cost that was expected, and never at more than by opening the largest") {
+    using hierarchy_cut::OpenedPart;
+    using Parts = std::vector<OpenedPart>;
+    std::mt19937 random(11);
+    const auto area = [](const OpenedPart& part) { return double(part.box.half_area()); };
+    int better = 0;
+    for (int count = 2; count < 200; ++count) {
+        Parts parts(count);
+        std::vector<int> loose(count);
+        for (int i = 0; i < count; ++i) {
+            const float size = std::exp(static_cast<float>(random() % 1000) / 200);
+            for (int c = 0; c < 3; ++c)
+                parts[i].box.low[c] = static_cast<float>(random() % 100),
+                parts[i].box.high[c] = parts[i].box.low[c] + size;
+            parts[i].code = 1, loose[i] = i;
+        }
+        while (loose.size() > 1) {
+            std::shuffle(loose.begin(), loose.end(), random);
+            OpenedPart whole{parts[loose[0]].box};
+            whole.box.add(parts[loose[1]].box);
+            for (int h = 0; h < 2; ++h) whole.halves[h] = loose[h];
+            whole.join(parts[loose[0]], parts[loose[1]]);
+            loose.erase(loose.begin()), loose[0] = static_cast<int>(parts.size());
+            parts.push_back(whole);
+        }
+        const auto least = [](const Parts& all, const OpenedPart& whole) {
+            std::vector<const OpenedPart*> children;
+            open_part(all, whole, Node::width, children);
+            return children;
+        };
+        const auto largest = [&](const Parts& all, const OpenedPart& whole) {
+            std::vector<const OpenedPart*> children{&whole};
+            while (children.size() < Node::width) {
+                const auto most = std::ranges::max_element(
+                    children, {}, [&](const OpenedPart* part) { return part->code != 0 ? -1 : area(*part); });
+                const OpenedPart& part = **most;
+                if (part.code != 0) break;
+                *most = &all[part.halves[0]];
+                children.push_back(&all[part.halves[1]]);
+            }
+            return children;
+        };
+        const auto cost = [&](const auto& open) {
+            double sum = 0;
+            std::vector<const OpenedPart*> nodes{&parts.back()};
+            int leaves = 0;
+            while (!nodes.empty()) {
+                const OpenedPart& node = *nodes.back();
+                nodes.pop_back(), sum += area(node);
+                const auto children = open(parts, node);
+                CHECK((children.size() > 1 && children.size() <= Node::width));
+                for (const OpenedPart* child : children) child->code != 0 ? void(++leaves) : nodes.push_back(child);
+            }
+            CHECK(leaves == count);
+            return sum;
+        };
+        const double made = cost(least);
+        CHECK(made == doctest::Approx(parts.back().cost[1]).epsilon(1e-5));
+        CHECK(made <= cost(largest) * 1.00001);
+        better += made < .9 * cost(largest);
+    }
+    CHECK(better > 20);
 }
 
 TEST_CASE("the hierarchy does not depend on the number of threads") {
