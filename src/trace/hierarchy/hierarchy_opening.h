@@ -1,6 +1,7 @@
 // Decides which binary nodes become the children of a wide one.
 #pragma once
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "trace/hierarchy/hierarchy_cut.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "trace/hierarchy/cut_triangles.h"
 #include "trace/world/duplicate_bodies.h"
 #include "trace/world/world_arrays.h"
 
@@ -53,9 +54,44 @@ void WorldArrays<T>::add_columns(const Hierarchy& of, ThreadPool& pool) {
     });
 }
 
-/// Makes one hierarchy of all bounded items, and puts these into the order of its leaves.
+/// Cuts the boxes of long triangles if that makes a difference: if a ray that meets the box around all items would meet
+/// more than 12 of them only for being long, these would become much smaller, and not too many. Each box then becomes
+/// that of its first piece, and those of others follow all boxes; returns the items of these.
 template <class T>
-void WorldArrays<T>::make_hierarchy(ThreadPool& pool) {
+std::vector<std::int32_t> WorldArrays<T>::cut_boxes(const std::array<std::int32_t, Forms::size + 1>& starts,
+                                                    ThreadPool& pool) {
+    constexpr double many = 12, small = 1e-3, smaller = 4;
+    const SumOfAreas areas(boxes.get(), starts.back(), pool);
+    if (!(areas.sum > many * areas.whole)) return {};
+    std::vector<LongTriangles<T>> found;
+    double sums[3]{};
+    for (const int form : {place_of<Form<Triangle, 0>>(Forms{}), place_of<Form<SmoothTriangle, 0>>(Forms{})}) {
+        found.push_back({forms[form].numbers.get(), std::size_t(traits[form].fields), boxes.get(), starts[form],
+                         forms[form].in_hierarchy, small * areas.whole});
+        found.back().measure(pool, sums);
+    }
+    const auto [cut, besides, estimate] = sums;
+    if (besides < many * areas.whole || besides < smaller * small * areas.whole * cut ||
+        estimate > share_items + starts.back() / 2.)
+        return {};
+    TrianglePieces pieces;
+    for (const LongTriangles<T>& some : found) some.cut(pool, pieces);
+    std::vector<std::int32_t> copies;
+    Buffer<ItemBox> longer = uninitialized_buffer<ItemBox>(starts.back() + pieces.of.size());
+    std::copy_n(boxes.get(), starts.back(), longer.get());
+    for (std::size_t i = 0; i < pieces.of.size(); ++i) {
+        const bool first = i == 0 || pieces.of[i] != pieces.of[i - 1];
+        longer[first ? pieces.of[i] : starts.back() + copies.size()] = pieces.boxes[i];
+        if (!first) copies.push_back(pieces.of[i]);
+    }
+    boxes = std::move(longer);
+    return copies;
+}
+
+/// Makes one hierarchy of all bounded items, and puts these into the order of its leaves. Unless they are to be left
+/// whole, long triangles are in several: copies, whose surface has the same number, and so they are one.
+template <class T>
+void WorldArrays<T>::make_hierarchy(ThreadPool& pool, bool whole) {
     std::array<std::int32_t, Forms::size + 1> starts{};
     for (int form = 0; form < Forms::size; ++form) {
         FormItems<T>& own = forms[form];
@@ -67,17 +103,23 @@ void WorldArrays<T>::make_hierarchy(ThreadPool& pool) {
         }
         starts[form + 1] = starts[form] + own.in_hierarchy;
     }
-    const std::int32_t size = starts.back();
+    std::int32_t size = starts.back();
     if (size == 0) return;
     for (int form = 0; form < Forms::size; ++form)
         if (forms[form].boxes != &boxes[starts[form]])
             std::copy_n(forms[form].boxes, forms[form].in_hierarchy, &boxes[starts[form]]);
+    const std::vector<std::int32_t> copies = whole ? std::vector<std::int32_t>() : cut_boxes(starts, pool);
+    size += static_cast<std::int32_t>(copies.size());
     // The order of transparent bodies in the leaves is that in which their colours are multiplied: it must not change,
     // neither from moment to moment nor with the number of lanes.
     hierarchy = moving && !world.transparent
                     ? moving->fit(std::move(boxes), starts, rounding(reach), pool)
                     : build_hierarchy(std::move(boxes), size, rounding(reach), pool, world.transparent ? 1 : lanes);
     if (!moving && size > share_items) trim_memory();  // what moves needs as much again soon
+
+    if (!copies.empty())
+        for (std::int32_t* item = hierarchy.order.get(); item < hierarchy.order.get() + size; ++item)
+            if (*item >= starts.back()) *item = copies[*item - starts.back()];
 
     // Item i in the order of the leaves becomes item places[i] of its form.
     const auto form_at = [&](std::int32_t i) {
@@ -98,7 +140,8 @@ void WorldArrays<T>::make_hierarchy(ThreadPool& pool) {
     });
     std::array<Buffer<T>, Forms::size> sorted;
     for (int form = 0; form < Forms::size; ++form)
-        sorted[form] = uninitialized_buffer<T>(std::size_t(forms[form].count + widest_pack) * traits[form].fields);
+        sorted[form] = uninitialized_buffer<T>(
+            std::size_t(next[form] + forms[form].count - forms[form].in_hierarchy + widest_pack) * traits[form].fields);
     share_out(pool, size, share_items, [&](std::int32_t first, std::int32_t last) {
         for (std::int32_t i = first; i < last; ++i) {
             const int form = form_of[i];
@@ -111,9 +154,13 @@ void WorldArrays<T>::make_hierarchy(ThreadPool& pool) {
         FormItems<T>& own = forms[form];
         const std::size_t fields = traits[form].fields;
         std::copy(&own.numbers[own.in_hierarchy * fields], &own.numbers[own.count * fields],
-                  &sorted[form][own.in_hierarchy * fields]);
+                  &sorted[form][next[form] * fields]);
         // The columns take over the memory: the system would have to clear new memory first.
         own.columns = std::exchange(own.numbers, std::move(sorted[form]));
+        if (const int more = next[form] - own.in_hierarchy; more > 0) {
+            own.in_hierarchy += more, own.count += more, own.copied = true;
+            own.columns = uninitialized_buffer<T>(std::size_t(own.count + widest_pack) * fields);
+        }
         std::fill_n(&own.columns[own.in_hierarchy * fields], widest_pack, T(0));
     }
     hierarchy.order.reset();
@@ -150,7 +197,8 @@ void WorldArrays<T>::number_bins(ThreadPool& pool) {
                 sort_bins.push_back({form, i, traits[form].listed ? -1 : material});
             }
         }
-        share_out(pool, own.count, share_items, [&](std::int32_t first, std::int32_t last) {
+        // The last of several copies of a triangle is the one that surfaces refer to.
+        share_out(pool, own.count, own.copied ? own.count : share_items, [&](std::int32_t first, std::int32_t last) {
             for (std::int32_t i = first; i < last; ++i)
                 for (int face = 0; face < traits[form].faces; ++face)
                     references[1 + static_cast<int>(own.numbers[i * fields + fields - 2]) + face] = {
@@ -164,7 +212,7 @@ void WorldArrays<T>::number_bins(ThreadPool& pool) {
 }
 
 template <class T>
-void WorldArrays<T>::arrange_items(ThreadPool& pool) {
+void WorldArrays<T>::arrange_items(ThreadPool& pool, bool proves) {
     int items = 0;
     for (int form = 0; form < Forms::size; ++form) {
         FormItems<T>& own = forms[form];
@@ -174,15 +222,15 @@ void WorldArrays<T>::arrange_items(ThreadPool& pool) {
     }
     const bool composites = forms[place_of<CompositeForm>(Forms{})].count > 0;
     world.bin_per_item = items <= (composites ? most_item_bins - Forms::size : most_item_bins);
-    if (!world.bin_per_item) make_hierarchy(pool);
+    if (!world.bin_per_item) make_hierarchy(pool, proves || moving || world.transparent);
     number_bins(pool);
 }
 
-template void WorldArrays<float>::arrange_items(ThreadPool&);
+template void WorldArrays<float>::arrange_items(ThreadPool&, bool);
 template void WorldArrays<float>::add_columns(const Hierarchy&, ThreadPool&);
-template void WorldArrays<double>::arrange_items(ThreadPool&);
+template void WorldArrays<double>::arrange_items(ThreadPool&, bool);
 template void WorldArrays<double>::add_columns(const Hierarchy&, ThreadPool&);
-template void WorldArrays<long double>::arrange_items(ThreadPool&);
+template void WorldArrays<long double>::arrange_items(ThreadPool&, bool);
 template void WorldArrays<long double>::add_columns(const Hierarchy&, ThreadPool&);
 
 }  // namespace strahl

@@ -280,7 +280,7 @@ WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, Thre
         world.passed_over = static_cast<T>(passed_over);
         world.passed_in_shadows = static_cast<T>(10 * passed_over);
     }
-    arrange_items(pool);
+    arrange_items(pool, proves);
     add_composites(scene, placement, pool, proves);
     world.sort_bins = sort_bins.data();
     world.bins = references[0].bin = static_cast<int>(sort_bins.size());

@@ -93,6 +93,7 @@ struct FormItems {
     Buffer<T> numbers, columns;
     ItemBox* boxes = nullptr;  // of all items, until these have their places
     int count = 0, in_hierarchy = 0;
+    bool copied = false;  // are some in the hierarchy several times?
 };
 
 template <class T>
@@ -198,8 +199,9 @@ struct WorldArrays {
     }
     void add_items(const Scene& scene, const Placement& placement, ThreadPool& pool, bool proves);
     // arrange_items.cpp
-    void arrange_items(ThreadPool& pool);
-    void make_hierarchy(ThreadPool& pool);
+    void arrange_items(ThreadPool& pool, bool proves);
+    std::vector<std::int32_t> cut_boxes(const std::array<std::int32_t, Forms::size + 1>& starts, ThreadPool& pool);
+    void make_hierarchy(ThreadPool& pool, bool whole);
     void add_columns(const Hierarchy& of, ThreadPool& pool);
     void number_bins(ThreadPool& pool);
     // add_composites.cpp

@@ -19,9 +19,11 @@
 #include "tests/unit/levels.h"
 #include "tests/unit/sanitized.h"
 #include "text/parse.h"
+#include "trace/hierarchy/cut_triangles.h"
 #include "trace/hierarchy/hierarchy_opening.h"
 #include "trace/hierarchy/moving_hierarchy.h"
 #include "trace/tracer.h"
+#include "trace/world/build_world.h"
 #include "trace/world/duplicate_bodies.h"
 #include "trace/world/world.h"
 
@@ -290,6 +292,85 @@ TEST_CASE("a large mesh, made by all threads, is the same as its halves") {
         };
         for (const Precision precision : {Precision::float32, Precision::float64})
             CHECK(picture({whole}, precision) == picture({halves[0], halves[1]}, precision));
+    }
+}
+
+TEST_CASE("every point of a triangle is in a box of one of its pieces, and these are within its box") {
+    std::mt19937 random(5);
+    const auto number = [&] { return static_cast<double>(random() % 2001) / 1000 - 1; };
+    int missed = 0, beyond = 0;
+    std::size_t most = 0;
+    for (int i = 0; i < 300; ++i) {
+        TriangleCorners corners;
+        for (DVec3& corner : corners) corner = {number(), i % 3 == 0 ? .5 : number(), number()};
+        if (i % 2 == 0) corners[2] = corners[0] + .01 * DVec3(number(), number(), number());
+        Box box;
+        for (const DVec3& corner : corners) box.add(corner);
+        const DVec3 normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
+        const double shadows = (std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z)) / 2;
+        std::vector<Box> pieces;
+        cut_triangle(corners, box, shadows, .01, 8, pieces);
+        most = std::max(most, pieces.size());
+        const auto in = [](const Box& b, const DVec3& p, double more) {
+            for (int c = 0; c < 3; ++c)
+                if (!(p[c] >= b.low[c] - more && p[c] <= b.high[c] + more)) return false;
+            return true;
+        };
+        for (const Box& piece : pieces) beyond += !in(box, piece.low, 0) || !in(box, piece.high, 0);
+        for (int k = 0; k < 200; ++k) {
+            const double a = (number() + 1) / 2, b = (number() + 1) / 2 * (1 - a);
+            const DVec3 point = a * corners[0] + b * corners[1] + (1 - a - b) * corners[2];
+            missed += std::ranges::none_of(pieces, [&](const Box& piece) { return in(piece, point, 1e-14); });
+        }
+    }
+    CHECK(missed == 0);
+    CHECK(beyond == 0);
+    CHECK(most > 16);
+}
+
+TEST_CASE("long triangles, cut in pieces, are seen as whole ones are") {
+    std::mt19937 random(9);
+    const auto number = [&] { return static_cast<double>(random() % 20001) / 10000 - 1; };
+    for (const bool smooth : {false, true}) {
+        MeshData sticks;
+        for (int i = 0; i < 9000; ++i) {
+            const DVec3 from(number(), number(), number());
+            const double length = i % 20 == 0 ? 1 : .05;
+            const DVec3 to = i % 20 == 0 ? DVec3(number(), number(), number()) : from + .05 * DVec3(number(), 1, 1);
+            sticks.points.insert(sticks.points.end(), {from, to, from + .02 * length * DVec3(number(), number(), 1)});
+            sticks.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+            for (int k = 0; k < 3; ++k) sticks.normals.push_back({number(), number(), number() + 3});
+        }
+        if (smooth) sticks.corner_normals = sticks.triangles;
+        const auto scene = [&](const char* more) {
+            Scene own = parse_scene(std::string(R"(
+                camera { position <0, -3, 2> look_at <0, 0, 0> up <0, 0, 1> fov 45 }
+                light { position <-4, -6, 8> color <1, 1, 1> }
+                defaultmaterial { rgb <1, .5, .2> diffuse .6 reflection .3 })") +
+                                        more + "sphere { <0, 0, 0>, .1 }",
+                                    "text");
+            const int material = own.primitives.back().material;
+            own.primitives.push_back({Mesh{std::make_shared<const MeshData>(sticks), ""}, material, {}});
+            return own;
+        };
+        // Where a body is transparent all are whole: colours are multiplied each time that a body is met.
+        const Scene cut = scene("sphere { <0, -9, 0>, .1 }"),
+                    whole = scene("sphere { <0, -9, 0>, .1 material { refraction .5 ior 1 } }");
+        ThreadPool pool(2);
+        const auto triangles = [&](const Scene& own, bool proves = false) {
+            const BuiltWorld<float> built(own, {}, pool, nullptr, nullptr, proves);
+            return built.world().groups.get<Form<Triangle, 0>>().count +
+                   built.world().groups.get<Form<SmoothTriangle, 0>>().count;
+        };
+        CHECK(triangles(whole) == 9000);
+        CHECK(triangles(cut, true) == 9000);  // proofs look for two bodies in one place
+        CHECK(triangles(cut) > 11000);
+        const View view{.camera = cut.camera, .width = 160, .height = 120, .depth = 4};
+        for (const Precision precision : {Precision::float32, Precision::float64})
+            for (const Simd simd : fused_levels()) {
+                const Frame picture = render(cut, view, precision, 2, simd);
+                CHECK(picture == render(whole, view, precision, 1, simd));
+            }
     }
 }
 
