@@ -1,4 +1,4 @@
-// Cuts the boxes of long triangles in pieces, where such boxes overlap much.
+// Gives long triangles several boxes, each around a piece of them, where their whole boxes overlap much.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -38,8 +38,9 @@ inline std::pair<Box, Box> cut_box(const TriangleCorners& corners, const Box& bo
     return halves;
 }
 
-/// Cuts a box of a triangle until of half its area no more than `limit` is besides twice that of the triangle's shadows
-/// on its sides, which cuts could not make less.
+/// Adds the boxes around pieces of a triangle: halves its box, and these again, while half the area of a box is more
+/// than `limit` larger than it has to be. It has to be twice the area of the piece's shadows along the axes, `shadows`,
+/// which no cut makes less. Cuts at most so many times one after the other.
 inline void cut_triangle(const TriangleCorners& corners, const Box& box, double shadows, double limit, int cuts,
                          std::vector<Box>& pieces) {
     if (cuts > 0 && half_area(box) - 2 * shadows > limit) {
@@ -65,9 +66,8 @@ struct TrianglePieces {
     std::vector<std::int32_t> of;
 };
 
-/// The triangles of a form. Cuts those whose boxes have at least so much of half their area besides twice that of the
-/// triangles' shadows on the sides (after T. Karras and T. Aila, "Fast Parallel Construction of High-Quality Bounding
-/// Volume Hierarchies", 2013).
+/// The triangles of a form. Long ones are those with a box half of whose area is more than `limit` larger than it has
+/// to be (after T. Karras and T. Aila, "Fast Parallel Construction of High-Quality Bounding Volume Hierarchies", 2013).
 template <class T>
 struct LongTriangles {
     static constexpr std::int32_t step = 4096;
@@ -78,7 +78,8 @@ struct LongTriangles {
     std::int32_t first, count;
     double limit;
 
-    /// Calls act(part, number, corners, box, area of the shadows, half area besides) for each, by all threads.
+    /// Calls act(part, box's number, corners, box, area of the shadows, what is too large) for each long triangle, by
+    /// all threads, each of which has parts of its own.
     template <class Act>
     void each(ThreadPool& pool, const Act& act) const {
         share_out(pool, count, step, [&](std::int32_t from, std::int32_t to) {
@@ -92,21 +93,22 @@ struct LongTriangles {
                 }
                 const DVec3 normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
                 const double shadows = (std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z)) / 2;
-                const double besides = half_area(box) - 2 * shadows;
-                if (besides > limit) act(from / step, first + i, corners, box, shadows, besides);
+                const double too_large = half_area(box) - 2 * shadows;
+                if (too_large > limit) act(from / step, first + i, corners, box, shadows, too_large);
             }
         });
     }
-    /// Adds how many there are, how much larger half their areas are than they have to be, and about how many pieces
-    /// they would be cut into.
+    /// Adds up how many long triangles there are, by how much their boxes are too large, and about how many pieces they
+    /// would be cut into.
     void measure(ThreadPool& pool, double (&sums)[3]) const {
         std::vector<std::array<double, 3>> found(count / step + 1);
-        each(pool, [&](std::int32_t part, std::int32_t, const auto&, const Box&, double, double besides) {
-            found[part][0] += 1, found[part][1] += besides, found[part][2] += std::sqrt(besides / limit);
+        each(pool, [&](std::int32_t part, std::int32_t, const auto&, const Box&, double, double too_large) {
+            found[part][0] += 1, found[part][1] += too_large, found[part][2] += std::sqrt(too_large / limit);
         });
         for (const auto& some : found)
             for (int i = 0; i < 3; ++i) sums[i] += some[i];
     }
+    /// Adds the pieces of all long triangles, one triangle's after the other's.
     void cut(ThreadPool& pool, TrianglePieces& pieces) const {
         std::vector<TrianglePieces> found(count / step + 1);
         each(pool, [&](std::int32_t part, std::int32_t i, const auto& corners, const Box& box, double shadows, double) {

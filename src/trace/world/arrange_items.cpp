@@ -54,9 +54,10 @@ void WorldArrays<T>::add_columns(const Hierarchy& of, ThreadPool& pool) {
     });
 }
 
-/// Cuts the boxes of long triangles if that makes a difference: if a ray that meets the box around all items would meet
-/// more than 12 of them only for being long, these would become much smaller, and not too many. Each box then becomes
-/// that of its first piece, and those of others follow all boxes; returns the items of these.
+/// Replaces the boxes of long triangles by those of their pieces, if that pays: if a ray that meets the box around all
+/// items is expected to meet more than 12 boxes in vain, pieces are much smaller, and not too many. The box of the
+/// first piece takes the place of the triangle's, and the other pieces' follow all boxes; returns the items of the
+/// latter.
 template <class T>
 std::vector<std::int32_t> WorldArrays<T>::cut_boxes(const std::array<std::int32_t, Forms::size + 1>& starts,
                                                     ThreadPool& pool) {
@@ -70,8 +71,8 @@ std::vector<std::int32_t> WorldArrays<T>::cut_boxes(const std::array<std::int32_
                          forms[form].in_hierarchy, small * areas.whole});
         found.back().measure(pool, sums);
     }
-    const auto [cut, besides, estimate] = sums;
-    if (besides < many * areas.whole || besides < smaller * small * areas.whole * cut ||
+    const auto [long_ones, too_large, estimate] = sums;
+    if (too_large < many * areas.whole || too_large < smaller * small * areas.whole * long_ones ||
         estimate > share_items + starts.back() / 2.)
         return {};
     TrianglePieces pieces;
@@ -88,8 +89,9 @@ std::vector<std::int32_t> WorldArrays<T>::cut_boxes(const std::array<std::int32_
     return copies;
 }
 
-/// Makes one hierarchy of all bounded items, and puts these into the order of its leaves. Unless they are to be left
-/// whole, long triangles are in several: copies, whose surface has the same number, and so they are one.
+/// Makes one hierarchy of all bounded items, and puts these into the order of its leaves. Long triangles, unless they
+/// are to be left `whole`, are put there several times: these copies have the same number of their surface, by which
+/// rays tell bodies apart, and so are one.
 template <class T>
 void WorldArrays<T>::make_hierarchy(ThreadPool& pool, bool whole) {
     std::array<std::int32_t, Forms::size + 1> starts{};
