@@ -12,6 +12,8 @@
 
 namespace strahl {
 
+inline constexpr std::int32_t boxes_at_once = 4096;  // a thread's piece of work
+
 using TriangleCorners = std::array<DVec3, 3>;
 
 inline double half_area(const Box& box) {
@@ -70,7 +72,6 @@ struct TrianglePieces {
 /// to be (after T. Karras and T. Aila, "Fast Parallel Construction of High-Quality Bounding Volume Hierarchies", 2013).
 template <class T>
 struct LongTriangles {
-    static constexpr std::int32_t step = 4096;
     static constexpr int most_cuts = 8;  // one after the other
     const T* numbers;
     std::size_t fields;
@@ -82,7 +83,7 @@ struct LongTriangles {
     /// all threads, each of which has parts of its own.
     template <class Act>
     void each(ThreadPool& pool, const Act& act) const {
-        share_out(pool, count, step, [&](std::int32_t from, std::int32_t to) {
+        share_out(pool, count, boxes_at_once, [&](std::int32_t from, std::int32_t to) {
             for (std::int32_t i = from; i < to; ++i) {
                 if (!(hierarchy_cut::bounds_of(boxes[first + i]).half_area() > limit)) continue;
                 TriangleCorners corners;
@@ -94,14 +95,14 @@ struct LongTriangles {
                 const DVec3 normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
                 const double shadows = (std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z)) / 2;
                 const double too_large = half_area(box) - 2 * shadows;
-                if (too_large > limit) act(from / step, first + i, corners, box, shadows, too_large);
+                if (too_large > limit) act(from / boxes_at_once, first + i, corners, box, shadows, too_large);
             }
         });
     }
     /// Adds up how many long triangles there are, by how much their boxes are too large, and about how many pieces they
     /// would be cut into.
     void measure(ThreadPool& pool, double (&sums)[3]) const {
-        std::vector<std::array<double, 3>> found(count / step + 1);
+        std::vector<std::array<double, 3>> found(count / boxes_at_once + 1);
         each(pool, [&](std::int32_t part, std::int32_t, const auto&, const Box&, double, double too_large) {
             found[part][0] += 1, found[part][1] += too_large, found[part][2] += std::sqrt(too_large / limit);
         });
@@ -110,7 +111,7 @@ struct LongTriangles {
     }
     /// Adds the pieces of all long triangles, one triangle's after the other's.
     void cut(ThreadPool& pool, TrianglePieces& pieces) const {
-        std::vector<TrianglePieces> found(count / step + 1);
+        std::vector<TrianglePieces> found(count / boxes_at_once + 1);
         each(pool, [&](std::int32_t part, std::int32_t i, const auto& corners, const Box& box, double shadows, double) {
             std::vector<Box> own;
             cut_triangle(corners, box, shadows, limit, most_cuts, own);
@@ -128,10 +129,10 @@ struct LongTriangles {
 struct SumOfAreas {
     double sum = 0, whole = 0;
     SumOfAreas(const ItemBox* boxes, std::int32_t count, ThreadPool& pool) {
-        constexpr std::int32_t step = 4096;
-        std::vector<std::pair<double, hierarchy_cut::QuadBox>> parts(count / step + 1, {0., hierarchy_cut::nothing});
-        share_out(pool, count, step, [&](std::int32_t from, std::int32_t to) {
-            auto& [own, around] = parts[from / step];
+        std::vector<std::pair<double, hierarchy_cut::QuadBox>> parts(count / boxes_at_once + 1,
+                                                                     {0., hierarchy_cut::nothing});
+        share_out(pool, count, boxes_at_once, [&](std::int32_t from, std::int32_t to) {
+            auto& [own, around] = parts[from / boxes_at_once];
             for (std::int32_t i = from; i < to; ++i) {
                 const hierarchy_cut::QuadBox box = hierarchy_cut::bounds_of(boxes[i]);
                 own += box.half_area(), around.add(box);

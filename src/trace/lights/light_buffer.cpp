@@ -154,7 +154,7 @@ void LightBuffers<T>::Arrays::add_face(const Basis& basis, double limit, double 
                      static_cast<T>(v.high - v.low), T(0)});
 }
 
-/// Divides faces into cells and bands.
+/// Divides faces into cells and bands, and finds the cells that items cover.
 template <class T>
 void LightBuffers<T>::Arrays::divide(double area) {
     const double per = std::sqrt(cells_per_item * static_cast<double>(seen.size()) / area);

@@ -62,11 +62,13 @@ template <class T>
 std::vector<std::int32_t> WorldArrays<T>::cut_boxes(const std::array<std::int32_t, Forms::size + 1>& starts,
                                                     ThreadPool& pool) {
     constexpr double many = 12, small = 1e-3, smaller = 4;
+    constexpr int triangle_forms[]{place_of<Form<Triangle, 0>>(Forms{}), place_of<Form<SmoothTriangle, 0>>(Forms{})};
+    if (std::ranges::none_of(triangle_forms, [&](int form) { return forms[form].in_hierarchy > 0; })) return {};
     const SumOfAreas areas(boxes.get(), starts.back(), pool);
     if (!(areas.sum > many * areas.whole)) return {};
     std::vector<LongTriangles<T>> found;
     double sums[3]{};
-    for (const int form : {place_of<Form<Triangle, 0>>(Forms{}), place_of<Form<SmoothTriangle, 0>>(Forms{})}) {
+    for (const int form : triangle_forms) {
         found.push_back({forms[form].numbers.get(), std::size_t(traits[form].fields), boxes.get(), starts[form],
                          forms[form].in_hierarchy, small * areas.whole});
         found.back().measure(pool, sums);

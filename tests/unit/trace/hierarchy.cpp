@@ -353,7 +353,8 @@ TEST_CASE("long triangles, cut in pieces, are seen as whole ones are") {
             own.primitives.push_back({Mesh{std::make_shared<const MeshData>(sticks), ""}, material, {}});
             return own;
         };
-        // Where a body is transparent all are whole: colours are multiplied each time that a body is met.
+        // Adds a body that no ray of the picture meets; a transparent one keeps all triangles whole, since colours are
+        // multiplied each time that a body is met.
         const Scene cut = scene("sphere { <0, -9, 0>, .1 }"),
                     whole = scene("sphere { <0, -9, 0>, .1 material { refraction .5 ior 1 } }");
         ThreadPool pool(2);
