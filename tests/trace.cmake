@@ -4,7 +4,7 @@ add_library(strahl_referee STATIC ${referee}/referee.cpp ${referee}/random_scene
 target_link_libraries(strahl_referee PUBLIC strahl_scene)
 
 strahl_tests(test_trace unit/trace "strahl_text;strahl_image;strahl_trace;strahl_referee" referee kernel
-             light_culling hierarchy bound accuracy hashes tracing sampling footprints pattern_means lattice_cells area_light thin
+             light_culling hierarchy bound accuracy hashes tracing history sampling footprints pattern_means lattice_cells area_light thin
              motion tracks patterns images reliefs split_unions composites
              finishes)
 strahl_tests(test_trace unit/scene "" prisms lathes superellipsoids blobs sweeps julia_sets)

@@ -101,14 +101,13 @@ class Batches {
                 workspace.pixels_y[i] = static_cast<T>(y - .5 + points[done + i].y / double(Point::unit));
                 if (filters) workspace.sides[i] = static_cast<T>(side > 0 ? side : side_of(points[done + i]));
             }
-            if (filters) std::fill_n(workspace.colors.begin(), 5 * count, T(-1));
             look(count, scale, samples + done);
             for (int i = 0; i < count && filters; ++i) {
                 CellSample& sample = samples[done + i];
-                for (int c = 0; c < 3; ++c) sample.color[c] = static_cast<float>(workspace.colors[5 * i + c]);
+                const SeenPatterns<T>& seen = workspace.seen[i];
+                for (int c = 0; c < 3; ++c) sample.color[c] = static_cast<float>(seen.color[c]);
                 sample.filtered = sample.color[0] >= 0;
-                sample.loose = static_cast<float>(workspace.colors[5 * i + 3]);
-                sample.doubt = static_cast<float>(workspace.colors[5 * i + 4]);
+                sample.loose = static_cast<float>(seen.loose), sample.doubt = static_cast<float>(seen.doubt);
             }
         }
     }
@@ -168,7 +167,6 @@ class Batches {
 
     /// Traces the first pixels of the workspace, and writes what they saw.
     void look(int count, double scale, CellSample* samples) {
-        std::fill_n(workspace.sights.begin(), count, Sight<T>{});
         trace_batches(count, workspace.sights.data());
         for (int i = 0; i < count; ++i) {
             CellSample& sample = samples[i];
@@ -196,12 +194,10 @@ class Batches {
 
     /// Traces the first pixels of the workspace, as many at once as fit.
     void trace_batches(int pixels, Sight<T>* sights) {
-        std::fill_n(workspace.sums.begin(), pixels, PixelSum<T>{});
-        std::fill_n(workspace.past.begin(), pixels, T(0));
         for (int done = 0; done < pixels;) {
             const int count = std::min(workspace.batch, pixels - done);
             const Footprints<T> footprints{eye.forward, eye.scale_x * eye.right, eye.scale_y * eye.down,
-                                           workspace.sides.data() + done, workspace.colors.data() + 4 * done,
+                                           workspace.sides.data() + done, workspace.seen.data() + done,
                                            eye.rays != nullptr};
             const ProvingBatch<T> batch{
                 {workspace.pixels_x.data() + done, workspace.pixels_y.data() + done, workspace.sums.data() + done,
@@ -212,9 +208,7 @@ class Batches {
                 done += count;
                 workspace.batch = std::min(scattered_pixels, 2 * workspace.batch);
             } else {
-                std::fill_n(batch.sums, count, PixelSum<T>{});
-                std::fill_n(batch.past, count, T(0));
-                if (sights) std::fill_n(batch.sights, count, Sight<T>{});
+                ++counts.split;
                 workspace.batch = std::max(1, count / 2);
             }
         }

@@ -28,7 +28,7 @@ void check_capacity(const Scene& scene, Precision precision) {
 
 Counts& Counts::operator+=(const Counts& other) {
     camera += other.camera, reflected += other.reflected, refracted += other.refracted, shadow += other.shadow;
-    depth = std::max(depth, other.depth);
+    depth = std::max(depth, other.depth), split += other.split;
     dropped = std::max(dropped, other.dropped), past = std::max(past, other.past);
     return *this;
 }
@@ -227,6 +227,7 @@ class TracerOf : public AnyTracer {
                                        .brightest = brightest.data(),
                                        .noticed = static_cast<T>(noticed),
                                        .brightest_limit = upper<T>(bound->limit),
+                                       .queue = std::min(job.queue, batch_rays),
                                        .stop = job.stop},
                                       view.prove ? slack_for(view, world, bound->gain) : Slack<T>{}};
         if (!around || around->eye != view.camera.position)

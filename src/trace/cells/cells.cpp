@@ -66,7 +66,7 @@ void Cells::begin(int x, int y, int new_columns, int new_rows, double new_contra
 }
 
 double side_of(Point point) {
-    const std::int32_t all = point.x | point.y, step = all & -all;  // the last bit set
+    const std::int32_t all = point.x | point.y | Point::unit, step = all & -all;  // the last bit set
     const bool middle = point.x & step && point.y & step;
     return std::min(double(middle ? 2 * step : step) / Point::unit, 1.);
 }

@@ -8,7 +8,7 @@ namespace strahl::inline STRAHL_LEVEL {
 /// show.
 inline constexpr float coarse_pixel = .25f;
 
-/// Adds the colours of patterns, of images where footprints exceed that limit, to `Footprints::colors`: over all that a
+/// Adds the colours of patterns, of images where footprints exceed that limit, to `Footprints::seen`: over all that a
 /// sample sees, each by the share of its light that reaches the sample, and what they may be off; and notes the loosest
 /// filter among them.
 /// Weights up to `Limits::noticed` do not count.
@@ -26,10 +26,10 @@ STRAHL_INLINE void note_colors(const Shading<S, P>& shading, const Filtering<S>&
     for (int k = 0; k < lanes; ++k) {
         const int own = static_cast<int>(pixels[k]);
         if (!(lengths[k] > coarse_pixel * all.sides[own]) || !(weights[k] > shading.limits.noticed)) continue;
-        T* const sum = all.colors + std::ptrdiff_t(5) * own;
-        for (int c = 0; c < 3; ++c) sum[c] = std::max(sum[c], T(0)) + weights[k] * colors[c][k];
-        sum[3] = std::max(sum[3], looseness[k]);
-        sum[4] = std::max(sum[4], T(0)) + weights[k] * doubts[k];
+        SeenPatterns<T>& seen = all.seen[own];
+        for (int c = 0; c < 3; ++c) seen.color[c] = std::max(seen.color[c], T(0)) + weights[k] * colors[c][k];
+        seen.loose = std::max(seen.loose, looseness[k]);
+        seen.doubt = std::max(seen.doubt, T(0)) + weights[k] * doubts[k];
     }
 }
 

@@ -232,7 +232,7 @@ template <class P, class S, class T>
 void trace_in_parts(const World<T>& world, const Limits<T>& limits, int slot, int depth, const PixelBatch<T>& batch,
                     Workspace<T>& workspace, Counts& counts) {
     if (limits.stopped()) return;
-    const int part = room_of_queue(world) / rays_of_hit(world);
+    const int part = room_of_queue(world, batch_rays) / rays_of_hit(world);
     const Generation<T>& all = generation(workspace, slot);
     Generation<T>& next = generation(workspace, slot + 1);
     const auto go = [&](const Generation<T>& some) {
@@ -259,6 +259,7 @@ bool trace(const World<T>& world, const Eye<T>& eye, const Limits<T>& limits, co
     const Counts before = counts;
     const auto start = [&](int slot) {
         Generation<T>& first = generation(workspace, slot);
+        batch.clear();
         generate_camera_rays<S>(eye, batch, world.finishes.list, workspace, first.open);
         P::start(world, eye, limits, batch, first.open);
         first.inside.count = 0;
@@ -273,7 +274,6 @@ bool trace(const World<T>& world, const Eye<T>& eye, const Limits<T>& limits, co
                                     batch, workspace, counts)) {
             counts = before;
             if (batch.count > 1) return false;
-            batch.sums[0] = {}, batch.past[0] = 0;
             constexpr int first_of_parts = 2;
             start(first_of_parts);
             trace_in_parts<P, S>(world, limits, first_of_parts, 1, batch, workspace, counts);

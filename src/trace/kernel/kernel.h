@@ -139,6 +139,7 @@ struct Limits {
     const T* brightest = nullptr;             // [n]: with n generations to come, the next one's rays are no brighter
     T noticed = 0;                            // hits of at most this weight do not count in signatures
     T brightest_limit = 0;                    // the same for any number of generations; infinite if there is no bound
+    int queue = batch_rays;                   // most rays of a generation in a batch of several pixels, see Job
     const std::atomic<bool>* stop = nullptr;  // if it becomes true the picture is no longer wanted
     bool stopped() const { return stop && stop->load(std::memory_order_relaxed); }
 };
@@ -149,15 +150,21 @@ struct PixelSum {
     T rgb[3], pruned;
 };
 
+/// Sums up the patterns that a sample sees (note_colors); below 0 if it sees none, or only much enlarged ones.
+template <class T>
+struct SeenPatterns {
+    T color[3] = {-1, -1, -1};  // each by the share of its light that reaches the sample
+    T loose = -1;               // how loose the loosest filter is
+    T doubt = -1;               // by how much the colours may be off
+};
+
 /// The squares of the view around samples, over which patterns are averaged.
 template <class T>
 struct Footprints {
     Vec3<T> forward, right, down;  // in the plane at distance 1: to its middle, and from one pixel to the next ones
     const T* sides;                // of the samples' squares, in pixels
-    /// Five values for each sample: the colours of the patterns that it sees, how loosely they are filtered, and what
-    /// they may be off, see note_colors; unchanged if it sees none, or only much enlarged ones.
-    T* colors;
-    bool made = false;  // the queue of camera rays has their differentials
+    SeenPatterns<T>* seen;         // by each sample
+    bool made = false;             // the queue of camera rays has their differentials
 };
 
 /// The pixels that are traced at once.
@@ -169,10 +176,19 @@ struct PixelBatch {
     int count;
     Sight<T>* sights = nullptr;                 // of each pixel, if that is wanted
     const Footprints<T>* footprints = nullptr;  // of each pixel, if that is wanted
+
+    /// Forgets all that the pixels have brought back.
+    void clear() const {
+        for (int i = 0; i < count; ++i) {
+            sums[i] = {}, past[i] = 0;
+            if (sights) sights[i] = {};
+            if (footprints) footprints->seen[i] = {};
+        }
+    }
 };
 
-/// Traces a batch. Returns false if some generation has more rays than fit: then the batch must be split and its sums
-/// thrown away. A batch of one pixel always succeeds. Stopped batches are incomplete.
+/// Traces a batch from the start, whatever its pixels have brought back before. Returns false if some generation has more
+/// rays than fit: then the batch must be split. A batch of one pixel always succeeds. Stopped batches are incomplete.
 template <class T>
 using TraceBatch = bool (*)(const World<T>&, const Eye<T>&, const Limits<T>&, const PixelBatch<T>&, Workspace<T>&,
                             Counts&);

@@ -11,10 +11,10 @@ template <class T>
 int rays_of_hit(const World<T>& world) {
     return 2 * (1 + world.finishes.most_bends);
 }
-/// Returns how many rays a queue may hold before a further pack of hits.
+/// Returns how many of its rays a queue may hold before a further pack of hits.
 template <class T>
-int room_of_queue(const World<T>& world) {
-    return batch_rays - 2 * world.finishes.most_bends * static_cast<int>(widest_pack);
+int room_of_queue(const World<T>& world, int rays) {
+    return rays - 2 * world.finishes.most_bends * static_cast<int>(widest_pack);
 }
 
 /// The inputs and outputs of shading one generation, by a kernel of policy P (see plain.h).
@@ -34,7 +34,7 @@ struct Shading {
     bool has_notes;  // hits have HitNotes: sights are noted, patterns filtered, or normals bent
 
     bool full() const {
-        const int room = room_of_queue(world);
+        const int room = room_of_queue(world, batch.count > 1 ? limits.queue : batch_rays);
         return next.open.count + refracted.count > room || next.inside.count > room;
     }
 };

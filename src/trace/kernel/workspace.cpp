@@ -65,7 +65,7 @@ Workspace<T>::Workspace() {
     order.resize(batch_pixels);
     sums.resize(scattered_pixels), past.resize(scattered_pixels);
     sights.resize(scattered_pixels);
-    sides.resize(scattered_pixels), colors.resize(5 * scattered_pixels);
+    sides.resize(scattered_pixels), seen.resize(scattered_pixels);
 }
 
 /// Gives an array its memory. Arrays share large pages: clearing one takes longer than tracing a batch.

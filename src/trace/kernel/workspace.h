@@ -34,7 +34,8 @@ class Workspace {
     std::vector<PixelSum<T>> sums;
     std::vector<T> past;
     std::vector<Sight<T>> sights;
-    std::vector<T> sides, colors;  // see Footprints
+    std::vector<T> sides;               // see Footprints
+    std::vector<SeenPatterns<T>> seen;  // likewise
     int batch = scattered_pixels;  // number of pixels that fitted last time
     /// Allocates the arrays of a policy's data of rays.
     void hold_extra();

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <span>
 #include <variant>
@@ -75,6 +76,8 @@ struct Job {
     ThreadPool& pool;
     Sink sink;
     const std::atomic<bool>* stop = nullptr;
+    /// Pixels whose rays of one generation are more are traced in smaller batches. The picture does not depend on it.
+    int queue = std::numeric_limits<int>::max();
     bool stopped() const { return stop && *stop; }
 };
 
