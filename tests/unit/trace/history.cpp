@@ -51,6 +51,7 @@ Scene scene_of(int seed) {
 /// Shapes of the pictures: none is 4:3.
 constexpr std::array<std::array<int, 2>, 7> shapes{{{32, 18}, {19, 19}, {14, 25}, {42, 18}, {1, 40}, {40, 1}, {35, 22}}};
 
+const Sampling averages{.error = .02};
 constexpr int whole_queue = std::numeric_limits<int>::max();  // batches are as large as fits
 
 /// Traces pictures in one precision, and counts the batches that were split.
@@ -69,7 +70,7 @@ struct Pictures {
     std::vector<double> trace_checked(Tracer& tracer, const Lattice& part, int queue) {
         ThreadPool pool(1);
         std::vector<double> values(std::size_t(3) * part.columns * part.rows);
-        CellPicture picture(tracer.scene(), view, part, Sampling{}.error);
+        CellPicture picture(tracer.scene(), view, part, averages.error);
         picture.check(40);
         const auto keep = [&](const Tile& tile) { place(tile, part, values); };
         split += tracer.trace({view, pool, keep, nullptr, queue}, CellPass{picture, 0}).split;
@@ -77,10 +78,18 @@ struct Pictures {
     }
 };
 
+/// Does a pixel take few enough rays that the test ends in seconds?
+bool affordable(const Scene& scene, const View& view) {
+    constexpr int most = 30, step = 3;
+    ThreadPool one(1);
+    const Lattice few{0, 0, (view.width + step - 1) / step, (view.height + step - 1) / step, step, step};
+    const Counts counts = Tracer(scene, Precision::float32).trace({view, one, [](const Tile&) {}}, few);
+    return counts.total() < std::uint64_t(most) * few.columns * few.rows;
+}
+
 template <class Check>
 void each_world(const Check& check) {
-    const int worlds = sanitized() ? 3 : 18;
-    for (int seed = 1; seed <= worlds; ++seed) {
+    for (int seed = 1, left = sanitized() ? 3 : 16; left > 0; ++seed) {
         CAPTURE(seed);
         const Scene scene = scene_of(seed);
         const auto [width, height] = shapes[static_cast<std::size_t>(seed) % shapes.size()];
@@ -90,7 +99,7 @@ void each_world(const Check& check) {
                         .height = height,
                         .depth = 5,
                         .error = seed % 2 ? 1. / 510 : 0};
-        check(seed, scene, view, precision);
+        if (affordable(scene, view)) check(seed, scene, view, precision), --left;
     }
 }
 
@@ -103,7 +112,7 @@ TEST_CASE("pictures of random worlds do not depend on batches, threads, crops or
         View other = view;
         other.camera.position = other.camera.position + .3 * dice.direction();
         other.depth = 2;
-        for (const Sampling& sampling : {Sampling{}, Sampling{.grid = 1}}) {
+        for (const Sampling& sampling : {averages, Sampling{.grid = 1}}) {
             CAPTURE(sampling.grid);
             Tracer fresh(scene, precision);
             const auto whole = pictures.trace(fresh, all, sampling, 1, whole_queue);
