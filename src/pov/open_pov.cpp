@@ -48,7 +48,7 @@ OpenedPov open_pov(std::string text, const InterpreterOptions& options, const Re
     OpenedPov opened{
         .scene = maker.make(), .mirrored = maker.mirrors(), .notes = {}, .warnings = {}, .files = in.files()};
     layer.tell_constants(in);
-    opened.clock_used = in.clock_used();
+    opened.clock_used = in.clock_used(), opened.size_used = in.size_used();
     opened.lines = lines_of(maker, in);
     std::vector<Remark> remarks = in.remarks();
     std::ranges::stable_sort(remarks, {}, [](const Remark& own) { return std::pair(own.place.file, own.place.at); });

@@ -1,6 +1,7 @@
 #include "pov/open_scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "files/output_file.h"
@@ -71,6 +72,7 @@ OpenedScene open_scene_of_povray(const std::string& text, const std::string& pat
                        .mirrored = opened.mirrored,
                        .files = std::move(opened.files),
                        .changes = opened.clock_used && !options.clock,
+                       .sized = opened.size_used,
                        .clock = how.clock_on ? std::optional(how.clock) : std::nullopt};
     for (const pov::PovNote& note : opened.notes) result.notes.push_back(note.text);
     if (options.strict && !result.notes.empty()) refuse(result.notes);
@@ -80,6 +82,10 @@ OpenedScene open_scene_of_povray(const std::string& text, const std::string& pat
         if (animation.counted) result.frames = animation.frames();
     }
     if (flies) result.files.push_back(flight_file);
+    // A camera that asks for the picture's shape has none of its own.
+    auto& aspect = result.scene.camera.aspectratio;
+    const double picture = double(how.width) / how.height;
+    if (result.sized && aspect && std::abs(*aspect - picture) < 1e-9 * picture) aspect.reset();
     if (flight)
         result.scene.flythrough = pov::flight_in(result.scene, result.mirrored, *flight, flight_file);
     else if (result.changes)
@@ -100,7 +106,7 @@ void refuse_overwriting_scene(const std::string& option, const std::string& writ
 OpenedScene open_scene(const std::string& text, const std::string& path, const OpeningOptions& options,
                        const ReadPixels& read_pixels, FilesRead* read) {
     pov::InterpreterOptions how;
-    how.file = path, how.library = options.library;
+    how.file = path, how.library = options.library, how.width = options.width, how.height = options.height;
     for (const std::string& folder : pov::standard_library()) how.library.push_back(folder);
     how.stop = options.stop, how.files = options.files, how.as_text = options.as_text;
     if (is_pov(path)) return open_scene_of_povray(text, path, options, std::move(how), read_pixels);

@@ -15,13 +15,14 @@ namespace strahl {
 
 /// Options for scenes of POV-Ray.
 struct OpeningOptions {
-    std::optional<double> clock;       // at all times; by default it changes from 0 to 1 during the flight
-    std::vector<std::string> library;  // folders of included files, searched before those of POV-Ray's package
-    bool strict = false;               // whatever cannot be shown as it is meant is an error
-    bool as_text = false;              // the scene is written: what scene text has no words for is approximated
-    std::optional<pov::IniFile> ini;   // given in place of the scene; by default the one beside it
-    std::optional<double> time;        // the moment of the flight at which the scene is read; without it the first one
-    const std::atomic<bool>* stop = nullptr;  // throws Interrupted once it is true
+    int width = 640, height = 480;       // of the picture, which a scene may ask for
+    std::optional<double> clock{};       // at all times; by default it changes from 0 to 1 during the flight
+    std::vector<std::string> library{};  // folders of included files, searched before those of POV-Ray's package
+    bool strict = false;                 // whatever cannot be shown as it is meant is an error
+    bool as_text = false;                // the scene is written: what scene text has no words for is approximated
+    std::optional<pov::IniFile> ini{};   // given in place of the scene; by default the one beside it
+    std::optional<double> time{};        // the moment of the flight at which the scene is read; without it the first one
+    const std::atomic<bool>* stop = nullptr;    // throws Interrupted once it is true
     std::vector<std::string>* files = nullptr;  // receives the paths of all files that are read, also before an error
 };
 
@@ -35,6 +36,7 @@ struct OpenedScene {
     bool mirrored = false;             // the scene is the mirror image in z of that of a .pov
     std::vector<std::string> files{};  // of a .pov, or of a text with directives: all that were read, the scene's first
     bool changes = false;              // a .pov that uses its clock: it has to be read again for each moment
+    bool sized = false;                // a .pov that asks for the picture's size: it is another scene in each size
     std::optional<double> clock;       // of a .pov: its value, if POV-Ray's clock is on
     std::optional<std::pair<int, int>> frames{};  // the first and the last that an .ini file gives
 };

@@ -30,10 +30,7 @@ std::string window_title(const std::string& path, const KeyMap& keys) {
 std::string whole_seconds(double seconds) { return std::to_string(static_cast<int>(seconds)) + " s"; }
 
 PixelSize window_size(const ViewOptions& options, const Scene& scene) {
-    if (options.size.width > 0) return options.size;
-    constexpr int width = 960;
-    const double height = width / scene.camera.aspectratio.value_or(4. / 3);
-    return {width, static_cast<int>(std::lround(std::clamp(height, 240., 960.)))};
+    return options.size.width > 0 ? options.size : first_window_size(scene.camera.aspectratio.value_or(4. / 3));
 }
 
 /// The first scene; or an empty one, until there is one without an error.
@@ -407,7 +404,7 @@ int Viewer::run(const std::atomic<bool>& interrupted) {
     while (!done) {
         playback.follow_sound(file.path());
         move();
-        file.move_to(session.time);
+        if (screen.width() > 0) file.move_to({session.time, screen.width(), screen.height()});
         if (!file.waiting() && !panels.gallery && screen.width() > 0) {
             const View view = session.view(screen.width(), screen.height());
             bodies.follow(view, screen.pixels_to_reach() / 6);

@@ -27,6 +27,15 @@ expect 0 "strahl: warning: ball.pov:5: left out" render ball.pov --library share
 "$strahl" import ball.pov --library shared -o same.rt 2>/dev/null
 "$strahl" render same.rt -o same.png --size 64x48 --quiet
 expect_same ball.png same.png
+# The size that a scene asks for is that of its picture, in every command.
+sed 's|camera {|camera { right x*image_width/image_height|' whole.pov >sized.pov
+expect 0 "| sized.pov" crosscheck sized.pov --library shared --size 64x36
+"$strahl" import sized.pov --library shared -o sized.rt 2>/dev/null
+for size in 64x36 36x64 40x40; do
+    expect 0 "" render sized.pov --library shared -o sized.png --size $size
+    expect 0 "" render sized.rt -o same.png --size $size
+    expect_same sized.png same.png
+done
 expect 2 "convert ball.pov with strahl import first" bundle ball.pov -o bundle
 echo 'sphere { 0, 1 colour }' >wrong.pov
 expect 3 "wrong.pov:1:" render wrong.pov -o wrong.png

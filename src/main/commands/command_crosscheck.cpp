@@ -80,7 +80,9 @@ void print_row(const std::string& path, const Verdict& verdict, double ours, dou
 
 /// Returns whether the two pictures agree.
 bool check(const CrosscheckOptions& options, const std::string& path, const std::atomic<bool>* stop) {
-    const OpenedScene opened = load_opened(path, options.opening, options.time);
+    OpeningOptions opening = options.opening;
+    opening.width = options.width, opening.height = options.height;
+    const OpenedScene opened = load_opened(path, opening, options.time);
     const Scene& scene = opened.scene;
     if (options.time) flight_for("--time", scene, path);
     const View view{.camera = camera_at(scene, options.time),

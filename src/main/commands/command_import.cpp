@@ -21,7 +21,15 @@ Imported import_any(const ImportOptions& options) {
     if (!is_pov(options.file)) return import_scene(read_text(options.file), shown_name(options.file));
     OpeningOptions opening = options.opening;
     opening.as_text = true;
-    OpenedScene opened = open_scene(read_text(options.file), options.file, opening, read_pixels);
+    const std::string text = read_text(options.file);
+    const auto read = [&](int width, int height) {
+        opening.width = width, opening.height = height;
+        return open_scene(text, options.file, opening, read_pixels);
+    };
+    OpenedScene opened = read(640, 480);
+    // Does the camera follow the picture's shape, or is its own the same by chance?
+    auto& aspect = opened.scene.camera.aspectratio;
+    if (opened.sized && !aspect && read(640, 320).scene.camera.aspectratio) aspect = 4. / 3;
     return {.scene = std::move(opened.scene), .size = {}, .warnings = std::move(opened.notes)};
 }
 

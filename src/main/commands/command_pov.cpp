@@ -40,7 +40,7 @@ int pov_command(const PovOptions& options) {
     namespace fs = std::filesystem;
     check(options);
     OpeningOptions opening = options.opening;
-    opening.as_text = true;
+    opening.as_text = true, opening.width = options.width, opening.height = options.height;
     Scene scene = load_scene(options.scene, opening, options.time);
     PovRequest request{.title = options.scene == "-" ? "A scene" : fs::path(options.scene).filename().string(),
                        .pov_path = options.output,

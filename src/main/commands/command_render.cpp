@@ -182,6 +182,7 @@ int render_command(const RenderOptions& asked) {
     stats.crop = options.crop;
     Stopwatch watch;
     options.opening.time = options.time;
+    options.opening.width = options.size.width, options.opening.height = options.size.height;
     auto [opened, hash] = read_and_hash(options.scene, options.opening);
     Scene scene = std::move(opened.scene);
     stats.parse_seconds = watch.lap();

@@ -78,7 +78,8 @@ int sheet_command(const SheetOptions& options, const std::atomic<bool>* stop) tr
     require_writable(options.output);
     const std::string text = read_text(options.scene);
     OpeningOptions opening = options.opening;
-    opening.stop = stop;
+    const Size asked = options.size.value_or(Size{320, 240});
+    opening.stop = stop, opening.width = asked.width, opening.height = asked.height;
     OpenedScene opened = open_scene(text, options.scene, opening, read_pixels);
     tell_notes(opened, false);
     const std::vector<double> moments =

@@ -55,7 +55,9 @@ int stability_command(const StabilityOptions& options) {
     if (!options.output.empty())
         if (const std::string fault = format_fault(options.output, 0); !fault.empty()) throw UsageError(fault);
     refuse_overwriting("-o", options.output, "the scene", options.scene);
-    const Scene scene = load_scene(options.scene, options.opening);
+    OpeningOptions opening = options.opening;
+    opening.width = options.size.width, opening.height = options.size.height;
+    const Scene scene = load_scene(options.scene, opening);
     const View view{.camera = scene.camera,
                     .width = options.size.width,
                     .height = options.size.height,

@@ -24,6 +24,8 @@ int view_command(const ViewOptions& options, const std::atomic<bool>* interrupte
     const auto began = Pace::Clock::now();
     OpeningOptions opening = options.opening;
     opening.time = options.time;
+    const PixelSize window = options.size.width > 0 ? options.size : first_window_size(4. / 3);
+    opening.width = window.width, opening.height = window.height;
     auto file = std::make_unique<Reload>(options.scene, opening);
     // The window does not wait longer than this for a scene.
     const bool none = options.scene.empty();

@@ -30,6 +30,7 @@ Interpreter::Interpreter(std::string text, InterpreterOptions options, SceneLaye
     declare("image_height", o.height);
     for (const auto& [name, value] : o.declared) declare(name.c_str(), value);
     state->names.find("frame_number", state->frame_number);
+    state->names.find("image_width", state->image_width), state->names.find("image_height", state->image_height);
     state->files.push_back(std::make_unique<TextFile>(o.file, std::move(text), state->names));
     state->paths.push_back(o.file);
     state->push_file(0, {});
@@ -139,6 +140,7 @@ bool Interpreter::State::resolve(const RawToken& raw) {
     };
     if (!symbol) return no_value();
     clock_used |= raw.index == frame_number;
+    size_used |= raw.index == image_width || raw.index == image_height;
     NamedValue* value = &value_of(*symbol);
     if (value->kind == ValueKind::macro) {
         last = place;
@@ -268,6 +270,7 @@ std::string Interpreter::name_of(TextPlace at) const { return state->where(at); 
 double Interpreter::version() const { return state->version; }
 bool Interpreter::version_given() const { return state->version_given; }
 bool Interpreter::clock_used() const { return state->clock_used; }
+bool Interpreter::size_used() const { return state->size_used; }
 const InterpreterOptions& Interpreter::options() const { return state->options; }
 
 std::string Interpreter::State::where(TextPlace at) const {

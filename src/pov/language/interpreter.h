@@ -141,6 +141,8 @@ class Interpreter {
     bool version_given() const;
     /// Was `clock`, `clock_on` or `frame_number` read? Without them a scene is the same in all frames.
     bool clock_used() const;
+    /// Was `image_width` or `image_height` read? Without them a scene is the same in pictures of any size.
+    bool size_used() const;
     const InterpreterOptions& options() const;
     std::optional<double> assumed_gamma;  // of global_settings; for srgb
     int noise_generator = 2;              // of global_settings; for functions

@@ -233,8 +233,8 @@ struct Interpreter::State {
     std::vector<std::uint32_t> streams;  // of rand
     double version = 3.7;
     bool version_given = false;
-    bool clock_used = false;
-    std::uint32_t frame_number = 0;  // the number of this name
+    bool clock_used = false, size_used = false;
+    std::uint32_t frame_number = 0, image_width = 0, image_height = 0;  // the numbers of these names
     std::vector<Remark> remarks;
     std::set<std::pair<std::uint64_t, std::string>> told;
 };

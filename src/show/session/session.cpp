@@ -42,7 +42,9 @@ Session::Session(std::shared_ptr<const Scene> first_scene, std::optional<int> de
       motion_end(motion_end_of(*scene)) {}
 
 bool Session::replace(std::shared_ptr<const Scene> newer, bool opened) {
-    const bool moved = opened || newer->camera != scene->camera;
+    Camera before = scene->camera;
+    before.fov = newer->camera.fov, before.aspectratio = newer->camera.aspectratio;
+    const bool moved = opened || newer->camera != before, reshaped = before != scene->camera;
     scene = std::move(newer);
     motion_end = motion_end_of(*scene);
     bool lost = false;
@@ -53,6 +55,7 @@ bool Session::replace(std::shared_ptr<const Scene> newer, bool opened) {
         lost = editor.reload(path_in(*scene));
     flight.change(path_to_fly());
     if (moved && !bound()) camera = scene->camera, speed = default_speed(camera);
+    if (reshaped && !moved) camera.fov = scene->camera.fov, camera.aspectratio = scene->camera.aspectratio;
     return lost;
 }
 

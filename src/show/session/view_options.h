@@ -1,5 +1,7 @@
 // The options of `strahl view` and `strahl play`.
 #pragma once
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -13,6 +15,12 @@ struct PixelSize {
     int width = 0, height = 0;
     bool operator==(const PixelSize&) const = default;
 };
+
+/// Returns how large a window is at first that shows pictures of this width / height.
+inline PixelSize first_window_size(double aspect) {
+    constexpr int width = 960;
+    return {width, static_cast<int>(std::lround(std::clamp(width / aspect, 240., 960.)))};
+}
 
 struct ViewOptions {
     std::string scene;         // a file, or "-" for standard input

@@ -53,6 +53,8 @@ Loaded loaded_scene(const std::string& path, const std::string& text, bool opene
             .words = words,
             .mirrored = read.mirrored,
             .changes = read.changes,
+            .sized = read.sized,
+            .read_for = {options.time.value_or(0), options.width, options.height},
             .lines = std::move(read.lines),
             .text = text.size() > most_text ? std::string() : text};
 } catch (const FileError& error) {
@@ -89,7 +91,7 @@ struct Reload::Desk {
     bool away = false, writing = false;  // away: in a file that may give no answer
     std::optional<std::string> to_open;
     std::optional<TextToShow> to_show;
-    std::optional<double> to_move;
+    std::optional<ReadFor> to_move;
     std::vector<Request> to_write;
     std::optional<Loaded> result, shown;
     std::vector<Written> written;
@@ -154,7 +156,7 @@ class Reload::FileThread {
     void notify();
     void open_file(const std::string& file, bool first);
     void check_file();
-    void read_moment(double seconds);
+    void read_moment(const ReadFor& moment);
     Written write_path(const Request& request);
     Written write_flight(const std::optional<Flythrough>& flight);
     Written write_tracks(const std::vector<Track>& tracks);
@@ -213,9 +215,9 @@ std::optional<Loaded> Reload::take(double seconds) {
     return std::exchange(desk->result, std::nullopt);
 }
 
-void Reload::move_to(double seconds) {
+void Reload::move_to(const ReadFor& moment) {
     std::lock_guard lock(desk->mutex);
-    desk->to_move = seconds;
+    desk->to_move = moment;
     desk->wake.notify_one();
 }
 
@@ -255,7 +257,7 @@ void Reload::FileThread::run() {
     while (true) {
         std::optional<std::string> other;
         std::optional<TextToShow> changed;
-        std::optional<double> moment;
+        std::optional<ReadFor> moment;
         std::vector<Request> requests;
         bool quit;
         {
@@ -307,8 +309,10 @@ void Reload::FileThread::show_text(const TextToShow& changed) {
     notify();
 }
 
-void Reload::FileThread::read_moment(double seconds) {
-    options.time = seconds;
+void Reload::FileThread::read_moment(const ReadFor& moment) {
+    // At the start of a flight nothing is asked of the clock, as at first.
+    if (moment.seconds != 0 || options.time) options.time = moment.seconds;
+    options.width = moment.width, options.height = moment.height;
     Loaded loaded = load(path, shown_text.value_or(text), false);
     loaded.moved = true;
     std::unique_lock lock(desk->mutex);

@@ -29,6 +29,12 @@ struct FileStamp {
     bool operator==(const FileStamp&) const = default;
 };
 
+/// What a scene of POV-Ray may depend on: a moment of its flight, in seconds, and the size of its picture.
+struct ReadFor {
+    double seconds = 0;
+    int width = 0, height = 0;
+};
+
 /// The result of reading a scene file.
 struct Loaded {
     std::string path;
@@ -39,7 +45,9 @@ struct Loaded {
     EyeWords words{};                      // those of its camera
     bool mirrored = false;                 // see OpenedScene
     bool changes = false;                  // likewise
-    bool moved = false;                    // the file is the same, read for another moment of its clock
+    bool sized = false;                    // likewise
+    bool moved = false;                    // the file is the same, read for another moment or size
+    ReadFor read_for{};                    // this one
     pov::SourceLines lines{};              // of the bodies of a scene of POV-Ray
     // Holds what the file says; empty if that is more than 16 MB, or a scene of POV-Ray read again for each moment.
     std::string text{};
@@ -81,9 +89,9 @@ class Reload {
     /// Returns what was read last, if it was not taken yet. Waits for it this long.
     std::optional<Loaded> take(double seconds = 0);
 
-    /// Reads a scene that uses POV-Ray's clock for this moment of its flight. Moments that were not read yet are
-    /// skipped.
-    void move_to(double seconds);
+    /// Reads a scene of POV-Ray for this moment of its flight and this size of its picture. Those that were not read
+    /// yet are skipped.
+    void move_to(const ReadFor& moment);
     /// Reads this text as if the file had it, without writing it; of `change`, if given, only the body. Texts that were
     /// not read yet are skipped.
     void show(std::string text, std::optional<ChangedBody> change = {});

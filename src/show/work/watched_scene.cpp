@@ -17,7 +17,9 @@ WatchedScene::WatchedScene(const Loaded& first, bool final, std::unique_ptr<Relo
       awaited(!first.scene),
       error(first.fault),
       changes(first.changes),
-      said(first.notes) {
+      sized(first.sized),
+      said(first.notes),
+      read_for(first.read_for) {
     reload->listen(std::move(notify));
     if (reading()) log_line("reading " + name());
     if (!error.empty()) log_line("waiting until the scene has no error\n" + error);
@@ -28,8 +30,10 @@ void WatchedScene::open(std::string path) {
     reload->open(std::move(path));
 }
 
-void WatchedScene::move_to(double seconds) {
-    if (changes && seconds != std::exchange(moment, seconds)) reload->move_to(seconds);
+void WatchedScene::move_to(const ReadFor& wanted) {
+    const bool moved = changes && wanted.seconds != read_for.seconds;
+    const bool resized = sized && (wanted.width != read_for.width || wanted.height != read_for.height);
+    if (moved || resized) reload->move_to(read_for = wanted);
 }
 
 std::optional<Loaded> WatchedScene::take() {
@@ -40,9 +44,9 @@ std::optional<Loaded> WatchedScene::take() {
     error = loaded->fault;
     if (loaded->scene) {
         const bool first = std::exchange(awaited, false);
-        file = loaded->path, changes = loaded->changes, said = loaded->notes;
-        if (loaded->opened) moment = 0;
+        file = loaded->path, changes = loaded->changes, sized = loaded->sized, said = loaded->notes;
         if (loaded->moved) return loaded;
+        read_for = loaded->read_for;
         if (!first || !loaded->opened) log_line((loaded->opened ? "opened " : "read again: ") + file);
         return loaded;
     }

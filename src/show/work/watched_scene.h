@@ -33,8 +33,9 @@ class WatchedScene {
     /// Opens another file, unless it has an error and there is a scene. One that is opened while there is none is
     /// waited for.
     void open(std::string path);
-    /// Reads a scene that uses POV-Ray's clock for another moment of its flight.
-    void move_to(double seconds);
+    /// Reads a scene that uses POV-Ray's clock for another moment of its flight, and one that asks for the size of its
+    /// picture for another size.
+    void move_to(const ReadFor& wanted);
     /// Reads this text in place of the file's; of `change`, if given, only the body.
     void show(const std::string& text, std::optional<ChangedBody> change = {}) {
         reload->show(text, std::move(change));
@@ -72,9 +73,9 @@ class WatchedScene {
     bool awaited;
     std::string error;
     double error_until = Pace::forever;  // only the error of another file, which was not opened, expires
-    bool changes = false;                // see Loaded
+    bool changes = false, sized = false; // see Loaded
     std::vector<std::string> said;
-    double moment = 0;                   // of the flight for which the scene was read, or is being read
+    ReadFor read_for;                    // for what the scene was read, or was asked to be
     double write_until = -1;             // until then the user may confirm that a changed file is written
 };
 

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <cstdlib>
@@ -23,6 +24,9 @@
 using namespace strahl;
 
 namespace {
+
+/// Widths and heights of pictures: 4:3, 16:9, 1:1, 9:16, 21:9, and one pixel wide or high.
+constexpr std::array<std::array<int, 2>, 7> shapes{{{96, 72}, {96, 54}, {72, 72}, {54, 96}, {112, 48}, {1, 90}, {90, 1}}};
 
 /// Why the pictures of this scene disagree, or "".
 std::string check(const std::string& name, const Scene& scene, const Allowed& allowed, int width, int height) {
@@ -88,7 +92,8 @@ TEST_CASE("every scene's picture agrees with POV-Ray's") {
             if (!allowed.comparable()) continue;
             std::string found;
             try {
-                found = check(names[i], read_scene(names[i]), allowed, 96, 72);
+                const auto [width, height] = shapes[i % shapes.size()];
+                found = check(names[i], read_scene(names[i]), allowed, width, height);
             } catch (const std::exception& error) {
                 found = error.what();
             }
@@ -226,6 +231,38 @@ TEST_CASE("animations of ten frames agree frame by frame") {
             CHECK_MESSAGE(fault(verdict, {}).empty(), fault(verdict, {}));
         }
     }
+}
+
+TEST_CASE("a camera that asks for the picture's size shows what POV-Ray's shows, in every shape") {
+    const Scratch folder;
+    const char* const cameras[]{"right x*image_width/image_height up y",
+                                "up y right -x*image_width/image_height angle 50",
+                                "right x up y*image_height/image_width",
+                                "orthographic up 5*y right 5*image_width/image_height*x",
+                                "right 1.2*x*image_width/image_height up y angle 30+image_height/9",
+                                "fisheye angle 100 right x*image_width/image_height up y"};
+    int number = 0;
+    for (const auto& [width, height] : shapes)
+        for (int i = 0; i < 2; ++i) {
+            const std::string camera = cameras[static_cast<std::size_t>(number++) % std::size(cameras)];
+            CAPTURE(camera);
+            CAPTURE(width);
+            CAPTURE(height);
+            const std::string path = folder / "scene.pov";
+            std::ofstream(path) << "#version 3.7; global_settings { assumed_gamma 1 } camera { " << camera
+                                << " location <1, 2, -6> look_at <0, .5, 0> }\n"
+                                   "light_source { <-5, 9, -3>, 1 } plane { y, 0 pigment { rgb <.3, .6, .2> } }\n"
+                                   "sphere { <.5, 1, 1>, 1 pigment { rgb <(image_width > image_height), .2, .1> } }\n";
+            const OpenedScene opened =
+                open_scene(bytes_of(path), path, {.width = width, .height = height}, read_pixels);
+            CHECK(opened.sized);
+            const PovFile file{.path = path, .width = width, .height = height, .gamma = 1};
+            const View view{.camera = opened.scene.camera, .width = width, .height = height};
+            Tracer tracer(opened.scene, Precision::float64);
+            const std::string found =
+                fault(judge(tracer, view, render(opened.scene, view), run_povray_file(file, 1).picture), {});
+            CHECK_MESSAGE(found.empty(), found);
+        }
 }
 
 TEST_CASE("a scene file of POV-Ray's is seen by another camera than its own") {

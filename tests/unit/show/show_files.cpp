@@ -293,7 +293,7 @@ TEST_CASE("a scene of POV-Ray is read again when a file changes that it includes
     REQUIRE(next());
     CHECK(loaded->changes);
     CHECK(!loaded->moved);
-    reload.move_to(5);
+    reload.move_to({5, 640, 480});
     REQUIRE(next());
     CHECK(loaded->moved);
     CHECK(std::get<Sphere>(loaded->scene->primitives[0].shape).centre.x == 5);
@@ -309,7 +309,7 @@ TEST_CASE("a scene of POV-Ray is read again when a file changes that it includes
     const auto ball = [&] { return std::get<Sphere>(loaded->scene->primitives[0].shape); };
     CHECK(ball().radius == 2);
     CHECK(ball().centre.x == doctest::Approx(15));
-    reload.move_to(2.5);
+    reload.move_to({2.5, 640, 480});
     REQUIRE(next());
     CHECK(loaded->moved);
     CHECK(loaded->text == changed);
@@ -323,6 +323,28 @@ TEST_CASE("a scene of POV-Ray is read again when a file changes that it includes
     REQUIRE(soon([&] { return (written = reload.take_written()).has_value(); }));
     CHECK(written->fault == "");
     CHECK(bytes_of(path) == changed);
+}
+
+TEST_CASE("a scene that asks for the picture's size is read again for the size of the window") {
+    const Scratch folder;
+    const std::string path = folder / "scene.pov";
+    std::ofstream(path) << "camera { location -6*z right x*image_width/image_height look_at 0 }\n"
+                           "sphere { 0, image_height/1000 }\n";
+    OpeningOptions first;
+    first.width = 900, first.height = 600;
+    Reload reload(path, first);
+    std::optional<Loaded> loaded;
+    const auto next = [&] { return soon([&] { return (loaded = reload.take()).has_value(); }); };
+    const auto radius = [&] { return std::get<Sphere>(loaded->scene->primitives[0].shape).radius; };
+    REQUIRE(next());
+    REQUIRE(loaded->scene);
+    CHECK((loaded->sized && !loaded->moved && radius() == .6 && !loaded->scene->camera.aspectratio));
+    reload.move_to({0, 700, 300});
+    REQUIRE(next());
+    CHECK((loaded->sized && loaded->moved && radius() == .3 && !loaded->scene->camera.aspectratio));
+    std::ofstream(path, std::ios::app) << "sphere { 3, 1 }\n";  // the file is read for the new size, too
+    REQUIRE(next());
+    CHECK((!loaded->moved && radius() == .3 && loaded->read_for.width == 700));
 }
 
 TEST_CASE("changed numbers are shown before they are written, and are written beside what others have changed") {
