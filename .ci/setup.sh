@@ -4,8 +4,8 @@
 
 build_packages=(g++ cmake ninja-build pkg-config libglfw3-dev libgl-dev libglm-dev libopenimageio-dev zlib1g-dev
     libfreetype-dev libimgui-dev libcli11-dev nlohmann-json3-dev libopenal-dev libvorbis-dev)
-test_packages=(doctest-dev povray xvfb xauth libgl1-mesa-dri xdotool imagemagick openimageio-tools parallel
-    dpkg-dev)
+test_packages=(doctest-dev povray povray-includes ffmpeg xvfb xauth libgl1-mesa-dri xdotool imagemagick
+    openimageio-tools parallel dpkg-dev ccache)
 attack_packages=(clang-16 libclang-rt-16-dev)
 # Lists the names of each package in Debian, Fedora, Arch and openSUSE; "-" stands where a system may have none.
 names_elsewhere='
@@ -26,6 +26,8 @@ libopenal-dev     openal-soft-devel       openal           openal-soft-devel
 libvorbis-dev     libvorbis-devel         libvorbis        libvorbis-devel
 doctest-dev       doctest-devel           doctest          doctest-devel
 povray            -                       povray           povray
+povray-includes   -                       povray           povray
+ffmpeg            ffmpeg                  ffmpeg           ffmpeg
 xvfb              xorg-x11-server-Xvfb    xorg-server-xvfb xorg-x11-server-Xvfb
 xauth             xorg-x11-xauth          xorg-xauth       xauth
 libgl1-mesa-dri   mesa-dri-drivers        mesa             Mesa-dri
@@ -34,6 +36,7 @@ imagemagick       ImageMagick             imagemagick      ImageMagick
 openimageio-tools -                       openimageio      -
 parallel          parallel                parallel         gnu_parallel
 dpkg-dev          -                       dpkg             -
+ccache            ccache                  ccache           ccache
 '
 
 say() { printf 'strahl: %s\n' "$*" >&2; }

@@ -1,12 +1,12 @@
 # The program and the launcher as users see them: one bash script per topic.
-foreach(topic usage pictures frames sheet film resume interrupt files stats stability check import pov_scenes broken_scenes install launcher readme tutorial gallery crosscheck farm bundle lsp ci)
+foreach(topic usage pictures frames sheet film resume interrupt files stats stability check import pov_scenes broken_scenes install launcher readme tutorial gallery crosscheck crosscheck_strangers farm bundle lsp ci)
   add_test(NAME command_${topic}
            COMMAND bash ${CMAKE_SOURCE_DIR}/tests/command/${topic}.sh $<TARGET_FILE:strahl> ${CMAKE_SOURCE_DIR}
                    ${CMAKE_BINARY_DIR})
 endforeach()
 # With sanitizers these take minutes, and show no more of the program than the others do.
 set_tests_properties(command_pictures command_farm command_film command_resume command_install command_gallery
-                     command_readme command_crosscheck PROPERTIES LABELS slow)
+                     command_readme command_crosscheck command_crosscheck_strangers PROPERTIES LABELS slow)
 # These show the same in every build.
 set_tests_properties(command_usage command_files command_check command_import command_broken_scenes
                      PROPERTIES LABELS memory)

@@ -11,6 +11,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <exception>
 #include <filesystem>
 #include <new>
 #include <regex>
@@ -23,6 +24,7 @@
 #include "files/read_file.h"
 #include "files/streams.h"
 #include "num/decimal.h"
+#include "povref/compare/confine.h"
 #include "povref/convert/images.h"
 
 extern char** environ;
@@ -60,9 +62,33 @@ class Scratch {
     std::string folder;
 };
 
-/// Runs `words` in `folder`, with all output in the file `log`. Returns the exit status, or -1 if there is no such
+/// A program's folder, and if given the one below which it can write files.
+struct Place {
+    std::string folder, writable{};
+};
+
+/// Starts a program as posix_spawnp does, from a thread that can write only where the program may.
+int spawn(pid_t& child, const Place& place, const posix_spawn_file_actions_t& files,
+          std::vector<char*>& arguments) {
+    int failed = 0;
+    const auto start = [&] { failed = posix_spawnp(&child, arguments[0], &files, nullptr, arguments.data(), environ); };
+    if (place.writable.empty()) return start(), failed;
+    std::exception_ptr fault;
+    std::thread([&] {
+        try {
+            write_only_below(place.writable);
+            start();
+        } catch (...) {
+            fault = std::current_exception();
+        }
+    }).join();
+    if (fault) std::rethrow_exception(fault);
+    return failed;
+}
+
+/// Runs `words` in a place, with all output in the file `log`. Returns the exit status, or -1 if there is no such
 /// program.
-int run(std::vector<std::string> words, const std::string& folder, const std::string& log,
+int run(std::vector<std::string> words, const Place& place, const std::string& log,
         const std::atomic<bool>* stop) {
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
@@ -71,12 +97,12 @@ int run(std::vector<std::string> words, const std::string& folder, const std::st
     posix_spawn_file_actions_init(&files);
     // These calls can run out of memory, and without the first one POV-Ray would write into the user's folder.
     const bool ready =
-        posix_spawn_file_actions_addchdir_np(&files, folder.c_str()) == 0 &&
+        posix_spawn_file_actions_addchdir_np(&files, place.folder.c_str()) == 0 &&
         posix_spawn_file_actions_addopen(&files, 0, "/dev/null", O_RDONLY, 0) == 0 &&
         posix_spawn_file_actions_addopen(&files, 1, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600) == 0 &&
         posix_spawn_file_actions_adddup2(&files, 1, 2) == 0;
     pid_t child = 0;
-    const int failed = ready ? posix_spawnp(&child, arguments[0], &files, nullptr, arguments.data(), environ) : ENOMEM;
+    const int failed = ready ? spawn(child, place, files, arguments) : ENOMEM;
     posix_spawn_file_actions_destroy(&files);
     if (failed == ENOENT) return -1;
     if (failed == ENOMEM) throw std::bad_alloc();
@@ -143,11 +169,11 @@ Picture picture_of(const std::string& path, int width, int height) try {
                              error.what());
 }
 
-/// Runs POV-Ray in `folder`; its picture and its log go to the scratch folder.
-PovRun finished(const Scratch& scratch, const std::string& folder, std::vector<std::string> words, int width,
-                int height, const std::atomic<bool>* stop) {
+/// Runs POV-Ray; its picture and its log go to the scratch folder.
+PovRun finished(const Scratch& scratch, const Place& place, std::vector<std::string> words, int width, int height,
+                const std::atomic<bool>* stop) {
     const std::string log_path = scratch.path("log");
-    const int status = run(std::move(words), folder, log_path, stop);
+    const int status = run(std::move(words), place, log_path, stop);
     if (status == -1 || status == 127)
         throw std::runtime_error("povray is not installed; on Debian: apt install povray");
     const std::string log = content(log_path);
@@ -181,13 +207,18 @@ PovRun run_povray(const Scene& scene, PovRequest request, int threads, const std
     words.push_back(file_gamma(scene.settings.assumed_gamma));
     if (threads > 0) words.push_back("Work_Threads=" + std::to_string(threads));
     add_grid(words, request.grid);
-    return finished(scratch, scratch.path("."), std::move(words), request.width, request.height, stop);
+    return finished(scratch, {scratch.path(".")}, std::move(words), request.width, request.height, stop);
 }
 
 PovRun run_povray_file(const PovFile& file, int threads, const std::atomic<bool>* stop) {
     const Scratch scratch;
     const fs::path path = fs::absolute(file.path);
-    std::string input = path.filename().string();
+    // It runs far below the scratch folder: what the scene writes beside itself is made there, and what it reads from
+    // folders above its own is looked for there in vain, and then as from its own folder, to which `own` leads.
+    const std::string inside = scratch.path("run/in/some/folders/below/the/scratch/one"), own = inside + "/own";
+    fs::create_directories(inside);
+    fs::create_directory_symlink(path.parent_path(), own);
+    std::string input = "own/" + path.filename().string();
     if (file.camera) {
         // POV-Ray takes the last camera. A text that included the file would have another #version than its own.
         input = scratch.path("view.pov");
@@ -196,6 +227,7 @@ PovRun run_povray_file(const PovFile& file, int threads, const std::atomic<bool>
     }
     std::vector<std::string> words{"povray",
                                    "+I\"" + input + '"',  // a name may have spaces
+                                   "+Lown",
                                    "+O" + scratch.path("scene.ppm"),
                                    "+W" + std::to_string(file.width),
                                    "+H" + std::to_string(file.height),
@@ -207,6 +239,9 @@ PovRun run_povray_file(const PovFile& file, int threads, const std::atomic<bool>
                                    "Warning_Console=On",
                                    "Verbose=Off",
                                    file_gamma(file.gamma)};
+    if (file.moved > 0)
+        words.insert(words.end(), {"Antialias=On", "Sampling_Method=1", "Antialias_Threshold=0", "Antialias_Depth=1",
+                                   "Jitter=On", "Jitter_Amount=" + text_of(file.moved)});
     if (file.by_tree) words.push_back("Bounding_Method=2");
     if (file.clock) words.push_back("+K" + text_of(*file.clock));
     for (const std::string& folder : file.library) words.push_back("+L\"" + fs::absolute(folder).string() + '"');
@@ -216,7 +251,7 @@ PovRun run_povray_file(const PovFile& file, int threads, const std::atomic<bool>
                      {"+SC" + std::to_string(file.part->left + 1), "+EC" + std::to_string(file.part->right + 1),
                       "+SR" + std::to_string(file.part->top + 1), "+ER" + std::to_string(file.part->bottom + 1)});
     add_grid(words, file.grid);
-    return finished(scratch, path.parent_path().string(), std::move(words), file.width, file.height, stop);
+    return finished(scratch, {inside, scratch.path(".")}, std::move(words), file.width, file.height, stop);
 }
 
 }  // namespace strahl

@@ -41,11 +41,13 @@ struct PovFile {
     /// the file's mirror image in z.
     std::optional<Camera> camera{};
     bool mirrored = false;
+    double moved = 0;  // > 0: averages of that ray and one up to so many pixels beside it, instead of a grid
     bool by_tree = false;  // bodies are found by POV-Ray's other hierarchy of boxes
     std::optional<PicturePart> part{};  // if given, only this is rendered, and the rest of the picture is black
 };
 
-/// Renders a file in its folder; without a grid one ray through the middle of each pixel. Throws as run_povray does.
+/// Renders a file with the files of its folder; without a grid one ray through the middle of each pixel. What the scene
+/// writes in its folder is kept in a temporary one, and elsewhere it cannot write. Throws as run_povray does.
 PovRun run_povray_file(const PovFile& file, int threads, const std::atomic<bool>* stop = nullptr);
 
 }  // namespace strahl

@@ -120,7 +120,7 @@ struct OutputFile::Implementation {
             return;
         }
         remove_left(target.parent_path());
-        temporary.emplace(target, for_other || in_place());
+        temporary.emplace(target, in_place());
         if (!temporary->opened()) fail(path, errno);
         if (const int error = for_other ? temporary->give_name() : 0) fail(path, error);
         if (exists) take_over(temporary->descriptor(), old);

@@ -33,5 +33,6 @@ foreach(package ${recommends})
   endif()
 endforeach()
 list(JOIN depends ", " CPACK_DEBIAN_PACKAGE_DEPENDS)
+list(APPEND recommends povray-includes)  # what scenes of POV-Ray include
 list(JOIN recommends ", " CPACK_DEBIAN_PACKAGE_RECOMMENDS)
 file(REMOVE_RECURSE ${CPACK_PACKAGE_DIRECTORY}/shlibdeps)

@@ -6,6 +6,8 @@
 
 #include "files/output_file.h"
 #include "files/read_file.h"
+#include "files/shell.h"
+#include "files/utf8.h"
 #include "files/words.h"
 #include "pov/animation.h"
 #include "pov/expand.h"
@@ -30,8 +32,8 @@ std::vector<std::string> library_of(pov::IniFile& ini, std::vector<std::string> 
         if (std::ranges::any_of(known, [&](const std::string& other) { return pov::lies_in(folder, other); }))
             inside.push_back(folder);
         else
-            ini.notes.push_back(ini.path + ": Library_Path " + strahl::quoted(each) +
-                                " is not read; --library allows it");
+            ini.notes.push_back(ini.path + ": Library_Path is not read; --library " +
+                                in_shell_quotes(printable(folder)) + " allows it");
     }
     return inside;
 }

@@ -83,5 +83,9 @@ expect 3 "gone.obj" bundle broken.rt -o another
 expect 1 "No such file" bundle scene.rt -o not/there
 expect 2 "a scene file" bundle - -o another
 expect_file empty/scene/scene.rt
+# Where a file cannot be written, the error names it. No file may have more than 100 kB here.
+said=$(ulimit -f 100; "$strahl" bundle scene.rt -o another 2>&1)
+(($? == 1)) || fault "bundled without place for the program"
+[[ $said == *"cannot write 'another.tmp-"*"/bin/strahl': File too large"* ]] || fault "it says: $said"
 [[ -z $(compgen -G '*.tmp-*') && ! -e another ]] || fault "something was left: $(echo ./*)"
 finish

@@ -29,6 +29,9 @@ fault() {
     ((++faults))
 }
 
+# left_out TEXT: says that a part of a test is left out and why; tests/run says so in the end.
+left_out() { printf '%s: %s\n' "$(basename "$0" .sh)" "$*" | tee -a "${STRAHL_LEFT_OUT:-/dev/null}"; }
+
 # expect STATUS TEXT ARGUMENT...: strahl with these arguments ends with the status, and its output contains the text.
 expect() {
     local status=$1 text=$2 said

@@ -37,6 +37,7 @@ finished_still() {
     rm -f still.png*
 }
 
+command -v parallel >/dev/null || fault "parallel is not installed"
 if command -v parallel >/dev/null; then
     seq 16 | parallel --will-cite -j 2 --retries 100 ./mortal render scene.rt "${film[@]}" --part {}/16 --resume --quiet \
         >said 2>&1 || fault "parallel: $(tail -n 3 said)"
@@ -49,6 +50,8 @@ fi
 
 # The others try less often.
 export deaths=1
+[[ ${STRAHL_SLURM-} ]] || left_out "no farm of Slurm: STRAHL_SLURM is not set"
+command -v openjd >/dev/null || left_out "no farm of Open Job Description: openjd is not installed"
 if [[ ${STRAHL_SLURM-} ]]; then
     source "$(dirname "$0")/slurm.sh"
 fi

@@ -79,6 +79,7 @@ files_for "folder" strahl view --still-folder
 files_for "a.rt b.nff c.png d.txt folder" strahl render a.rt --stats
 rm -r files
 expect 2 "not in {man,bash" --reference nonsense
+command -v dpkg-shlibdeps >/dev/null || fault "dpkg-dev is not installed"
 if command -v dpkg-shlibdeps >/dev/null; then
     (cd "$build_folder" && cpack -G DEB -B "$work/package") >log 2>&1 || fault "cpack: $(tail -5 log)"
     dpkg-deb -c package/*.deb >contents
@@ -86,6 +87,8 @@ if command -v dpkg-shlibdeps >/dev/null; then
     [[ $(dpkg-deb -f package/*.deb Depends) == *libglfw3* ]] || fault "the package does not depend on GLFW"
     [[ $(dpkg-deb -f package/*.deb Depends) != *openimageio* && $(dpkg-deb -f package/*.deb Recommends) == *openimageio* ]] ||
         fault "the package depends on $(dpkg-deb -f package/*.deb Depends), not only recommends OpenImageIO"
+    [[ $(dpkg-deb -f package/*.deb Recommends) == *povray-includes* ]] ||
+        fault "the package does not recommend POV-Ray's include files"
     [[ $(dpkg-deb -f package/*.deb Recommends) != *libc6* ]] || fault "the package recommends what it depends on"
     rm -rf package
 fi
@@ -93,6 +96,7 @@ fi
 # If HOME cannot be written, ccache has no place for its cache; the build works without it.
 unwritable=(env -u CCACHE_DIR -u XDG_CACHE_HOME HOME=/dev/null/none)
 object=CMakeFiles/strahl_picture_module.dir/src/image/oiio/oiio_module.cpp.o
+command -v ccache >/dev/null || fault "ccache is not installed"
 if command -v ccache >/dev/null; then
     "${unwritable[@]}" cmake -S "$source_folder" -B homeless -G Ninja -DCMAKE_BUILD_TYPE=Debug -DSTRAHL_TESTS=OFF \
         -DSTRAHL_WINDOW=OFF >log 2>&1 || fault "configuring without a HOME: $(tail -5 log)"

@@ -51,6 +51,7 @@ xdotool mousemove --window "$id" 430 400 click 1 key l
 same handles.jpg 600
 quit
 
+command -v povray >/dev/null || fault "povray is not installed"
 if command -v povray >/dev/null; then
     start "$here/../../scenes/article.rt" --size 640x480
     await 'finished 640x480'

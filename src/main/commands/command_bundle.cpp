@@ -24,7 +24,9 @@
 
 #include "files/output_file.h"
 #include "files/read_file.h"
+#include "files/shell.h"
 #include "files/streams.h"
+#include "files/temporary_file.h"
 #include "files/utf8.h"
 #include "image/uncompressed.h"
 #include "image/pixels.h"
@@ -32,7 +34,6 @@
 #include "main/licence.h"
 #include "main/process/exit_status.h"
 #include "main/process/interrupt.h"
-#include "main/process/shell.h"
 #include "main/render/values.h"
 #include "pov/open_scene.h"
 #include "text/parse.h"
@@ -136,19 +137,17 @@ class Collection {
         : folder(own_folder), interrupt(own_interrupt) {}
 
     void copy(const fs::path& from, const fs::path& to) {
-        check();
-        fs::create_directories((folder / to).parent_path());
-        fs::copy_file(from, folder / to);
-        total += double(fs::file_size(from));
-        fs::permissions(folder / to, fs::perms::owner_read | fs::perms::owner_write, fs::perm_options::add);
+        write(to, read_text(from.string()));
+        fs::permissions(folder / to, fs::status(from).permissions() | fs::perms::owner_read | fs::perms::owner_write);
     }
     void write(const fs::path& to, std::string_view bytes) {
-        check();
-        fs::create_directories((folder / to).parent_path());
-        std::ofstream file(folder / to, std::ios::binary);
-        file.exceptions(std::ios::failbit | std::ios::badbit);
-        file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-        file.close();
+        if (*interrupt.flag()) throw Interrupted("interrupted; no bundle was made");
+        const fs::path path = folder / to;
+        fs::create_directories(path.parent_path());
+        const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+        int error = file < 0 ? errno : write_all(file, bytes);
+        if (file >= 0 && ::close(file) != 0 && !error) error = errno;
+        if (error) throw OutputError("cannot write '" + path.string() + "': " + std::generic_category().message(error));
         total += double(bytes.size());
     }
     double size() const { return total; }
@@ -163,10 +162,6 @@ class Collection {
     }
 
   private:
-    void check() const {
-        if (*interrupt.flag()) throw Interrupted("interrupted; no bundle was made");
-    }
-
     const fs::path folder;
     double total = 0;  // bytes
     const Interrupt& interrupt;

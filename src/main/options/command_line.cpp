@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
+#include "files/shell.h"
 #include "files/streams.h"
 #include "main/commands/command_view.h"
 #include "main/options/options.h"
-#include "main/process/shell.h"
 #include "main/reference/reference.h"
 #include "scene/error.h"
 #include "text/manual/syntax.h"

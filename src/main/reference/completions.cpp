@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "files/shell.h"
 #include "files/streams.h"
-#include "main/process/shell.h"
 #include "main/reference/reference.h"
 
 namespace strahl {

@@ -52,11 +52,14 @@ void Interpreter::State::pop_reading() {
     cursor = readings.back().cursor;
 }
 
+/// Says how many bytes are too many.
+static std::string limit_of(std::size_t bytes) { return "; more than " + std::to_string(bytes >> 20) + " MiB in all"; }
+
 void Interpreter::State::check_limits() {
     if (options.stop && options.stop->load(std::memory_order_relaxed)) throw Interrupted("reading was stopped");
     if (steps > options.limits.steps)
         fail(last, "the scene does not end: more than " + std::to_string(options.limits.steps) + " words were read");
-    if (*bytes > options.limits.bytes) fail(last, "the scene's arrays and strings need too much memory");
+    if (*bytes > options.limits.bytes) fail(last, "the scene's arrays and strings need too much memory" + limit_of(options.limits.bytes));
     if (readings.size() + controls.size() > 2 * static_cast<std::size_t>(options.limits.nesting))
         fail(last, "macros, files and loops are nested too deeply");
 }
@@ -188,7 +191,8 @@ void Interpreter::end_block() {
 }
 void Interpreter::count_bytes(std::size_t bytes, TextPlace at) {
     *state->bytes += bytes;
-    if (*state->bytes > state->options.limits.bytes) fail(at, "the scene's bodies need too much memory");
+    if (*state->bytes > state->options.limits.bytes) 
+        fail(at, "the scene's bodies need too much memory" + limit_of(state->options.limits.bytes));
 }
 void Interpreter::skip_block() {
     const TextPlace start = place();

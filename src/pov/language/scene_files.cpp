@@ -6,6 +6,8 @@
 #include <fstream>
 
 #include "files/read_file.h"
+#include "files/shell.h"
+#include "files/utf8.h"
 #include "files/words.h"
 #include "pov/language/state.h"
 #include "scene/error.h"
@@ -112,7 +114,8 @@ std::string Interpreter::State::find(const std::string& name, const std::vector<
         if (std::error_code ignored; !allowed(path))
             return fault(
                 strahl::quoted(name) + " lies outside of the scene's folder and of the library folders; --library " +
-                strahl::quoted(fs::weakly_canonical(path, ignored).parent_path().string()) + " allows to read it");
+                in_shell_quotes(printable(fs::weakly_canonical(path, ignored).parent_path().string())) +
+                " allows to read it");
         const std::string found = found_files[key] = path.string();
         if (std::ranges::find(paths, found) != paths.end()) return found;
         paths.push_back(found);
@@ -135,7 +138,7 @@ std::string Interpreter::State::find(const std::string& name, const std::vector<
         return fs::is_directory(folder, error);
     };
     if (std::ranges::none_of(options.library, exists))
-        message += "; POV-Ray's standard include files are not installed (Debian's package povray-includes has them)";
+        message += "; POV-Ray's include files and fonts are not installed; on Debian: apt install povray-includes";
     else
         message += " and in " + listed(options.library);
     return fault(message);

@@ -48,6 +48,41 @@ void PovReader::join_textures(ObjectThing& object) {
     object.texture = PlacedTexture{std::move(both), alike ? object.texture->steps : Steps()}, object.inner.reset();
 }
 
+/// Does a texture consist of a colour, a finish and no pattern?
+static bool plain(const TextureThing& texture) {
+    const auto untouched = [](const Blend& blend) {
+        return !blend && !blend.uv && !blend.moved_by_uv && !blend.image && !blend.map && !blend.slopes &&
+               !blend.function && !blend.pigment && !blend.values && blend.warps.empty() && blend.steps.empty() &&
+               blend.ignored == end_code && !blend.wave && !blend.noise_generator;
+    };
+    if (texture.layers.size() != 1 || !texture.corners.empty() || texture.inside) return false;
+    const LayerValues& own = texture.layers[0];
+    return untouched(own.blend) && untouched(own.pigment.blend) && untouched(own.normal.blend) && !own.pigment.colors;
+}
+
+/// Do two plain textures look alike, and stand in one place of the text?
+static bool alike(const TextureThing& a, const TextureThing& b) {
+    const LayerValues &one = a.layers[0], &other = b.layers[0];
+    const auto same_place = [](TextPlace p, TextPlace q) { return p.file == q.file && p.at == q.at; };
+    const FinishValues &finish = one.finish, &other_finish = other.finish;
+    return same_place(one.place, other.place) && same_place(one.finish.place, other.finish.place) &&
+           one.pigment.color == other.pigment.color && one.pigment.most == other.pigment.most &&
+           one.normal.amount == other.normal.amount && finish == other_finish;
+}
+
+/// Gives an object the texture of the one before if both are the same, as in a loop; else counts its memory.
+void PovReader::share_texture(Interpreter& in, ObjectThing& object) {
+    if (!object.texture || object.texture->texture.use_count() > 1) return;
+    auto& own = object.texture->texture;
+    const bool simple = plain(*own);
+    if (simple && last_texture && alike(*own, *last_texture)) {
+        own = last_texture;
+        return;
+    }
+    in.count_bytes(sizeof(TextureThing) + own->layers.size() * sizeof(LayerValues), object.place);
+    if (simple) last_texture = own;
+}
+
 void PovReader::transform_object(ObjectThing& object, std::span<const Step> steps) {
     append(object.steps, steps);
     if (object.texture) append(object.texture->steps, steps);
@@ -219,6 +254,7 @@ std::shared_ptr<const ObjectThing> PovReader::read_object(Interpreter& in) {
     in.skip();
     auto object = std::make_shared<ObjectThing>();
     const TextPlace place = in.last_place();
+    if (++bodies > most_bodies) in.fail(place, "the scene has more than " + std::to_string(most_bodies) + " bodies");
     in.count_bytes(2 * sizeof(ObjectThing), place);  // with its shape, and where it is placed
     object->place = place;
     in.begin_block();
@@ -238,6 +274,7 @@ std::shared_ptr<const ObjectThing> PovReader::read_object(Interpreter& in) {
     }
     in.end_block();
     join_textures(*object);
+    share_texture(in, *object);
     return object;
 }
 

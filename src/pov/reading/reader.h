@@ -77,6 +77,7 @@ class PovReader : public SceneLayer {
     void add_texture(ObjectThing& object, std::shared_ptr<const TextureThing> more);
     std::shared_ptr<TextureThing> kept_texture(const ObjectThing& object);
     void join_textures(ObjectThing& object);
+    void share_texture(Interpreter& in, ObjectThing& object);
     void transform_object(ObjectThing& object, std::span<const Step> steps);
     std::vector<std::shared_ptr<const ObjectThing>> read_object_block(Interpreter& in);
     // shapes.cpp
@@ -102,6 +103,9 @@ class PovReader : public SceneLayer {
 
     std::vector<std::pair<TextPlace, std::shared_ptr<std::atomic<bool>>>> pattern_functions;  // was it called?
     std::shared_ptr<const TextureThing> default_texture = std::make_shared<TextureThing>();
+    std::shared_ptr<const TextureThing> last_texture;  // of a body, if it was plain
+    static constexpr int most_bodies = 5'000'000;
+    int bodies = 0;
     CameraThing default_camera;
     bool utf8 = false;                                                      // `text` is
     std::map<Point2, std::shared_ptr<const LevelSurface>> superellipsoids;  // so far, by their exponents

@@ -272,6 +272,7 @@ void PovReader::read_mesh(Interpreter& in, ObjectThing& object) {
     while (in.at("triangle") || in.at("smooth_triangle")) {
         const bool smooth = in.at("smooth_triangle");
         in.skip();
+        in.count_bytes(sizeof(MeshPart::data.triangles[0]) + 6 * sizeof(DVec3), in.last_place());
         in.begin_block();
         DVec3 points[3], normals[3];
         std::array<double, 2> places[3]{};
@@ -290,7 +291,10 @@ void PovReader::read_mesh(Interpreter& in, ObjectThing& object) {
                     in.accept("texture") ? read_texture(in) : in.accept_thing<TextureThing>(ValueKind::texture);
                 const auto known = std::find(textures.begin(), textures.end(), texture);
                 number = static_cast<std::size_t>(known - textures.begin()) + 1;
-                if (known == textures.end()) textures.push_back(texture), parts.emplace_back();
+                if (known == textures.end()) {
+                    in.count_bytes(sizeof(MeshPart) + sizeof(TextureThing) + sizeof(LayerValues), in.last_place());
+                    textures.push_back(texture), parts.emplace_back();
+                }
             } else {
                 in.expected("'uv_vectors', 'texture' or '}'");
             }

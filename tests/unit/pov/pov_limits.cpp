@@ -132,8 +132,14 @@ TEST_CASE("include files: where they are looked for, and what may be read") {
               std::string::npos);
     CHECK(run("#include \"nothing\"").error.find("cannot find 'nothing' in the scene's folder and in") !=
           std::string::npos);
+    // The hint is whole, however long the folder's name is.
+    const std::string far = "../a folder's name " + std::string(60, 'x');
+    std::filesystem::create_directories(folder / "scene" / far);
+    write(folder / "scene" / far / "b.inc", "");
+    CHECK(run("#include \"" + far + "/b.inc\"").error.find("folder'\\''s name " + std::string(60, 'x') + "' allows") !=
+          std::string::npos);
     options.library = {"/nowhere"};
-    CHECK(run("#include \"colors.inc\"").error.find("package povray-includes") != std::string::npos);
+    CHECK(run("#include \"colors.inc\"").error.find("apt install povray-includes") != std::string::npos);
     write(folder / "scene/self.inc", "#include \"self.inc\"");
     CHECK(run("#include \"self.inc\"").error.find("include each other without an end") != std::string::npos);
 }

@@ -10,6 +10,7 @@
 #include "num/thread_pool.h"
 #include "povref/compare/run_povray.h"
 #include "tests/unit/povref/agreement.h"
+#include "text/parse.h"
 #include "trace/measure/edge_pixels.h"
 
 using namespace strahl;
@@ -62,6 +63,38 @@ TEST_CASE("a pixel is on an edge where the picture jumps, not where it only chan
     // The highlight is a few pixels wide, far from flat, and bent where it is brighter than a screen can show.
     for (int y = 22; y < 78; ++y)
         for (int x = 35; x < 65; ++x) CHECK_FALSE(on_edge(tracer, view, pool, {x, y}, edge_radius, 1. / 65535));
+}
+
+TEST_CASE("edges are lines: a face that rounding sprinkles is no edge") {
+    const std::string light = "camera { position <0, -6, 0> look_at <0, 0, 0> sky <0, 0, 1> angle 40 }\n"
+                              "background { color <0, 0, 0> }\n";
+    const std::string ambient = " ambient 1 diffuse 0 specular 0 reflection 0 }";
+    // It lies where the checks change, so that rounding decides in each pixel.
+    const Scene sprinkled =
+        parse_scene(light + "plane { <0, 0, 0>, <.86602540378443864676, .5, 0>, <0, 0, 1> material { rgb checker { "
+                            "<1, 0, 0>, <0, 1, 0> scale 9 translate <4, 9e-10, 4> rotate <0, 0, 30> }" +
+                        ambient + " }",
+                    "sprinkled");
+    // Its left edge passes through the middles of a column of pixels.
+    const Scene edge = parse_scene(light + "box { <0, -1, -9>, <9, 1, 9> material { rgb <1, 0, 0>" + ambient + " }", "edge");
+    for (const bool line : {false, true}) {
+        const Scene& scene = line ? edge : sprinkled;
+        const View view{.camera = scene.camera, .width = 161, .height = 91};
+        Tracer tracer(scene, Precision::float64);
+        const Frame ours = render(scene, view);
+        Picture theirs{view.width, view.height, 3, ours.rgb, 16};
+        std::size_t changed = 0;
+        for (int y = 40; y < 52; ++y) {
+            double* const value = &theirs.values[3 * (y * view.width + (line ? 80 : 103))];
+            value[0] = 1 - value[0], value[1] = value[0] > 0 ? 0 : 1;
+            ++changed;
+        }
+        const Verdict verdict = judge(tracer, view, ours, theirs);
+        CAPTURE(line);
+        CHECK(verdict.beyond_on_edges == (line ? changed : 0));
+        CHECK(verdict.beyond_off_edges == (line ? 0 : changed));
+        CHECK((verdict.in_areas > 0) == !line);
+    }
 }
 
 TEST_CASE("a verdict counts differences on and off edges") {
