@@ -579,6 +579,7 @@ class FunctionReader {
         static constexpr std::uint16_t names_of[]{word("x"),   word("y"),     word("z"),    word("t"),
                                                   word("red"), word("green"), word("blue"), word("filter")};
         const std::uint16_t code = state.code();
+        const std::string_view name = code == new_name_code ? state.names.text(state.next.raw->index) : "";
         int index = static_cast<int>(std::ranges::find(names_of, code) - names_of) % 4;
         if (code == word("u") || code == word("v"))
             index = code == word("v");
@@ -586,7 +587,9 @@ class FunctionReader {
             index = 4;
         else if (code == word("gray"))
             index = gray_component;
-        else if (code == new_name_code && state.names.text(state.next.raw->index) == "hf")
+        else if (name == "grey")
+            index = gray_component;
+        else if (name == "hf")
             index = height_component;
         else if (std::ranges::find(names_of, code) == std::end(names_of))
             state.expected("the name of a component, such as x or red,");

@@ -35,8 +35,9 @@ constexpr std::array plain_patterns{
     word("crackle"), word("cylindrical"), word("dents"),  word("facets"),   word("granite"), word("leopard"),
     word("marble"),  word("onion"),       word("planar"), word("radial"),   word("ripples"), word("spherical"),
     word("spotted"), word("waves"),       word("wood"),   word("wrinkles"), word("aoi")};
-constexpr std::array numbers_without_effect{word("interpolate"), word("map_type"),  word("use_alpha"),
-                                            word("use_color"),   word("use_index"), word("once")};
+constexpr std::array numbers_without_effect{word("interpolate"),     word("map_type"),        word("use_alpha"),
+                                            word("use_color"),       word("use_index"),       word("once"),
+                                            word("number_of_sides"), word("number_of_tiles"), word("pattern")};
 /// Words with a number, which is not shown, and the number that changes nothing.
 struct Usual {
     std::uint16_t code;
@@ -591,6 +592,7 @@ bool PovReader::read_modifier(Interpreter& in, Blend& blend, ValueKind level) {
         case word("exterior"): {
             in.skip();
             const int type = in.read_integer();
+            if (blend.word == word("pavement")) return true;
             in.skip_comma();
             const double factor = in.read_number();
             if (code == word("interior"))
