@@ -250,8 +250,9 @@ bool PovReader::read_old_texture_word(Interpreter& in, LayerValues& layer) {
         layer.finish.place = in.place();
         layer.finish.crand = in.read_number();
     } else {
-        return read_pattern_word(in, layer.pigment.blend, ValueKind::pigment) ||
-               read_modifier(in, layer.pigment.blend, ValueKind::pigment);
+        Blend& blend = layer.pigment.blend;
+        if (!read_pattern_word(in, blend, ValueKind::pigment)) return read_modifier(in, blend, ValueKind::pigment);
+        blend.wave = Wave::ramp;  // of marble and wood as well
     }
     return true;
 }
