@@ -273,6 +273,16 @@ std::shared_ptr<const FilePixels> picture_of(Interpreter& in, const FunctionThin
 
 }  // namespace
 
+/// Is a picture of a kind of file whose values POV-Ray takes as they are, unless a gamma is given? Its kind is said by a
+/// word, or else by its ending.
+static bool is_plain(const ImageThing& image) {
+    constexpr std::array kinds{word("ppm"), word("pgm"), word("tiff")};
+    if (image.file_kind != end_code) return is_one_of(image.file_kind, kinds);
+    std::string ending = image.path.substr(image.path.rfind('.') + 1);
+    std::ranges::transform(ending, ending.begin(), [](char c) { return 'A' <= c && c <= 'Z' ? char(c + 32) : c; });
+    return ending == "ppm" || ending == "pgm" || ending == "tif" || ending == "tiff";
+}
+
 /// Reads the pixels of a picture's file, and says how their values become those of the scene: for colours, as POV-Ray
 /// decodes files by what is known of the scene at this place; for heights and the like, by a given gamma alone.
 void PovReader::load(Interpreter& in, ImageThing& image, bool of_colors, std::optional<double> gamma) {
@@ -288,13 +298,14 @@ void PovReader::load(Interpreter& in, ImageThing& image, bool of_colors, std::op
     if (!image.pixels) return;
     image.encoding = gamma;
     if (of_colors && in.assumed_gamma) image.working = contents.assumes_srgb ? 0 : *in.assumed_gamma;
-    const bool netpbm = image.path.ends_with("pm") || image.path.ends_with("PM");
     const bool decodes = in.version_given() && in.version() >= 3.7;
-    if (of_colors && !gamma && !netpbm && (decodes || in.assumed_gamma)) {
+    if (of_colors && !gamma && !is_plain(image) && (decodes || in.assumed_gamma)) {
         if (image.pixels->gamma)
             image.encoding = image.pixels->gamma;
+        else if (image.pixels->linear)
+            image.encoding = 1;
         else if (decodes)
-            image.encoding = image.pixels->linear ? 1 : 0;
+            image.encoding = 0;
     }
     if (!image.pixels->grey_png) return;
     LoadedPicture& grey = grey_pictures[{image.path, image.encoding.value_or(-1), image.working}];
@@ -370,6 +381,8 @@ std::shared_ptr<const ImageThing> PovReader::read_image(Interpreter& in, bool of
                 break;
             default:
                 if (!is_one_of(code, picture_words)) in.fail("this word does not belong to a picture");
+                if (code != word("use_color") && code != word("use_index") && code != word("sys"))
+                    image->file_kind = code;
         }
         in.skip_comma();
     }
