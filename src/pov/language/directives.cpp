@@ -456,6 +456,7 @@ void Interpreter::State::set_version() {
     if (!program.empty()) return warn(last, "a scene for " + program + " is read as if it was for POV-Ray");
     version_given = true;
     version = std::round(wanted * 100) / 100;
+    if (!in.noise_generator_given) in.noise_generator = version < 3.5 ? 1 : 2;
     if (version > 3.7) warn(last, "#version " + std::to_string(version).substr(0, 4) + " is read as 3.7");
 }
 

@@ -379,7 +379,7 @@ FilterColor Interpreter::State::color() {
                 break;
             default:
                 if (begun || !at_value()) {
-                    if (!begun) expected("a colour");
+                    if (!begun && (key == new_name_code || key == ']')) expected("a colour");
                     goto done;
                 }
                 read(5);

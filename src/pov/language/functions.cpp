@@ -20,12 +20,12 @@ constexpr int most_calls = 60;           // of functions that call functions
 /// name; those of signs, operators.
 struct Instruction {
     std::uint16_t operation;
-    std::uint16_t count = 0;  // of arguments; of a loop: the instructions that it repeats
-    std::uint32_t index = 0;  // of a variable, of a function that is called, of a component
+    std::uint16_t count = 0;  // of arguments; of a loop, of all branches and of one: the instructions in it
+    std::uint32_t index = 0;  // of a variable, of a function that is called, of a component; the number of branches
     double number = 0;
 };
 // Operations besides signs and words.
-constexpr std::uint16_t constant = 1, variable = 2, call = 3, negate = 4;
+constexpr std::uint16_t constant = 1, variable = 2, call = 3, negate = 4, branch = 5;
 
 // Components of colours besides their own: their gray value, and the height that red and green stand for.
 constexpr int gray_component = 5, height_component = 6;
@@ -237,12 +237,24 @@ S* CompiledFunction::run(std::size_t first, std::size_t last, S* numbers, S* top
                         binary([](double a, double b) { return std::max(a, b); });
                 break;
             case word("select"): {
-                top -= step.count;
-                set_each(*top, [&](std::size_t i) {
-                    const double by = lane_of(top[0], i);
-                    return lane_of(by < 0 ? top[1] : step.count == 4 && by > 0 ? top[3] : top[2], i);
-                });
-                ++top;
+                // Only branches that are needed are evaluated.
+                const S by = *--top;
+                S chosen = by;
+                const auto takes = [&](std::size_t number, std::size_t i) {
+                    const double own = lane_of(by, i);
+                    return number == (own < 0 ? 0u : step.index == 3 && own > 0 ? 2u : 1u);
+                };
+                std::size_t at = i + 1;
+                for (std::size_t number = 0; number < step.index; at += 1 + instructions[at].count, ++number) {
+                    bool any = false;
+                    for (std::size_t i = 0; i < sizeof(S) / sizeof(double); ++i) any |= takes(number, i);
+                    if (!any) continue;
+                    const S value = run(at + 1, at + 1 + instructions[at].count, numbers, top)[-1];
+                    if (steps_left < 0) return stop();
+                    set_each(chosen, [&](std::size_t i) { return lane_of(takes(number, i) ? value : chosen, i); });
+                }
+                *top++ = chosen;
+                i += step.count;
                 break;
             }
             case call: {
@@ -459,14 +471,13 @@ class FunctionReader {
         }
         if (code == value_code) return declared();
         if (code == word("sum") || code == word("prod")) return loop(code);
+        if (code == word("select")) return choice();
         if (code >= first_word_code && has_instruction(code)) {
             state.take();
             const int count = arguments();
             const bool any = code == word("min") || code == word("max");
             const bool two = code == word("atan2") || code == word("div") || code == word("mod") || code == word("pow");
-            const bool valid = any                      ? count >= 1
-                               : code == word("select") ? count == 3 || count == 4
-                                                        : count == (two ? 2 : 1);
+            const bool valid = any ? count >= 1 : count == (two ? 2 : 1);
             if (!valid) state.fail(state.last, name_of_code(code) + " has another number of arguments");
             return add(code, 1 - count, static_cast<std::size_t>(count));
         }
@@ -519,7 +530,6 @@ class FunctionReader {
             case word("pow"):
             case word("min"):
             case word("max"):
-            case word("select"):
                 return true;
             default:
                 return false;
@@ -579,6 +589,7 @@ class FunctionReader {
         static constexpr std::uint16_t names_of[]{word("x"),   word("y"),     word("z"),    word("t"),
                                                   word("red"), word("green"), word("blue"), word("filter")};
         const std::uint16_t code = state.code();
+        const std::string_view name = code == new_name_code ? state.names.text(state.next.raw->index) : "";
         int index = static_cast<int>(std::ranges::find(names_of, code) - names_of) % 4;
         if (code == word("u") || code == word("v"))
             index = code == word("v");
@@ -586,7 +597,9 @@ class FunctionReader {
             index = 4;
         else if (code == word("gray"))
             index = gray_component;
-        else if (code == new_name_code && state.names.text(state.next.raw->index) == "hf")
+        else if (name == "grey")
+            index = gray_component;
+        else if (name == "hf")
             index = height_component;
         else if (std::ranges::find(names_of, code) == std::end(names_of))
             state.expected("the name of a component, such as x or red,");
@@ -594,6 +607,29 @@ class FunctionReader {
         if (index >= gray_component ? count < 3 : index >= count)
             state.fail(state.last, "there is no such component: the value has " + std::to_string(count));
         return index;
+    }
+
+    /// select(a, E, E) and select(a, E, E, E): an instruction that is followed by all branches, each after its own.
+    void choice() {
+        state.take();
+        state.expect('(');
+        either();
+        const std::size_t start = result->instructions.size();
+        add(word("select"), -1);
+        std::uint32_t branches = 0;
+        for (; state.accept(','); ++branches) {
+            const std::size_t first = result->instructions.size();
+            add(branch, 0);
+            either();
+            --depth;
+            result->instructions[first].count = static_cast<std::uint16_t>(result->instructions.size() - first - 1);
+        }
+        state.expect(')');
+        if (branches != 2 && branches != 3)
+            state.fail(state.last, name_of_code(word("select")) + " has another number of arguments");
+        ++depth;
+        Instruction& whole = result->instructions[start];
+        whole.index = branches, whole.count = static_cast<std::uint16_t>(result->instructions.size() - start - 1);
     }
 
     /// sum(i, a, b, E) and prod(i, a, b, E).

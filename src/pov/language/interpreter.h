@@ -145,7 +145,8 @@ class Interpreter {
     bool size_used() const;
     const InterpreterOptions& options() const;
     std::optional<double> assumed_gamma;  // of global_settings; for srgb
-    int noise_generator = 2;              // of global_settings; for functions
+    int noise_generator = 2;              // of global_settings, or by the version; for functions
+    bool noise_generator_given = false;   // in global_settings
 
     struct State;
 

@@ -407,8 +407,6 @@ std::optional<SceneMaker::Part> SceneMaker::build_turned(const ObjectThing& obje
         if (auto* const box = std::get_if<Cuboid>(&shape))
             for (DVec3* const corner : {&box->corner, &box->opposite})
                 *corner = max(min(*corner, DVec3(largest_coordinate)), DVec3(-largest_coordinate));
-        if (const auto* const ball = std::get_if<Sphere>(&shape); ball && ball->radius == 0)
-            return std::nullopt;  // no ray meets it
         if (const char* const fault = fault_of(shape)) {
             notes.left_out(object.place, std::string("a body: ") + fault);
             return std::nullopt;
@@ -470,6 +468,9 @@ std::optional<SceneMaker::Part> SceneMaker::build_parts(const ObjectThing& objec
         Around own_around = within;
         own_around.turned = within.turned != (object.kind == ObjectKind::subtract && !first);
         std::optional<Part> part = build(*each, own_around);
+        if (each->thin && !unites && object.kind == ObjectKind::intersect) return std::nullopt;
+        if (each->thin && object.kind == ObjectKind::subtract && each->word != word("sphere"))
+            notes.left_out(each->place, "a body without extent in a composite");
         if (part && !close(part->primitive, each->place)) {
             notes.left_out(each->place, "an open body in a composite");
             part.reset();

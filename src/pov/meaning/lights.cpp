@@ -61,20 +61,23 @@ void SceneMaker::add_light(const ObjectThing& object, const Around& around) {
         light.fade_distance = own.fade_distance, light.fade_power = own.fade_power;
     light.shadowless = own.shadowless;
     approximated(own.dimmed && !contents.fogs.empty(), "fog does not dim a light");
+    const double tightness = std::clamp(own.tightness.value_or(0), 0., 1e9);
+    approximated(own.sort != LightThing::Sort::point && own.tightness.value_or(0) < 0,
+                 "a light that is brighter off its axis, of a tightness below 0, is as bright there");
     if (own.parallel && target != light.position) {
         light.direction = target - light.position;
         light.from = std::exchange(light.position, DVec3(0));
         if (own.sort == LightThing::Sort::cylinder) {
             light.beam = own.falloff.value_or(1), light.core = std::max(own.radius.value_or(.75), 0.);
-            light.tightness = std::clamp(own.tightness.value_or(0), 0., 1e9);
+            light.tightness = tightness;
             if (!(light.beam > 0)) return;
         } else if (own.sort == LightThing::Sort::spot) {
             light.beam = 1e9;  // it has no cone, but does not shine behind its plane
         }
     } else if (own.sort != LightThing::Sort::point && target != light.position) {
         Spot spot{.look_at = target};
-        spot.radius = own.radius.value_or(30), spot.falloff = own.falloff.value_or(45);
-        spot.tightness = std::clamp(own.tightness.value_or(0), 0., 1e9);
+        spot.radius = std::fabs(own.radius.value_or(30)), spot.falloff = std::fabs(own.falloff.value_or(45));
+        spot.tightness = tightness;
         approximated(std::max(spot.radius, spot.falloff) > 90, "a spotlight shines at most 90 degrees off its axis");
         spot.radius = std::clamp(spot.radius, 0., 90.);
         spot.falloff = std::clamp(spot.falloff, spot.radius, 90.);  // light ends at a radius beyond the falloff

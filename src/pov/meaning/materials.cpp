@@ -290,6 +290,21 @@ int MaterialMaker::apart(int number) {
     return materials.number(own);
 }
 
+/// Tells which numbers of a finish are below 0, where POV-Ray takes away light or lights more.
+void MaterialMaker::tell_negative(const FinishThing& finish) const {
+    const auto approximated = [&](double least, const char* text) {
+        if (least < 0) notes.approximated(finish.place, text);
+    };
+    const auto least_of = [](const Color& c) { return std::min({c.x, c.y, c.z}); };
+    approximated(least_of(finish.ambient + finish.emission / max(contents.ambient_light, Color(1e-9))),
+                 "ambient light or emission below 0 is 0");
+    approximated(finish.diffuse > 0 || finish.diffuse_behind > 0 ? finish.brilliance : 0, "brilliance below 0 is 0");
+    approximated(std::min(least_of(finish.reflection.least), least_of(finish.reflection.most)),
+                 "reflection below 0 is 0");
+    approximated(finish.phong > 0 ? finish.phong_size : 0, "phong_size below 0 is 0");
+    approximated(finish.specular > 0 ? finish.roughness : 0, "roughness below 0 is 1e-9");
+}
+
 /// Sets what a finish says apart from ambient and diffuse light.
 void MaterialMaker::set_finish(Material& material, const FinishThing& finish, const MaterialUse& use) {
     const auto approximated = [&](bool applies, const char* text) {
@@ -319,6 +334,7 @@ void MaterialMaker::set_finish(Material& material, const FinishThing& finish, co
     approximated(finish.diffuse_behind > 0, "light from behind does not shine through");
     approximated(finish.conserve_energy && material.refraction > 0, "'conserve_energy' changes nothing");
     if (use.shadow_only) return;
+    tell_negative(finish);
     if (finish.crand != 0) notes.left_out(finish.place, "'crand'");
     if (finish.irid > 0) notes.approximated(finish.place, "'irid' has no effect");
     if (finish.subsurface) notes.left_out(finish.place, "'subsurface'");
@@ -354,6 +370,7 @@ void MaterialMaker::set_layer(Material& layer, const FinishThing& finish) {
         approximated(reflection.exponent != 1, "'exponent' of a reflection is 1");
     }
     layer.behind = coefficient(finish.diffuse_behind);
+    tell_negative(finish);
     if (finish.crand != 0) notes.left_out(finish.place, "'crand'");
     layer.irid = coefficient(finish.irid), layer.film = coefficient(finish.film);
     if (finish.irid > 0) approximated(finish.swirls, "the film of 'irid' is even");

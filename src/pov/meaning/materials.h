@@ -68,6 +68,7 @@ class MaterialMaker {
     PigmentMaker& pigment_maker() { return pigments; }
 
   private:
+    void tell_negative(const FinishThing& finish) const;
     void set_layer(Material& layer, const FinishThing& finish);
     Material layer_of(const LayerValues& values, const Steps& way, const UvMapping& uv);
     Material layers_of(std::span<const LayerValues> layers, const Steps& way, const UvMapping& uv);

@@ -63,7 +63,7 @@ PigmentMaker::Mean PigmentMaker::mean_of(const MapThing& map, bool list) {
     const auto add = [&](const Mean& own, double weight) {
         sum.color += weight * own.color, sum.filter += weight * own.filter, sum.transmit += weight * own.transmit;
     };
-    const auto& entries = map.entries;
+    const auto entries = list ? map.entries : in_order(map.entries);
     for (std::size_t i = 0; i < entries.size(); ++i) {
         const double before = i > 0 ? (entries[i - 1].at + entries[i].at) / 2 : 0;
         const double behind = i + 1 < entries.size() ? (entries[i].at + entries[i + 1].at) / 2 : 1;
@@ -77,7 +77,7 @@ std::vector<ColorStop> PigmentMaker::stops_of(const Blend& blend) {
     if (listed_colors(blend.word) > 0) return listed_stops(blend);
     std::vector<ColorStop> stops;
     double before = 0;
-    for (const MapEntry& entry : blend.map ? blend.map->entries : usual_entries(blend)) {
+    for (const MapEntry& entry : in_order(blend.map ? blend.map->entries : usual_entries(blend))) {
         const double own = kept(entry.at, notes.in.options().as_text);
         if (!stops.empty() && before >= 1 && own > before) break;
         ColorStop stop = stop_of(blend, entry, std::clamp(own, stops.empty() ? 0 : stops.back().at, 1.));

@@ -153,6 +153,7 @@ void PovReader::read_blob(Interpreter& in, ObjectThing& object) {
     if (std::ranges::any_of(textures, [](const auto& own) { return own != nullptr; }))
         object.lump_textures = std::make_shared<const decltype(textures)>(std::move(textures));
     blob.data = std::make_shared<const BlobData>(std::move(lumps));
+    if (blob.threshold > 0 && blob.data->box.empty()) return void(object.thin = true);  // it is empty
     if (const char* const fault = blob.fault()) return object.left_out(std::string("a blob: ") + fault);
     object.kind = ObjectKind::shape, object.shape = std::move(blob);
 }

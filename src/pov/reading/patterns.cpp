@@ -35,8 +35,9 @@ constexpr std::array plain_patterns{
     word("crackle"), word("cylindrical"), word("dents"),  word("facets"),   word("granite"), word("leopard"),
     word("marble"),  word("onion"),       word("planar"), word("radial"),   word("ripples"), word("spherical"),
     word("spotted"), word("waves"),       word("wood"),   word("wrinkles"), word("aoi")};
-constexpr std::array numbers_without_effect{word("interpolate"), word("map_type"),  word("use_alpha"),
-                                            word("use_color"),   word("use_index"), word("once")};
+constexpr std::array numbers_without_effect{word("interpolate"),     word("map_type"),        word("use_alpha"),
+                                            word("use_color"),       word("use_index"),       word("once"),
+                                            word("number_of_sides"), word("number_of_tiles"), word("pattern")};
 /// Words with a number, which is not shown, and the number that changes nothing.
 struct Usual {
     std::uint16_t code;
@@ -272,6 +273,16 @@ std::shared_ptr<const FilePixels> picture_of(Interpreter& in, const FunctionThin
 
 }  // namespace
 
+/// Is a picture of a kind of file whose values POV-Ray takes as they are, unless a gamma is given? Its kind is said by a
+/// word, or else by its ending.
+static bool is_plain(const ImageThing& image) {
+    constexpr std::array kinds{word("ppm"), word("pgm"), word("tiff")};
+    if (image.file_kind != end_code) return is_one_of(image.file_kind, kinds);
+    std::string ending = image.path.substr(image.path.rfind('.') + 1);
+    std::ranges::transform(ending, ending.begin(), [](char c) { return 'A' <= c && c <= 'Z' ? char(c + 32) : c; });
+    return ending == "ppm" || ending == "pgm" || ending == "tif" || ending == "tiff";
+}
+
 /// Reads the pixels of a picture's file, and says how their values become those of the scene: for colours, as POV-Ray
 /// decodes files by what is known of the scene at this place; for heights and the like, by a given gamma alone.
 void PovReader::load(Interpreter& in, ImageThing& image, bool of_colors, std::optional<double> gamma) {
@@ -287,13 +298,14 @@ void PovReader::load(Interpreter& in, ImageThing& image, bool of_colors, std::op
     if (!image.pixels) return;
     image.encoding = gamma;
     if (of_colors && in.assumed_gamma) image.working = contents.assumes_srgb ? 0 : *in.assumed_gamma;
-    const bool netpbm = image.path.ends_with("pm") || image.path.ends_with("PM");
     const bool decodes = in.version_given() && in.version() >= 3.7;
-    if (of_colors && !gamma && !netpbm && (decodes || in.assumed_gamma)) {
+    if (of_colors && !gamma && !is_plain(image) && (decodes || in.assumed_gamma)) {
         if (image.pixels->gamma)
             image.encoding = image.pixels->gamma;
+        else if (image.pixels->linear)
+            image.encoding = 1;
         else if (decodes)
-            image.encoding = image.pixels->linear ? 1 : 0;
+            image.encoding = 0;
     }
     if (!image.pixels->grey_png) return;
     LoadedPicture& grey = grey_pictures[{image.path, image.encoding.value_or(-1), image.working}];
@@ -369,6 +381,8 @@ std::shared_ptr<const ImageThing> PovReader::read_image(Interpreter& in, bool of
                 break;
             default:
                 if (!is_one_of(code, picture_words)) in.fail("this word does not belong to a picture");
+                if (code != word("use_color") && code != word("use_index") && code != word("sys"))
+                    image->file_kind = code;
         }
         in.skip_comma();
     }
@@ -591,6 +605,7 @@ bool PovReader::read_modifier(Interpreter& in, Blend& blend, ValueKind level) {
         case word("exterior"): {
             in.skip();
             const int type = in.read_integer();
+            if (blend.word == word("pavement")) return true;
             in.skip_comma();
             const double factor = in.read_number();
             if (code == word("interior"))

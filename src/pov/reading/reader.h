@@ -56,6 +56,7 @@ class PovReader : public SceneLayer {
     void read_interior(Interpreter& in, InteriorThing& interior);
     std::shared_ptr<const TextureThing> read_texture(Interpreter& in);
     std::shared_ptr<const TextureThing> read_texture_body(Interpreter& in);
+    bool read_old_texture_word(Interpreter& in, LayerValues& layer);
     void read_tiles(Interpreter& in, Blend& blend);
     void read_material_map(Interpreter& in, LayerValues& layer);
     std::shared_ptr<const MaterialThing> read_material(Interpreter& in);

@@ -36,7 +36,7 @@ void PovReader::read_settings(Interpreter& in) {
                 contents.adc_bailout = in.read_number();
                 break;
             case word("noise_generator"):
-                in.noise_generator = in.read_integer();
+                in.noise_generator = in.read_integer(), in.noise_generator_given = true;
                 break;
             case word("charset"):
                 utf8 = in.at("utf8");
@@ -74,6 +74,15 @@ void PovReader::read_settings(Interpreter& in) {
     in.end_block();
 }
 
+/// Reads the colour of the background. From version 3.7 on it is before black where it lets light through.
+static Color read_background(Interpreter& in) {
+    FilterColor own = in.read_color();
+    const bool clear = in.version_given() && in.version() >= 3.7;
+    const float opaque = clear ? 1 - own.transmit : 1;
+    own.red *= opaque, own.green *= opaque, own.blue *= opaque;
+    return color_of(own);
+}
+
 /// Reads an item of the scene; reads nothing and returns false if none comes.
 bool PovReader::read_item(Interpreter& in) {
     if (auto known = in.accept_thing<ObjectThing>(ValueKind::object)) return place(std::move(known)), true;
@@ -85,7 +94,7 @@ bool PovReader::read_item(Interpreter& in) {
         case word("background"):
             in.skip();
             in.begin_block();
-            contents.background = color_of(in.read_color());
+            contents.background = read_background(in);
             in.end_block();
             return true;
         case word("global_settings"):

@@ -107,15 +107,17 @@ void read_polygon(Interpreter& in, ObjectThing& object) {
         std::vector<DVec3>& own = outlines.back();
         const DVec3 point = next_vector(in);
         points.push_back(point);
-        if (own.empty() || point != own[0])
+        const DVec3 away = abs(point - (own.empty() ? point : own[0]));
+        if (own.empty() || std::max({away.x, away.y, away.z}) >= 1e-10)
             own.push_back(point);
         else if (i + 1 < count)
             outlines.emplace_back();
     }
     const DVec3 facing = normal_of_plane(points);
-    if (facing == DVec3(0)) return;
+    if (facing == DVec3(0))
+        return object.warn("a polygon whose corners are not in one plane, or are on a line, is not seen");
     std::erase_if(outlines, [](const auto& own) { return own.size() < 3; });
-    if (outlines.empty()) return object.left_out("a polygon of fewer than three corners");
+    if (outlines.empty()) return object.warn("a polygon of fewer than three corners is not seen");
     // Looks at it along the axis from which it is the largest.
     const std::vector<DVec3>& first = outlines[0];
     DVec3 normal(0);
@@ -124,7 +126,7 @@ void read_polygon(Interpreter& in, ObjectThing& object) {
         if (length(own) > length(normal)) normal = own;
     }
     const DVec3 size = abs(normal);
-    if (size == DVec3(0)) return object.left_out("a polygon without area");
+    if (size == DVec3(0)) return object.warn("a polygon without area is not seen");
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     const int across = (axis + 1) % 3, up = (axis + 2) % 3;
     std::vector<Edge> edges;
@@ -261,6 +263,23 @@ std::vector<std::size_t> alike(const std::vector<std::shared_ptr<const TextureTh
 
 DVec3 flat_normal(const DVec3 (&p)[3]) { return cross_product(p[1] - p[0], p[2] - p[0]); }
 
+/// Reads the normal at a corner of a mesh. As in POV-Ray one without a length is that of x.
+DVec3 read_corner_normal(Interpreter& in) {
+    DVec3 normal = in.read_vector();
+    if (std::max({std::fabs(normal.x), std::fabs(normal.y), std::fabs(normal.z)}) < 1e-10) normal.x = 1;
+    return normal;
+}
+
+/// Sets the normals of a flat triangle. As in POV-Ray one is flat as well whose corners have one normal.
+void set_normals(const DVec3 (&points)[3], DVec3 (&normals)[3], bool smooth) {
+    const auto differs = [&](const DVec3& other) {
+        const DVec3 way = normalize(normals[0]) - normalize(other);
+        return dot_product(way, way) > 1e-10;
+    };
+    if (!smooth || (!differs(normals[1]) && !differs(normals[2])))
+        std::fill(normals, normals + 3, flat_normal(points));
+}
+
 bool is_flat(const DVec3 (&p)[3]) { return !Triangle{p[0], p[1], p[2]}.fault(); }
 
 }  // namespace
@@ -278,7 +297,7 @@ void PovReader::read_mesh(Interpreter& in, ObjectThing& object) {
         std::array<double, 2> places[3]{};
         for (int k = 0; k < 3; ++k) {
             points[k] = next_vector(in);
-            if (smooth) normals[k] = next_vector(in);
+            if (smooth) in.skip_comma(), normals[k] = read_corner_normal(in);
         }
         std::size_t number = 0;
         bool mapped = false;
@@ -301,7 +320,7 @@ void PovReader::read_mesh(Interpreter& in, ObjectThing& object) {
         }
         in.end_block();
         if (!is_flat(points)) continue;
-        if (!smooth) std::fill(normals, normals + 3, flat_normal(points));
+        set_normals(points, normals, smooth);
         parts[number].smooth |= smooth, parts[number].mapped |= mapped;
         add_triangle(parts[number], points, normals, places);
     }
@@ -349,7 +368,7 @@ void PovReader::read_mesh2(Interpreter& in, ObjectThing& object) {
             // POV-Ray keeps them in single precision, which turns small triangles.
             read_list(all.points, [&] { return DVec3(Vec3<float>(in.read_vector())); });
         } else if (in.accept("normal_vectors")) {
-            read_list(all.normals, [&] { return in.read_vector(); });
+            read_list(all.normals, [&] { return read_corner_normal(in); });
         } else if (in.accept("uv_vectors")) {
             read_list(places, [&] { return in.read_uv(); });
         } else if (in.accept("texture_list")) {
@@ -410,9 +429,7 @@ void PovReader::read_mesh2(Interpreter& in, ObjectThing& object) {
                 object.approximated("textures by uv that blend across a triangle: that of its first corner");
         }
         MeshPart& part = parts[which];
-        bool whole = smooth;
-        for (const DVec3& normal : normals) whole &= normal != DVec3(0);
-        if (!whole) std::fill(normals, normals + 3, flat_normal(points));
+        set_normals(points, normals, smooth);
         part.smooth |= smooth, part.mapped |= mapped;
         add_triangle(part, points, normals, own);
     }
@@ -480,6 +497,20 @@ void PovReader::open_ends(ObjectThing& object) {
     r -= before * change, s += behind * change;
 }
 
+/// Does no ray meet a body, as its faces have no extent?
+static bool is_thin(const Shape& shape) {
+    const auto same = [](const DVec3& a, const DVec3& b) { return (a.x == b.x) + (a.y == b.y) + (a.z == b.z); };
+    if (const auto* const own = std::get_if<Sphere>(&shape)) return own->radius == 0;
+    if (const auto* const own = std::get_if<Cuboid>(&shape)) return same(own->corner, own->opposite) > 1;
+    if (const auto* const own = std::get_if<Cylinder>(&shape)) return own->radius == 0 && own->base != own->cap;
+    if (const auto* const own = std::get_if<Cone>(&shape))
+        return own->base_radius == 0 && own->cap_radius == 0 && own->base != own->cap;
+    if (const auto* const own = std::get_if<Torus>(&shape)) return own->minor == 0;
+    if (const auto* const own = std::get_if<Disc>(&shape)) return own->hole >= own->radius || own->normal == DVec3(0);
+    return (std::holds_alternative<Triangle>(shape) || std::holds_alternative<SmoothTriangle>(shape)) &&
+           std::visit([](const auto& kind) { return kind.fault() != nullptr; }, shape);
+}
+
 /// Reads the arguments of a body after '{'.
 void PovReader::read_shape(Interpreter& in, std::uint16_t code, ObjectThing& object) {
     const auto set = [&](const Shape& shape) {
@@ -490,7 +521,9 @@ void PovReader::read_shape(Interpreter& in, std::uint16_t code, ObjectThing& obj
     switch (code) {
         case word("sphere"): {
             const DVec3 centre = in.read_vector();
-            set(Sphere{centre, std::fabs(next_number(in))});
+            const double radius = next_number(in);
+            set(Sphere{centre, std::fabs(radius)});
+            if (radius < 0) object.approximated("a sphere of a negative radius, which is not seen before it is moved");
             break;
         }
         case word("box"): {
@@ -507,7 +540,9 @@ void PovReader::read_shape(Interpreter& in, std::uint16_t code, ObjectThing& obj
             const DVec3 base = in.read_vector();
             const double base_radius = next_number(in);
             const DVec3 cap = next_vector(in);
-            set(Cone{base, std::fabs(base_radius), cap, std::fabs(next_number(in))});
+            const double cap_radius = next_number(in);
+            set(Cone{base, std::fabs(base_radius), cap, std::fabs(cap_radius)});
+            if (base_radius * cap_radius < 0) object.approximated("a cone with radii of two signs, which has a waist");
             break;
         }
         case word("torus"): {
@@ -525,7 +560,7 @@ void PovReader::read_shape(Interpreter& in, std::uint16_t code, ObjectThing& obj
             const DVec3 centre = in.read_vector(), normal = next_vector(in);
             const double radius = next_number(in);
             in.skip_comma();
-            set(Disc{centre, normal, radius, in.read_number_or(0)});
+            set(Disc{centre, normal, std::fabs(radius), std::fabs(in.read_number_or(0))});
             break;
         }
         case word("triangle"): {
@@ -551,12 +586,11 @@ void PovReader::read_shape(Interpreter& in, std::uint16_t code, ObjectThing& obj
             skip_arguments(in);
     }
     if (!object.shape || object.surface) return;
-    if (const char* const fault = std::visit([](const auto& kind) { return kind.fault(); }, *object.shape)) {
-        // POV-Ray reads over triangles without an area, of which converted meshes have many.
-        const bool triangle = code == word("triangle") || code == word("smooth_triangle");
-        if (!triangle) object.left_out(std::string("a body without extent: ") + fault);
-        object.kind = ObjectKind::nothing;
-    }
+    const char* const fault = std::visit([](const auto& kind) { return kind.fault(); }, *object.shape);
+    const bool thin = is_thin(*object.shape) || (fault && code == word("lathe"));
+    if (!fault && !thin) return;
+    object.kind = ObjectKind::nothing, object.thin = thin;
+    if (!object.thin) object.left_out(std::string("a body without extent: ") + fault);
 }
 
 }  // namespace strahl::pov

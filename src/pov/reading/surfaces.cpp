@@ -350,7 +350,7 @@ bool PovReader::read_surface(Interpreter& in, std::uint16_t code, ObjectThing& o
                 const DVec3& before = balls[i - 1].centre;
                 const double first = balls[i - 1].radius, away = length(centre - before),
                              sine = (first - radius) / away;
-                if (!(std::fabs(sine) < 1)) continue;
+                if (!(std::fabs(sine) < 1) || std::max(first, radius) == 0) continue;
                 // The cone touches both balls where its sides are at right angles to their radii.
                 const double cosine = std::sqrt(1 - sine * sine);
                 const DVec3 axis = (centre - before) / away;

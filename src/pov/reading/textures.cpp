@@ -1,5 +1,6 @@
 // Reads pigments, normals, finishes, interiors, and textures made of them.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -77,17 +78,24 @@ void PovReader::read_pigment(Interpreter& in, PigmentThing& pigment) {
 }
 
 void PovReader::read_normal_body(Interpreter& in, NormalThing& normal) {
-    if (const auto known = in.accept_thing<NormalThing>(ValueKind::normal)) normal = *known;
+    const auto read_amount = [&] {
+        in.skip_comma();
+        normal.amount = in.read_number_or(normal.amount);
+    };
+    const auto read_known = [&] {
+        if (const auto known = in.accept_thing<NormalThing>(ValueKind::normal)) normal = *known;
+        read_amount();
+    };
+    read_known();
     for (bool changed = false;; changed = true) {
         if (in.accept("bump_size")) {
             normal.amount = in.read_number();
         } else if (in.accept("uv_mapping")) {
-            if (const auto known = in.accept_thing<NormalThing>(ValueKind::normal)) normal = *known;
+            read_known();
             normal.blend.uv = true;
         } else if (read_pattern_word(in, normal.blend, ValueKind::normal)) {
-            in.skip_comma();
             if (normal.blend.image) normal.amount = normal.blend.image->bump_size.value_or(normal.amount);
-            normal.amount = in.read_number_or(normal.amount);
+            read_amount();
         } else if (!read_modifier(in, normal.blend, ValueKind::normal)) {
             if (changed) keep_values(normal.blend, true, in.noise_generator);
             return;
@@ -100,11 +108,109 @@ void PovReader::read_normal(Interpreter& in, NormalThing& normal) {
     in.end_block();
 }
 
+namespace {
+
+/// Says which numbers of a finish are albedos.
+struct Albedos {
+    bool diffuse = false, phong = false, specular = false;
+};
+
+/// Reads what follows this word of a finish.
+void read_finish_word(Interpreter& in, std::uint16_t code, FinishThing& finish, Albedos& albedos) {
+    switch (code) {
+        case word("ambient"):
+            finish.ambient = read_rgb(in);
+            break;
+        case word("emission"):
+            finish.emission = read_rgb(in);
+            break;
+        case word("diffuse"):
+            albedos.diffuse = read_albedo(in, finish.diffuse);
+            in.skip_comma();
+            finish.diffuse_behind = in.read_number_or(finish.diffuse_behind);
+            break;
+        case word("brilliance"):
+            finish.brilliance = in.read_number();
+            break;
+        case word("phong"):
+            albedos.phong = read_albedo(in, finish.phong);
+            break;
+        case word("phong_size"):
+            finish.phong_size = in.read_number();
+            break;
+        case word("specular"):
+            albedos.specular = read_albedo(in, finish.specular);
+            break;
+        case word("roughness"):
+            finish.roughness = in.read_number();
+            break;
+        case word("metallic"):
+            finish.metallic = in.read_number_or(1);
+            break;
+        case word("reflection"): {
+            const double exponent = finish.reflection.exponent;
+            const bool block = in.at('{');
+            finish.reflection = read_reflection(in);
+            if (!block) finish.reflection.exponent = exponent;
+            break;
+        }
+        case word("reflection_exponent"):
+            finish.reflection.exponent = in.read_number();
+            break;
+        case word("crand"):
+            finish.crand = in.read_number();
+            break;
+        case word("conserve_energy"):
+            finish.conserve_energy = in.read_flag();
+            break;
+        case word("irid"):
+            in.begin_block();
+            finish.irid = in.read_number();
+            while (!in.at('}'))
+                if (in.accept("thickness"))
+                    finish.film = in.read_number();
+                else if (in.accept("turbulence"))
+                    finish.swirls = in.read_vector().x != 0;
+                else
+                    in.expected("'thickness', 'turbulence' or '}'");
+            in.end_block();
+            break;
+        case word("subsurface"):
+            finish.subsurface = true;
+            in.skip_block();
+            break;
+        case word("ior"):
+            finish.ior = in.read_number();
+            break;
+        case word("refraction"):
+            finish.refraction = in.read_number();
+            break;
+        case word("caustics"):
+        case word("fade_distance"):
+        case word("fade_power"):
+            in.read_number();
+            break;
+        case word("use_alpha"):
+            in.read_flag();
+            break;
+        default:
+            in.fail("this word does not belong to a finish");
+    }
+}
+
+constexpr std::array old_finish_words{word("ambient"),  word("brilliance"), word("diffuse"),   word("reflection"),
+                                      word("phong"),    word("phong_size"), word("specular"),  word("roughness"),
+                                      word("metallic"), word("crand"),      word("ior"),       word("refraction")};
+constexpr std::array old_normal_words{word("bumps"), word("dents"),    word("ripples"),   word("waves"),
+                                      word("phase"), word("wrinkles"), word("frequency"), word("bump_map")};
+
+}  // namespace
+
 void PovReader::read_finish(Interpreter& in, FinishThing& finish) {
     in.begin_block();
     if (const auto known = in.accept_thing<FinishThing>(ValueKind::finish)) finish = *known;
     finish.place = in.place();
-    bool diffuse_albedo = false, phong_albedo = false, specular_albedo = false;
+    Albedos albedos;
     while (!in.at('}')) {
         if (const auto known = in.accept_thing<FinishThing>(ValueKind::finish)) {
             finish = *known;
@@ -112,92 +218,43 @@ void PovReader::read_finish(Interpreter& in, FinishThing& finish) {
         }
         const std::uint16_t code = in.code();
         in.skip();
-        switch (code) {
-            case word("ambient"):
-                finish.ambient = read_rgb(in);
-                break;
-            case word("emission"):
-                finish.emission = read_rgb(in);
-                break;
-            case word("diffuse"):
-                diffuse_albedo = read_albedo(in, finish.diffuse);
-                in.skip_comma();
-                finish.diffuse_behind = in.read_number_or(finish.diffuse_behind);
-                break;
-            case word("brilliance"):
-                finish.brilliance = in.read_number();
-                break;
-            case word("phong"):
-                phong_albedo = read_albedo(in, finish.phong);
-                break;
-            case word("phong_size"):
-                finish.phong_size = in.read_number();
-                break;
-            case word("specular"):
-                specular_albedo = read_albedo(in, finish.specular);
-                break;
-            case word("roughness"):
-                finish.roughness = in.read_number();
-                break;
-            case word("metallic"):
-                finish.metallic = in.read_number_or(1);
-                break;
-            case word("reflection"): {
-                const double exponent = finish.reflection.exponent;
-                const bool block = in.at('{');
-                finish.reflection = read_reflection(in);
-                if (!block) finish.reflection.exponent = exponent;
-                break;
-            }
-            case word("reflection_exponent"):
-                finish.reflection.exponent = in.read_number();
-                break;
-            case word("crand"):
-                finish.crand = in.read_number();
-                break;
-            case word("conserve_energy"):
-                finish.conserve_energy = in.read_flag();
-                break;
-            case word("irid"):
-                in.begin_block();
-                finish.irid = in.read_number();
-                while (!in.at('}'))
-                    if (in.accept("thickness"))
-                        finish.film = in.read_number();
-                    else if (in.accept("turbulence"))
-                        finish.swirls = in.read_vector().x != 0;
-                    else
-                        in.expected("'thickness', 'turbulence' or '}'");
-                in.end_block();
-                break;
-            case word("subsurface"):
-                finish.subsurface = true;
-                in.skip_block();
-                break;
-            case word("ior"):
-                finish.ior = in.read_number();
-                break;
-            case word("refraction"):
-                finish.refraction = in.read_number();
-                break;
-            case word("caustics"):
-            case word("fade_distance"):
-            case word("fade_power"):
-                in.read_number();
-                break;
-            case word("use_alpha"):
-                in.read_flag();
-                break;
-            default:
-                in.fail("this word does not belong to a finish");
-        }
+        read_finish_word(in, code, finish, albedos);
         in.skip_comma();
     }
     in.end_block();
-    if (diffuse_albedo) finish.diffuse *= (finish.brilliance + 1) / 2;
-    if (phong_albedo) finish.phong *= (finish.phong_size + 1) / 2;
+    if (albedos.diffuse) finish.diffuse *= (finish.brilliance + 1) / 2;
+    if (albedos.phong) finish.phong *= (finish.phong_size + 1) / 2;
     const double e = 1 / finish.roughness;
-    if (specular_albedo) finish.specular *= (e + 2) / (4 * (2 - std::exp2(-e / 2)));
+    if (albedos.specular) finish.specular *= (e + 2) / (4 * (2 - std::exp2(-e / 2)));
+}
+
+/// Reads what stands in textures of before version 3 without the word of its block: a number is crand. Reads nothing and
+/// returns false if none of it comes.
+bool PovReader::read_old_texture_word(Interpreter& in, LayerValues& layer) {
+    const std::uint16_t code = in.code();
+    if (is_one_of(code, old_finish_words)) {
+        layer.finish.place = in.place();
+        in.skip();
+        Albedos none;
+        read_finish_word(in, code, layer.finish, none);
+    } else if (is_one_of(code, old_normal_words)) {
+        if (!read_pattern_word(in, layer.normal.blend, ValueKind::normal))
+            return read_modifier(in, layer.normal.blend, ValueKind::normal);
+        in.skip_comma();
+        layer.normal.amount = in.read_number_or(layer.normal.amount);
+    } else if (in.at_color()) {
+        layer.pigment.color = in.read_color(), layer.pigment.blend.word = end_code;
+    } else if (in.accept("quick_color")) {
+        in.read_color();
+    } else if (in.at_expression()) {
+        layer.finish.place = in.place();
+        layer.finish.crand = in.read_number();
+    } else {
+        Blend& blend = layer.pigment.blend;
+        if (!read_pattern_word(in, blend, ValueKind::pigment)) return read_modifier(in, blend, ValueKind::pigment);
+        blend.wave = Wave::ramp;  // of marble and wood as well
+    }
+    return true;
 }
 
 void PovReader::read_interior(Interpreter& in, InteriorThing& interior) {
@@ -259,6 +316,7 @@ std::shared_ptr<const TextureThing> PovReader::read_texture_body(Interpreter& in
     auto texture = std::make_shared<TextureThing>(known ? *known : *default_texture);
     LayerValues& layer = texture->layers.back();
     if (!known) layer.place = in.place();
+    const bool old = in.version() < 3;
     for (;;) {
         if (in.accept("pigment")) {
             read_pigment(in, layer.pigment);
@@ -278,11 +336,15 @@ std::shared_ptr<const TextureThing> PovReader::read_texture_body(Interpreter& in
             read_material_map(in, layer);
         } else if (Steps steps; read_step(in, steps)) {
             for (LayerValues& each : texture->layers) transform(each, steps);
+        } else if (old) {
+            if (!read_old_texture_word(in, layer)) break;
         } else if (!read_pattern_word(in, layer.blend, ValueKind::texture) &&
                    !read_modifier(in, layer.blend, ValueKind::texture)) {
             break;
         }
     }
+    if (old) keep_values(layer.pigment.blend, false, in.noise_generator);
+    if (old) keep_values(layer.normal.blend, true, in.noise_generator);
     if (layer.blend && !layer.blend.map) layer.blend.word = end_code;
     keep_values(layer.blend, false, in.noise_generator);
     return texture;

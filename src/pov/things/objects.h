@@ -69,6 +69,7 @@ struct ObjectThing : Thing {
     std::optional<bool> no_shadow, no_image, no_reflection, both_sides;
     std::optional<bool> global_lights;  // of a light_group
     bool inverse = false, hollow = false;
+    bool thin = false;                                        // it is nothing, as no ray meets it
     bool turned_surface = false;                              // its flat triangles face where those of a mesh do not
     bool uv = false;                                          // textures that come after are by uv
     std::uint16_t word = end_code;                            // of its shape, such as "sphere"
@@ -77,6 +78,7 @@ struct ObjectThing : Thing {
     MadeBodies made;
 
     void left_out(const std::string& text) { notes.emplace_back(Remark::Kind::left_out, text); }
+    void warn(const std::string& text) { notes.emplace_back(Remark::Kind::warning, text); }
     void approximated(const std::string& text) { notes.emplace_back(Remark::Kind::approximated, text); }
 };
 

@@ -255,14 +255,15 @@ struct FacetBends : SolidFunction {
     const SolidPattern noise;
 };
 
-/// Two entries of a map between which a value lies, and the share of the second one. They are the same at an entry.
+/// Two entries of a map between which a value lies, and the share of the second one. They are the same at an entry. As
+/// in POV-Ray that is the first entry that is not below the value, and the one before it, in whatever order they are.
 struct MapPlace {
     const MapEntry *before, *after;
     double share;
 };
 MapPlace place_in(const std::vector<MapEntry>& entries, double value) {
+    if (!(value < entries.back().at)) return {&entries.back(), &entries.back(), 1};
     const auto found = std::ranges::find_if(entries, [&](const MapEntry& own) { return own.at >= value; });
-    if (found == entries.end()) return {&entries.back(), &entries.back(), 1};
     if (found == entries.begin() || found->at == value) return {&*found, &*found, 1};
     const auto before = found - 1;
     return {&*before, &*found, (value - before->at) / (found->at - before->at)};
@@ -433,6 +434,57 @@ int listed_colors(std::uint16_t pattern) {
         default:
             return 0;
     }
+}
+
+namespace {
+
+/// Returns what a map shows at a value between two entries, as an entry.
+MapEntry between(const MapEntry& before, const MapEntry& after, double at) {
+    const double share = (at - before.at) / (after.at - before.at);
+    MapEntry own{.at = at, .thing = nullptr};
+    if (!before.thing && !after.thing) {
+        for (const auto part : {&FilterColor::red, &FilterColor::green, &FilterColor::blue, &FilterColor::filter,
+                                &FilterColor::transmit})
+            own.color.*part = std::lerp(before.color.*part, after.color.*part, static_cast<float>(share));
+        return own;
+    }
+    auto both = std::make_shared<MapThing>();
+    both->entries = {before, after};
+    both->entries[0].at = 1 - share, both->entries[1].at = share;
+    auto pigment = std::make_shared<PigmentThing>();
+    pigment->blend.word = word("average"), pigment->blend.map = std::move(both);
+    own.thing = std::move(pigment);
+    return own;
+}
+
+/// Returns entries with ascending places that show the same.
+std::vector<MapEntry> ascending(const std::vector<MapEntry>& entries) {
+    if (std::ranges::is_sorted(entries, {}, &MapEntry::at)) return entries;
+    const double last = entries.back().at;
+    std::vector<MapEntry> sorted{entries.front()};
+    sorted[0].at = std::min(sorted[0].at, last);
+    for (std::size_t i = 1; i < entries.size() && sorted.back().at < last; ++i) {
+        const MapEntry &before = entries[i - 1], &own = entries[i];
+        const double from = sorted.back().at;
+        if (!(own.at > from)) continue;  // all values up to there are taken by entries before it
+        if (before.at < from) sorted.push_back(between(before, own, from));
+        if (before.at == from) sorted.push_back(before);
+        sorted.push_back(own.at > last ? between(before, own, last) : own);
+    }
+    sorted.push_back(entries.back());
+    return sorted;
+}
+
+}  // namespace
+
+std::vector<MapEntry> in_order(const std::vector<MapEntry>& entries) {
+    std::vector<MapEntry> own = ascending(entries);
+    if (std::ranges::none_of(own, [](const MapEntry& entry) { return entry.thing != nullptr; })) return own;
+    for (std::size_t i = 1; i < own.size(); ++i) {
+        if (own[i - 1].at < 0 && own[i].at > 0) own[i - 1] = between(own[i - 1], own[i], 0);
+        if (own[i - 1].at < 1 && own[i].at > 1) own[i] = between(own[i - 1], own[i], 1);
+    }
+    return own;
 }
 
 std::shared_ptr<const SolidFunction> moved_values(Moves moves, const SolidPattern& values) {

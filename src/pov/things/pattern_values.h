@@ -42,6 +42,11 @@ using MadeColors = std::map<std::shared_ptr<const Thing>, std::shared_ptr<const 
 /// them there.
 std::shared_ptr<const FunctionThing> colors_of(const PigmentThing& pigment, int generator, MadeColors* known = nullptr);
 
+/// Returns entries with ascending places by which values show the same as by those of a map of colours or pigments.
+/// POV-Ray takes the last entry for all values from its place on, and for others the first that is not below them. Of
+/// pigments none lies between entries of which one is beyond 0 or 1.
+std::vector<MapEntry> in_order(const std::vector<MapEntry>& entries);
+
 /// Returns the entries that POV-Ray takes for a pattern without a map.
 const std::vector<MapEntry>& usual_entries(const Blend& blend);
 

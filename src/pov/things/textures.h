@@ -41,6 +41,7 @@ struct PictureFacts {
 /// A picture that a pattern shows.
 struct ImageThing {
     std::string path;                          // of its file; empty if a function makes it
+    std::uint16_t file_kind = end_code;        // the word of its kind, such as "png", if it was given
     std::shared_ptr<const FilePixels> pixels;  // null if it could not be read
     std::string fault;                         // why
     std::shared_ptr<PictureFacts> facts = std::make_shared<PictureFacts>();

@@ -431,7 +431,7 @@ TEST_CASE("POV-Ray: lathes are contours that turn, and have inside what POV-Ray 
     CHECK(inner("bezier_spline 4, <.6, 0>, <.3, .4>, <.35, .8>, <.8, 1.3>") == .3);
     CHECK(inner("quadratic_spline 4, <1, -1>, <1, 0>, <.5, 1>, <1, 2>") == .5);
     CHECK(shape<Lathe>(whole("sor { 4, <.3, 0>, <.3, .2>, <.4, .6>, <.3, 1> open }")).data->inner == 0);
-    CHECK(says(notes_of("\nlathe { 2, <0, 0>, <0, 1> }"), "left out: a body without extent: it has no surface"));
+    CHECK(whole("lathe { 2, <0, 0>, <0, 1> }").primitives.empty());
 }
 
 TEST_CASE("POV-Ray: a sor is a lathe whose squared radius is a cubic of the height") {
@@ -687,7 +687,7 @@ TEST_CASE("POV-Ray: blobs are exact") {
     const Scene ball = whole("blob { threshold .5 sphere { x, 1, 2 translate -x } }");
     CHECK(contains(ball.primitives[0], {0, .7071, 0}));
     CHECK_FALSE(contains(ball.primitives[0], {0, .7072, 0}));
-    CHECK(says(notes_of("\nblob { threshold .5 sphere { 0, 1, -1 } }"), "left out: a blob: it has no lump that adds"));
+    CHECK(whole("blob { threshold .5 sphere { 0, 1, -1 } }").primitives.empty());
     CHECK(
         says(notes_of("\nblob { threshold 0 sphere { 0, 1, 1 } }"), "left out: a blob: its threshold is not above 0"));
     CHECK(says(notes_of("\nblob { sphere { 0, 1, 2 finish { phong 1 } } sphere { 0, 1, 1 } }"),
@@ -784,4 +784,41 @@ TEST_CASE("POV-Ray: a clipped body's pattern moves with the body") {
     CHECK(material(clipped).rgb == material(plain).rgb);
     const auto& parts = *std::get<Intersection>(clipped.primitives.at(0).shape).parts;
     CHECK(matrix(parts.at(1).transformations) == glm::dmat4(1));
+}
+
+TEST_CASE("POV-Ray: bodies that no ray meets are not missing") {
+    for (const char* const text :
+         {"sphere { x, 0 }", "box { 1, 1 }", "box { <-1, 0, 2>, <1, 0, 2> }", "cylinder { -2*x, 2*x, 0 }",
+          "cylinder { -y, x, 0 open }", "cone { -x, 0, x, 0 }", "disc { 0, z, 0 }", "disc { 0, z, .5, .8 }",
+          "disc { x, 0, 1 }", "torus { 1, 0 }", "torus { 0, 0 }", "triangle { 0, x, 2*x }",
+          "smooth_triangle { 0, z, x, 0, y, z }", "blob { sphere { 0, 1, 0 } }", "blob { sphere { 0, 0, 1 } }",
+          "sphere_sweep { linear_spline 2, -x, 0, x, 0 }", "polygon { 3, 0, x, 2*x }",
+          "intersection { sphere { 0, 1 } cylinder { -2*z, 2*z, 0 } }"}) {
+        CAPTURE(text);
+        CHECK(whole(text).primitives.empty());
+    }
+    CHECK(whole("difference { sphere { 0, 1 } sphere { 0, 0 } }").primitives.size() == 1);
+    const std::string bent = "polygon { 4, 0, x, <1, 1, .1>, y }";
+    const std::vector<std::string> warnings = opened(bent).warnings;
+    REQUIRE(warnings.size() == 1);
+    CHECK(says(warnings[0], "not in one plane"));
+    CHECK(whole(bent).primitives.empty());
+    CHECK(shape<Disc>(whole("disc { 0, z, -1, -.5 }")) == shape<Disc>(whole("disc { 0, z, 1, .5 }")));
+    // What a part of a composite without extent takes away is not known.
+    CHECK(says(notes_of("difference { sphere { 0, 1 } cylinder { -y, y, 0 } }"), "left out: a body without extent"));
+}
+
+TEST_CASE("POV-Ray: normals of meshes without a length are x, and triangles with one normal are flat") {
+    const auto normals = [](const std::string& a, const std::string& b, const std::string& c) {
+        const std::string text = "mesh { smooth_triangle { 0, " + a + ", y, " + b + ", x, " + c + " } }";
+        const std::string second = "mesh2 { vertex_vectors { 3, 0, y, x } normal_vectors { 3, " + a + ", " + b + ", " +
+                                   c + " } face_indices { 1, <0, 1, 2> } }";
+        const auto own = shape<Mesh>(whole(text)).data, other = shape<Mesh>(whole(second)).data;
+        CHECK(own->normals == other->normals);
+        return own->normals;
+    };
+    CHECK(normals("0", "-z", "<0, .5, -1>")[0] == DVec3(1, 0, 0));
+    CHECK(normals("-z", "<1e-11, 0, 0>", "<0, .5, -1>")[1] == DVec3(1, 0, 0));
+    for (const char* const all : {"0", "<.3, .4, -.5>", "z"})
+        for (const DVec3& normal : normals(all, all, all)) CHECK(normalize(normal) == DVec3(0, 0, -1));
 }
