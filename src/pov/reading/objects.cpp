@@ -273,6 +273,10 @@ std::shared_ptr<const ObjectThing> PovReader::read_object(Interpreter& in) {
     while (read_object_modifier(in, *object)) {
     }
     in.end_block();
+    for (const auto* const inside : {&object->parts, &object->clips, &object->bounds})
+        for (const auto& part : *inside) object->levels = std::max(object->levels, part->levels + 1);
+    if (object->levels > most_levels)
+        in.fail(place, "bodies are nested more than " + std::to_string(most_levels) + " levels deep");
     join_textures(*object);
     share_texture(in, *object);
     return object;

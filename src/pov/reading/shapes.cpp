@@ -1,6 +1,7 @@
 // Reads the arguments of simple bodies.
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 #include "mesh/split.h"
@@ -288,10 +289,11 @@ bool is_flat(const DVec3 (&p)[3]) { return !Triangle{p[0], p[1], p[2]}.fault(); 
 void PovReader::read_mesh(Interpreter& in, ObjectThing& object) {
     std::vector<MeshPart> parts(1);
     std::vector<std::shared_ptr<const TextureThing>> textures;
+    std::map<const TextureThing*, std::size_t> numbers;  // of textures, from 1 on
     while (in.at("triangle") || in.at("smooth_triangle")) {
         const bool smooth = in.at("smooth_triangle");
         in.skip();
-        in.count_bytes(sizeof(MeshPart::data.triangles[0]) + 6 * sizeof(DVec3), in.last_place());
+        in.count_bytes(sizeof(MeshPart::data.triangles[0]) + 9 * sizeof(DVec3), in.last_place());
         in.begin_block();
         DVec3 points[3], normals[3];
         std::array<double, 2> places[3]{};
@@ -308,9 +310,8 @@ void PovReader::read_mesh(Interpreter& in, ObjectThing& object) {
             } else if (in.at("texture") || in.kind() == ValueKind::texture) {
                 const auto texture =
                     in.accept("texture") ? read_texture(in) : in.accept_thing<TextureThing>(ValueKind::texture);
-                const auto known = std::find(textures.begin(), textures.end(), texture);
-                number = static_cast<std::size_t>(known - textures.begin()) + 1;
-                if (known == textures.end()) {
+                number = numbers.emplace(texture.get(), textures.size() + 1).first->second;
+                if (number > textures.size()) {
                     in.count_bytes(sizeof(MeshPart) + sizeof(TextureThing) + sizeof(LayerValues), in.last_place());
                     textures.push_back(texture), parts.emplace_back();
                 }

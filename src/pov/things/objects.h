@@ -53,6 +53,7 @@ struct MadeBodies {
 
 struct ObjectThing : Thing {
     ObjectKind kind = ObjectKind::nothing;
+    int levels = 1;  // of bodies in bodies, with this one
     TextPlace place;
     std::optional<Shape> shape;
     std::shared_ptr<const LevelSurface> surface;  // if any, the shape is its mesh

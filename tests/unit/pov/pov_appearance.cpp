@@ -442,10 +442,13 @@ TEST_CASE("POV-Ray: a scene of too many bodies ends") {
         says(fault("#declare A = sphere { 0, 1 } #for (I, 1, 40) #declare A = union { object { A } object { A } } #end "
                    "object { A }"),
              "bodies need too much memory; more than 10 MiB in all"));
+    CHECK(says(fault("#declare A = sphere { 0, 1 } #for (I, 1, 3000) #declare A = union { object { A } sphere { I, 1 } } "
+                     "#end object { A }"),
+               "nested more than 2000 levels deep"));
     // A loop's bodies share a texture that is the same; others count.
     const std::string ball = "sphere { 0, 1 pigment { rgb ";
-    CHECK(fault("#for (I, 1, 8000) " + ball + "1 } finish { phong .5 } } #end") == "");
-    CHECK(says(fault("#for (I, 1, 8000) " + ball + "I } finish { phong .5 } } #end"), "x.pov:1: "));
+    CHECK(fault("#for (I, 1, 3500) " + ball + "1 } finish { phong .5 } } #end") == "");
+    CHECK(says(fault("#for (I, 1, 3500) " + ball + "I } finish { phong .5 } } #end"), "10 MiB"));
     CHECK(says(fault("#for (I, 0, 1e18) union { sphere { I, 1 } union { sphere { I, 2 } } } #end"), "10 MiB"));
     CHECK(says(fault("mesh { #for (I, 0, 1e18) triangle { I*x, <I, 1, 0>, <I, 0, 1> } #end }"), "10 MiB"));
     const std::string own = "texture { pigment { rgb I } }";
