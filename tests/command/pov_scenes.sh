@@ -28,7 +28,7 @@ expect 0 "strahl: warning: ball.pov:5: left out" render ball.pov --library share
 "$strahl" render same.rt -o same.png --size 64x48 --quiet
 expect_same ball.png same.png
 expect 2 "convert ball.pov with strahl import first" bundle ball.pov -o bundle
-echo 'sphere { 0, 1 colour }' >wrong.pov
+echo 'sphere { 0, 1 colour Unknown }' >wrong.pov
 expect 3 "wrong.pov:1:" render wrong.pov -o wrong.png
 [[ ! -e wrong.png ]] || fault "a scene with an error has a picture"
 
@@ -53,6 +53,7 @@ for frame in 0 1 2; do
     expect 0 "" render moving.pov -o still.png --size 32x24 --clock "$((frame / 2)).$((frame % 2 * 5))"
     expect_same still.png film-$frame.png
 done
+expect 0 "--frames 0-2 makes all frames" render film.ini -o still.png
 expect 0 "" render film.ini -o still.png --time .04
 expect_same still.png film-1.png
 expect 0 "" render 'film.ini[late]' -o still.png --size 16x12

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "num/turn_rows.h"
 #include "num/vec_math.h"
 #include "pov/reading/reader.h"
 #include "scene/error.h"
@@ -289,7 +290,14 @@ void PovReader::load(Interpreter& in, ImageThing& image, bool of_colors, std::op
     LoadedPicture& known = pictures[image.path];
     if (!known.pixels && known.fault.empty() && !image.path.empty() && read_pixels) {
         try {
-            known.pixels = std::make_shared<const FilePixels>(read_pixels(image.path));
+            FilePixels own = read_pixels(image.path);
+            if (own.from_right) {  // POV-Ray takes them in the order of the file
+                turn_rows(own.values, std::size_t(own.width), 3);
+                turn_rows(own.opacity, std::size_t(own.width), 1);
+                if (in.options().as_text)
+                    in.remark(Remark::Kind::approximated, in.last_place(), "a picture is seen from its other side");
+            }
+            known.pixels = std::make_shared<const FilePixels>(std::move(own));
         } catch (const FileError& error) {
             known.fault = error.what();
         }
