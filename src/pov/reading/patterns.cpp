@@ -274,8 +274,8 @@ std::shared_ptr<const FilePixels> picture_of(Interpreter& in, const FunctionThin
 
 }  // namespace
 
-/// Is a picture of a kind of file whose values POV-Ray takes as they are, unless a gamma is given? Its kind is said by a
-/// word, or else by its ending.
+/// Is a picture of a kind of file whose values POV-Ray takes as they are, unless a gamma is given? Its kind is said by
+/// a word, or else by its ending.
 static bool is_plain(const ImageThing& image) {
     constexpr std::array kinds{word("ppm"), word("pgm"), word("tiff")};
     if (image.file_kind != end_code) return is_one_of(image.file_kind, kinds);
