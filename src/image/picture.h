@@ -15,6 +15,7 @@ struct Picture {
     int width = 0, height = 0, channels = 3;
     std::vector<double> values;
     int bits = 32;  // of the file it came from: 8, 16, or 32 for float
+    bool from_right = false;  // the file has the pixels of each row from right to left
 };
 
 /// How PNG is compressed: faster than pictures are traced, or as small as zlib can.

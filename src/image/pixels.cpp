@@ -45,7 +45,7 @@ FilePixels read_pixels(const std::string& path) {
     const bool grey = picture.channels < 3, alpha = picture.channels % 2 == 0;
     FilePixels pixels(Pixels{picture.width, picture.height, picture.bits == 32, {}});
     const RegularFile file(path);
-    pixels.gamma = png_gamma(file);
+    pixels.gamma = png_gamma(file), pixels.from_right = picture.from_right;
     pixels.grey_png = picture.channels == 1 && picture.bits <= 8 && file.bytes(0, 8).starts_with("\x89PNG");
     const auto count = std::size_t(picture.width) * static_cast<unsigned>(picture.height);
     pixels.values.reserve(3 * count);

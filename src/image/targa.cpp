@@ -6,6 +6,7 @@
 
 #include "image/memory.h"
 #include "image/uncompressed.h"
+#include "num/turn_rows.h"
 
 namespace strahl {
 namespace {
@@ -86,6 +87,8 @@ Picture read_targa(const RegularFile& file, std::uint64_t most) {
             for (unsigned c = 0; c < channels; ++c) *to++ = pixel[alpha && c + 1 == channels ? 3 : c] / 255.;
         }
     }
+    picture.from_right = header.from_right();
+    if (picture.from_right) turn_rows(picture.values, header.width, channels);
     return picture;
 }
 

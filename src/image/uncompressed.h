@@ -54,6 +54,7 @@ struct TargaHeader {
     bool paletted() const { return (type & 7) == 1; }
     bool packed() const { return type >= 8; }
     bool top_down() const { return flags & 0x20; }
+    bool from_right() const { return flags & 0x10; }
     /// Can this be one? Such files do not begin with a word of their own.
     bool valid() const {
         const auto is_color = [](int own) { return own == 15 || own == 16 || own == 24 || own == 32; };

@@ -37,7 +37,7 @@ for size in 64x36 36x64 40x40; do
     expect_same sized.png same.png
 done
 expect 2 "convert ball.pov with strahl import first" bundle ball.pov -o bundle
-echo 'sphere { 0, 1 colour }' >wrong.pov
+echo 'sphere { 0, 1 colour Unknown }' >wrong.pov
 expect 3 "wrong.pov:1:" render wrong.pov -o wrong.png
 [[ ! -e wrong.png ]] || fault "a scene with an error has a picture"
 
@@ -62,6 +62,7 @@ for frame in 0 1 2; do
     expect 0 "" render moving.pov -o still.png --size 32x24 --clock "$((frame / 2)).$((frame % 2 * 5))"
     expect_same still.png film-$frame.png
 done
+expect 0 "--frames 0-2 makes all frames" render film.ini -o still.png
 expect 0 "" render film.ini -o still.png --time .04
 expect_same still.png film-1.png
 expect 0 "" render 'film.ini[late]' -o still.png --size 16x12

@@ -195,6 +195,10 @@ int render_command(const RenderOptions& asked) {
         if (!options.frames && !options.time) options.frames = frames_of(flight, options.rate);
         if (opened.frames && !ffmpeg.empty() && !asked.frames && options.rate.per_second() == 25)
             options.frames = FrameList{{{opened.frames->first, opened.frames->second, 1}}};
+    } else if (opened.frames && options.opening.ini && opened.frames->first < opened.frames->second) {
+        const std::string range = std::to_string(opened.frames->first) + "-" + std::to_string(opened.frames->second);
+        std::cerr << "strahl: the .ini file asks for more than this picture: --frames " << range
+                  << " makes all frames\n";
     }
 
     const FileFormat format{bits_of(ending_of(ending), options.bits), scene.settings.assumed_gamma, options.compression,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "num/turn_rows.h"
 #include "num/vec_math.h"
 #include "pov/reading/reader.h"
 #include "scene/error.h"
@@ -273,8 +274,8 @@ std::shared_ptr<const FilePixels> picture_of(Interpreter& in, const FunctionThin
 
 }  // namespace
 
-/// Is a picture of a kind of file whose values POV-Ray takes as they are, unless a gamma is given? Its kind is said by a
-/// word, or else by its ending.
+/// Is a picture of a kind of file whose values POV-Ray takes as they are, unless a gamma is given? Its kind is said by
+/// a word, or else by its ending.
 static bool is_plain(const ImageThing& image) {
     constexpr std::array kinds{word("ppm"), word("pgm"), word("tiff")};
     if (image.file_kind != end_code) return is_one_of(image.file_kind, kinds);
@@ -289,7 +290,14 @@ void PovReader::load(Interpreter& in, ImageThing& image, bool of_colors, std::op
     LoadedPicture& known = pictures[image.path];
     if (!known.pixels && known.fault.empty() && !image.path.empty() && read_pixels) {
         try {
-            known.pixels = std::make_shared<const FilePixels>(read_pixels(image.path));
+            FilePixels own = read_pixels(image.path);
+            if (own.from_right) {  // POV-Ray takes them in the order of the file
+                turn_rows(own.values, std::size_t(own.width), 3);
+                turn_rows(own.opacity, std::size_t(own.width), 1);
+                if (in.options().as_text)
+                    in.remark(Remark::Kind::approximated, in.last_place(), "a picture is seen from its other side");
+            }
+            known.pixels = std::make_shared<const FilePixels>(std::move(own));
         } catch (const FileError& error) {
             known.fault = error.what();
         }

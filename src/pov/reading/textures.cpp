@@ -228,8 +228,8 @@ void PovReader::read_finish(Interpreter& in, FinishThing& finish) {
     if (albedos.specular) finish.specular *= (e + 2) / (4 * (2 - std::exp2(-e / 2)));
 }
 
-/// Reads what stands in textures of before version 3 without the word of its block: a number is crand. Reads nothing and
-/// returns false if none of it comes.
+/// Reads what stands in textures of before version 3 without the word of its block: a number is crand. Reads nothing
+/// and returns false if none of it comes.
 bool PovReader::read_old_texture_word(Interpreter& in, LayerValues& layer) {
     const std::uint16_t code = in.code();
     if (is_one_of(code, old_finish_words)) {

@@ -20,6 +20,7 @@ namespace strahl {
 struct FilePixels : Pixels {
     std::vector<float> opacity;
     std::optional<double> gamma;  // by which the file says that its values are encoded; 0 is sRGB
+    bool from_right = false;      // the file has the pixels of each row from right to left
     bool grey_png = false;        // it is a .png file of one channel of at most 8 bits
 
     FilePixels() = default;

@@ -186,6 +186,12 @@ TEST_CASE(".tga files: their values, which are POV-Ray's, and headers that are f
     rows[12] = 2, rows[14] = 2;
     write_file(folder / "a.tga", rows);
     CHECK(read_picture(folder / "a.tga").values[0] == 64 / 255.);  // from the lowest row
+    const Picture left = read_picture(folder / "a.tga");
+    rows[17] |= 0x10;  // from the right
+    write_file(folder / "a.tga", rows);
+    const Picture right = read_picture(folder / "a.tga");
+    CHECK(right.from_right);
+    for (std::size_t i = 0; i < 12; ++i) CHECK(right.values[i] == left.values[i / 6 * 6 + (3 + i) % 6]);
     write_file(folder / "a.tga", targa(1, 8, 32, std::string("\0\1\2\4", 4), colors, 24));
     CHECK(says(fault_in(folder / "a.tga"), "beyond its palette"));
     rows.replace(12, 4, "\xff\xff\xff\xff");

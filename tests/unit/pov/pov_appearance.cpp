@@ -460,3 +460,62 @@ TEST_CASE("POV-Ray: errors have their place") {
     CHECK(says(fault_of([] { opened("\ncamera { location 0 right 0 }"); }), "x.pov:2"));
     CHECK(fault_of([] { opened("mesh2 { vertex_vectors { 1, 0 } face_indices { 1, <0, 1, 2> } }"); }) != "");
 }
+
+TEST_CASE("POV-Ray: from version 3.7 on a background that lets light through is before black") {
+    const auto background = [](const char* version, const char* color) {
+        return whole(std::string(version) + " background { " + color + " }").background.color;
+    };
+    for (const char* const color : {"rgbt <.5, 1, .25, .5>", "rgbft <.5, 1, .25, .75, .5>"}) {
+        CHECK(background("#version 3.7;", color) == Color(.25, .5, .125));
+        CHECK(background("#version 3.6;", color) == Color(.5, 1, .25));
+        CHECK(background("", color) == Color(.5, 1, .25));
+    }
+    CHECK(background("#version 3.7;", "rgbf <.5, 1, .25, .5>") == Color(.5, 1, .25));
+}
+
+TEST_CASE("POV-Ray: numbers below 0 of finishes and lights are told") {
+    const auto told = [](const std::string& text, const char* note) {
+        CAPTURE(text);
+        CHECK(says(notes_of("\n" + text), std::string("x.pov:2: approximated: ") + note));
+    };
+    told("sphere { 0, 1 finish { ambient -.05 } }", "ambient light");
+    told("sphere { 0, 1 finish { ambient <.1, -.2, 0> } }", "ambient light");
+    told("sphere { 0, 1 finish { brilliance -2 } }", "brilliance");
+    told("sphere { 0, 1 finish { reflection -.2 } }", "reflection below");
+    told("sphere { 0, 1 finish { phong 1 phong_size -3 } }", "phong_size");
+    told("light_source { y, 1 spotlight tightness -10 point_at 0 }", "a light that is brighter off its axis");
+    told("light_source { y, 1 cylinder tightness -1 point_at 0 }", "a light that is brighter off its axis");
+    for (const char* const as_nothing : {"diffuse -1", "phong -1", "specular -1", "diffuse 0 brilliance -1"})
+        CHECK(notes_of(std::string("sphere { 0, 1 finish { ") + as_nothing + " } }") == "");
+}
+
+TEST_CASE("POV-Ray: colours that are left out are black, sizes may follow names of normals") {
+    CHECK(whole("light_source { y }").lights.empty());
+    CHECK(material(whole("sphere { 0, 1 pigment { color } }")).rgb.color == Color(0));
+    const auto amount = [](const std::string& normal) {
+        const std::string declared = "#declare N = normal { bumps .5 } sphere { 0, 1 normal { " + normal + " } }";
+        return material(whole(declared)).bump.height;
+    };
+    CHECK(amount("N") == .5);
+    CHECK(amount("N .75") == .75);
+    CHECK(amount("N, .25 scale 2") == .25);
+    whole("#declare N = normal { bumps } sphere { 0, 1 normal { gradient x normal_map { [0 N .2] [1, N, 1] } } }");
+}
+
+TEST_CASE("POV-Ray: textures before version 3 need no blocks, and noise is older before version 3.5") {
+    const Scene scene = whole(
+        "#version 2.0; sphere { <0, 0, 0> 1 texture { color red .5 green 1 ambient .25 phong .5 bumps .75 scale 2 } }");
+    CHECK(material(scene).rgb.color == Color(.5, 1, 0));
+    CHECK(material(scene).ambient == .25);
+    CHECK(material(scene).specular == .5);
+    CHECK(material(scene).bump.height == .75);
+    CHECK(says(notes_of("#version 2.0; sphere { 0 1 texture { marble turbulence .4 .1 } }"), "crand"));
+    const auto generator = [](const std::string& before) {
+        const Scene own = whole(before + " sphere { 0, 1 pigment { bozo } }");
+        return std::get<SolidPattern>(material(own).rgb.pattern->kind).generator;
+    };
+    CHECK(generator("#version 3.1;") == 1);
+    CHECK(generator("#version 3.5;") == 2);
+    CHECK(generator("") == 2);
+    CHECK(generator("global_settings { noise_generator 3 } #version 3.1;") == 3);
+}

@@ -200,3 +200,57 @@ TEST_CASE("POV-Ray: facets bend the normals of cells alike") {
     CHECK(length(moved - across("coords .5 size .4", point + DVec3(2))) > 1e-3);
     CHECK(length(2. * moved - across("coords 1 size .4", point)) < 1e-12);
 }
+
+TEST_CASE("POV-Ray: all words of patterns that are not shown are read") {
+    for (const char* const pattern :
+         {"pavement", "pavement number_of_sides 6 number_of_tiles 3 pattern 2 exterior 1 interior 0 form 2",
+          "tiling 3", "tiling 24 scale .2", "aoi", "slope y", "slope { y, 0, .5 altitude x, -1, 1 }",
+          "slope { point_at <1, 2, 3> }"}) {
+        CAPTURE(pattern);
+        const std::string all = std::string(pattern) + " color_map { [0 rgb 0] [1 rgb 1] } turbulence .2";
+        CHECK(says(notes_of("sphere { 0, 1 pigment { " + all + " } }"), "is its mean colour"));
+        CHECK(says(notes_of(std::string("sphere { 0, 1 normal { ") + pattern + " } }"), "on the surface"));
+    }
+}
+
+TEST_CASE("POV-Ray: places of maps may be in any order") {
+    // Takes the entries as POV-Ray does: the last one from its place on, else the first that is not below a value.
+    struct Entry {
+        double at, red;
+    };
+    const auto expected = [](const std::vector<Entry>& map, double value) {
+        if (value >= map.back().at) return map.back().red;
+        std::size_t i = 0;
+        while (value > map[i].at) ++i;
+        if (i == 0 || value == map[i].at) return map[i].red;
+        const Entry& before = map[i - 1];
+        return before.red + (map[i].red - before.red) * (value - before.at) / (map[i].at - before.at);
+    };
+    unsigned dice = 1;
+    const auto throw_dice = [&](int sides) { return int((dice = dice * 1664525 + 1013904223) >> 16) % sides; };
+    for (int round = 0; round < 200; ++round) {
+        std::vector<Entry> map;
+        std::string colors, pigments;
+        for (int i = throw_dice(6); i >= 0; --i) {
+            map.push_back({(throw_dice(25) - 4) / 16., throw_dice(9) / 8.});
+            const std::string at = "[" + std::to_string(map.back().at), red = std::to_string(map.back().red);
+            colors += at + " rgb " + red + "*x]";
+            pigments += at + " gradient y color_map { [0 rgb " + red + "*x] } ]";
+        }
+        for (const std::string& text : {"color_map { " + colors + " }", "pigment_map { " + pigments + " }"}) {
+            CAPTURE(text);
+            const Scene scene = whole("sphere { 0, 1 pigment { gradient x " + text + " } }");
+            const referee::Paint<double> paint(material(scene).rgb, glm::dmat4(1));
+            for (int k = 1; k < 16; ++k) {
+                const double value = k / 16. + 1 / 64.;
+                CHECK(paint.at(referee::Vector<double>(DVec3(value, .5, 0))).x ==
+                      doctest::Approx(expected(map, value)).epsilon(1e-6));
+            }
+            const std::string declared = "#declare F = function { pigment { gradient x " + text + " } } ";
+            CHECK(computed(declared, "F(.390625, .5, 0).red") ==
+                  doctest::Approx(expected(map, .390625)).epsilon(1e-6));
+            CHECK(computed(declared + "#declare G = function { F(x, y, z).grey } ", "G(.390625, .5, 0)") ==
+                  doctest::Approx(.297 * expected(map, .390625)).epsilon(1e-6));
+        }
+    }
+}
