@@ -158,6 +158,12 @@ Moves moves_by_uv(const ObjectThing& object, const Steps& to_scene) {
     }
 }
 
+/// Is it a ball that no ray meets?
+bool is_nothing(const ObjectThing& object) {
+    const auto* const ball = object.shape ? std::get_if<Sphere>(&*object.shape) : nullptr;
+    return ball && ball->radius == 0;
+}
+
 const Primitive& first_leaf(const Primitive& primitive) {
     const Primitive* first = nullptr;
     for_each_leaf(primitive, [&](const Primitive& leaf, const glm::dmat4&) { first = first ? first : &leaf; });
@@ -407,8 +413,7 @@ std::optional<SceneMaker::Part> SceneMaker::build_turned(const ObjectThing& obje
         if (auto* const box = std::get_if<Cuboid>(&shape))
             for (DVec3* const corner : {&box->corner, &box->opposite})
                 *corner = max(min(*corner, DVec3(largest_coordinate)), DVec3(-largest_coordinate));
-        if (const auto* const ball = std::get_if<Sphere>(&shape); ball && ball->radius == 0)
-            return std::nullopt;  // no ray meets it
+        if (is_nothing(object)) return std::nullopt;
         if (const char* const fault = fault_of(shape)) {
             notes.left_out(object.place, std::string("a body: ") + fault);
             return std::nullopt;
@@ -474,7 +479,11 @@ std::optional<SceneMaker::Part> SceneMaker::build_parts(const ObjectThing& objec
             notes.left_out(each->place, "an open body in a composite");
             part.reset();
         }
-        if (!part && object.kind == ObjectKind::subtract && first) return std::nullopt;
+        if (!part && !unites && !(object.kind == ObjectKind::subtract && !first && is_nothing(*each))) {
+            // Without that part more would be seen of the others.
+            if (!is_nothing(*each)) notes.left_out(object.place, "a body that a part is missing of");
+            return std::nullopt;
+        }
         const bool negated = part && part->negated != (object.kind == ObjectKind::subtract && !first);
         first = false;
         if (part) (negated ? hollow : solid).push_back(std::move(part->primitive));
@@ -524,7 +533,10 @@ std::optional<SceneMaker::Part> SceneMaker::clipped(const ObjectThing& object, c
     bare.clips = true;
     for (const auto& clip : object.clips) {
         std::optional<Part> cut = build(*clip, bare);
-        if (!cut || !close(cut->primitive, clip->place)) continue;
+        if (!cut || !close(cut->primitive, clip->place)) {
+            notes.left_out(object.place, "a body that an open one clips");
+            return std::nullopt;
+        }
         cut->primitive.transformations.insert(cut->primitive.transformations.end(), back.begin(), back.end());
         (cut->negated ? hollow : solid).push_back(std::move(cut->primitive));
     }

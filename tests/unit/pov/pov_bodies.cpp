@@ -68,6 +68,39 @@ TEST_CASE("POV-Ray: boxes and planes of an intersection that only touch have a f
     CHECK(shape<Intersection>(apart).parts->at(1).shape == Shape(Cuboid{{.5, 4, -1}, {1, 5, 1}}));
 }
 
+TEST_CASE("POV-Ray: two sides of one slanting plane are a sheet") {
+    for (const char* const move : {"", "rotate <10, 20, 30> translate <1, 2, 3>", "scale <1, 2, 3>"}) {
+        const std::string sheet = "#declare N = vnormalize(<3, 5, -3>); intersection { plane { N, .5 } ";
+        const std::string rest = std::string(" sphere { 0, 3 } ") + move + "}";
+        const Scene scene = whole(sheet + "plane { -N, -.5 }" + rest);
+        const auto& parts = *shape<Intersection>(scene).parts;
+        const DVec3 n = normalize(DVec3(3, 5, -3)), in = .5 * n;
+        const auto moved = [&](const DVec3& p) { return transform_point(matrix(scene.primitives[0].transformations), p); };
+        CHECK(parts.size() == 3);
+        CHECK(contains(scene.primitives[0], moved(in - 1e-7 * n)));
+        CHECK_FALSE(contains(scene.primitives[0], moved(in - 1e-3 * n)));
+        const Scene thick = whole(sheet + "plane { -N, -.4 }" + rest);
+        CHECK_FALSE(contains(thick.primitives[0], moved(.4 * n - 1e-7 * n)));
+    }
+}
+
+TEST_CASE("POV-Ray: a body is left out of which a part is missing that would hide some of it") {
+    const std::string open = "triangle { x, y, z } ", ball = "sphere { 0, 1 } ";
+    const auto bodies = [](const std::string& text) { return opened(text).scene.primitives.size(); };
+    for (const std::string& text :
+         {"intersection { " + ball + open + "}", "difference { " + ball + open + "}", "difference { " + open + ball + "}",
+          "intersection { " + ball + "difference { box { -1, 1 } " + open + "} }",
+          "object { " + ball + "clipped_by { " + open + "} }"}) {
+        CAPTURE(text);
+        CHECK(bodies(text) == 0);
+        CHECK(says(notes_of(text), "left out"));
+    }
+    CHECK(bodies("merge { " + ball + open + "}") == 1);
+    // A ball without a size shows nothing, and takes nothing away.
+    CHECK(whole("difference { " + ball + "sphere { 0, 0 } }").primitives.size() == 1);
+    CHECK(whole("intersection { " + ball + "sphere { 0, 0 } }").primitives.empty());
+}
+
 TEST_CASE("POV-Ray: a plane is seen where a body has a face in its place") {
     const auto box_of = [](const std::string& camera) {
         return shape<Cuboid>(
