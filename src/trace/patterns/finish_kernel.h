@@ -76,6 +76,19 @@ STRAHL_INLINE S gray_of(const Vec3<S>& color) {
     return fma(S(T(.297)), color.x, fma(S(T(.589)), color.y, S(T(.114)) * color.z));
 }
 
+/// Returns the colours that a thin film gives light, see Material; `cosines` is the sum of
+/// those of the angles at which it comes and goes.
+template <class S>
+[[gnu::noinline]] Vec3<S> film_colors(const LayerKernel<Element<S>>& layer, const S& cosines) {
+    using T = Element<S>;
+    constexpr T waves[3] = {T(.7), T(.52), T(.48)};
+    alignas(64) T ways[width<S>], colors[3][width<S>];
+    store_lanes(ways, S(layer.film) * cosines);
+    for (int k = 0; k < width<S>; ++k)
+        for (int c = 0; c < 3; ++c) colors[c][k] = 1 + layer.irid * std::cos(ways[k] / waves[c]);
+    return {load_lanes<S>(colors[0]), load_lanes<S>(colors[1]), load_lanes<S>(colors[2])};
+}
+
 template <class S>
 Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, const SeenSurface<S>& seen,
                                   const Footprint<S>* footprint, LayeredHit<S>& hit) {
@@ -83,7 +96,7 @@ Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, c
     const Vec3<S> none = splat<S>(Vec3<T>(0));
     hit.ambient = hit.through = hit.mirrored = none, hit.total = hit.clear = hit.most_mirrored = S(0);
     for (int i = 0; i < most_layers; ++i) hit.color[i] = hit.above[i] = none, hit.opacity[i] = S(0);
-    const S one(1), zero(0), cosine = min(max(-dot(seen.direction, seen.normal), zero), one);
+    const S one(1), zero(0), facing = min(-dot(seen.direction, seen.normal), one), cosine = max(facing, zero);
     each_finish<S>(world, materials, [&](const FinishKernel<T>& finish, Mask<S> lanes) {
         Vec3<S> through = splat<S>(Vec3<T>(1)), factor = through, passed = none, ambient = none, mirrored = none;
         S most(0), side = one;
@@ -133,17 +146,19 @@ Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, c
                 S x = one;
                 if (layer.fresnel)
                     x = fresnel(select(seen.enters, S(finish.ior) / seen.before, seen.beyond / S(finish.ior)), cosine);
-                else if (layer.facing != 1)
-                    x = power_or_zero(one - cosine, layer.falloff);
+                else if (layer.facing != 1)  // bent away from the ray, as in POV-Ray a surface reflects still more
+                    x = power_or_zero(one - facing, layer.falloff);
                 const S share = fma(S(1 - layer.facing), x, S(layer.facing));
                 const S strength = side * weight * S(largest(layer.mirror)) * (layer.fresnel ? share : one);
                 const Mask<S> sends = apart ? first_lanes<S>(0) : open & (strength >= S(bailout));
                 most = select(sends, max(most, strength), most);
                 Vec3<S> tint = splat<S>(Vec3<T>(1));
                 if (layer.gilding != 0) tint = tint_of(own.color, layer.gilding, cosine);
+                Vec3<S> film = splat<S>(Vec3<T>(1));
+                if (layer.irid > 0) film = film_colors<S>(layer, S(2) * cosine);
                 for (int c = 0; c < 3; ++c) {
                     const S gray = share * S(layer.mirror[c]);
-                    mirrored[c] = select(sends, fma(factor[c] * gray, tint[c], mirrored[c]), mirrored[c]);
+                    mirrored[c] = select(sends, fma(factor[c] * gray * film[c], tint[c], mirrored[c]), mirrored[c]);
                     if (layer.conserves) through[c] = through[c] * max(one - gray * tint[c], zero);
                 }
             }
@@ -158,18 +173,6 @@ Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, c
         hit.clear = select(lanes, S(finish.clear ? 1 : 0), hit.clear);
     });
     return all;
-}
-
-/// Returns the colours that a thin film gives light, see Material.
-template <class S>
-[[gnu::noinline]] Vec3<S> film_colors(const LayerKernel<Element<S>>& layer, const LitSurface<S>& lit) {
-    using T = Element<S>;
-    constexpr T waves[3] = {T(.7), T(.52), T(.48)};
-    alignas(64) T ways[width<S>], colors[3][width<S>];
-    store_lanes(ways, S(layer.film) * (lit.cosine + abs(dot(lit.direction, lit.normal))));
-    for (int k = 0; k < width<S>; ++k)
-        for (int c = 0; c < 3; ++c) colors[c][k] = 1 + layer.irid * std::cos(ways[k] / waves[c]);
-    return {load_lanes<S>(colors[0]), load_lanes<S>(colors[1]), load_lanes<S>(colors[2])};
 }
 
 template <class S>
@@ -194,7 +197,7 @@ void FinishCalls<S>::scatter(const World<T>& world, const int* materials, const 
             Vec3<S> tint = splat<S>(Vec3<T>(1));
             if (layer.metallic != 0) tint = tint_of(hit.color[i], layer.metallic, lit.cosine);
             Vec3<S> film = splat<S>(Vec3<T>(1));
-            if (layer.irid > 0) film = film_colors(layer, lit);
+            if (layer.irid > 0) film = film_colors<S>(layer, lit.cosine + abs(dot(lit.direction, lit.normal)));
             for (int c = 0; c < 3; ++c) {
                 const S sent = film[c] * fma(diffuse, hit.color[i][c], highlight * tint[c]);
                 sum[c] = select(lanes, fma(arriving[c] * hit.above[i][c], sent, sum[c]), sum[c]);
