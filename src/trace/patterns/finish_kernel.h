@@ -96,7 +96,7 @@ Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, c
     const Vec3<S> none = splat<S>(Vec3<T>(0));
     hit.ambient = hit.through = hit.mirrored = none, hit.total = hit.clear = hit.most_mirrored = S(0);
     for (int i = 0; i < most_layers; ++i) hit.color[i] = hit.above[i] = none, hit.opacity[i] = S(0);
-    const S one(1), zero(0), facing = min(-dot(seen.direction, seen.normal), one), cosine = max(facing, zero);
+    const S one(1), zero(0), cosine = min(max(-dot(seen.direction, seen.normal), zero), one);
     each_finish<S>(world, materials, [&](const FinishKernel<T>& finish, Mask<S> lanes) {
         Vec3<S> through = splat<S>(Vec3<T>(1)), factor = through, passed = none, ambient = none, mirrored = none;
         S most(0), side = one;
@@ -146,8 +146,8 @@ Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, c
                 S x = one;
                 if (layer.fresnel)
                     x = fresnel(select(seen.enters, S(finish.ior) / seen.before, seen.beyond / S(finish.ior)), cosine);
-                else if (layer.facing != 1)  // bent away from the ray, as in POV-Ray a surface reflects still more
-                    x = power_or_zero(one - facing, layer.falloff);
+                else if (layer.facing != 1)
+                    x = power_or_zero(one - cosine, layer.falloff);
                 const S share = fma(S(1 - layer.facing), x, S(layer.facing));
                 const S strength = side * weight * S(largest(layer.mirror)) * (layer.fresnel ? share : one);
                 const Mask<S> sends = apart ? first_lanes<S>(0) : open & (strength >= S(bailout));
