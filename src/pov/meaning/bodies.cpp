@@ -10,6 +10,7 @@
 #include "pov/meaning/scene_maker.h"
 #include "pov/things/prisms.h"
 #include "scene/leaves.h"
+#include "scene/overlap.h"
 #include "text/reading/parameter.h"
 
 namespace strahl::pov {
@@ -228,6 +229,7 @@ void SceneMaker::take_over(const ObjectThing& object, const Around& around, Look
     own.no_image |= object.no_image.value_or(false);
     own.no_reflection |= object.no_reflection.value_or(false);
     own.both_sides |= object.both_sides.value_or(false);
+    own.hollow |= object.hollow;
     if (object.both_sides) own.shared = nullptr;
 }
 
@@ -241,7 +243,13 @@ Steps SceneMaker::to_owner(const ObjectThing& object, const Around& around) {
 }
 
 SceneMaker::Around SceneMaker::inside(const ObjectThing& object, const Around& around) {
-    Around own{around, object.steps, {}, to_owner(object, around), around.clips, around.turned != object.inverse};
+    Around own{around,
+               object.steps,
+               {},
+               to_owner(object, around),
+               around.clips,
+               around.turned != object.inverse,
+               around.merges || object.inverse};
     append(own.after, around.after);
     own.moves = transformations_of(own.after, mirrored);
     take_over(object, around, own);
@@ -436,6 +444,75 @@ void SceneMaker::tell_of_cuts(const Material& material, TextPlace place) const {
     if (!contents.fogs.empty()) notes.approximated(place, "there is no fog inside a clipped body");
 }
 
+namespace {
+
+bool boxes_meet(const Box& a, const Box& b) {
+    bool all = true;
+    for (int c = 0; c < 3; ++c) all &= a.low[c] <= b.high[c] && b.low[c] <= a.high[c];
+    return all;
+}
+/// Does POV-Ray show visibly less of a body, because rays see nothing from 1e7 on? Of one that is near the eye as well
+/// it hides what is at the horizon.
+bool ends_in_sight(const Primitive& body, const DVec3& eye) {
+    constexpr double farthest = 1e7, near = 1e4;
+    if (const auto plane = half_space(body))
+        return std::fabs(dot_product(normalize(plane->normal), eye - plane->point)) >= farthest;
+    const Box box = world_bounds(body);
+    if (!box.finite()) return false;
+    double reach = 0, outside = 0, inside = farthest;
+    for (int c = 0; c < 3; ++c) {
+        const double below = eye[c] - box.low[c], above = box.high[c] - eye[c];
+        reach = std::max({reach, std::fabs(below), std::fabs(above)});
+        outside = std::max({outside, -below, -above}), inside = std::min({inside, below, above});
+    }
+    return reach >= farthest && (outside >= near || inside >= near);
+}
+/// Do two of the boxes meet? Of very many it is taken for granted.
+bool any_meet(const std::vector<Box>& boxes) {
+    constexpr std::size_t most = 2000;
+    bool any = boxes.size() > most;
+    for (std::size_t i = 0; i < boxes.size() && !any; ++i)
+        for (std::size_t k = 0; k < i; ++k) any |= boxes_meet(boxes[i], boxes[k]);
+    return any;
+}
+
+}  // namespace
+
+/// Does light go through a surface of the body? `bends`: and does what is inside it matter to the light?
+bool SceneMaker::clear(const Primitive& body, bool bends) const {
+    bool any = false;
+    for_each_leaf(body, [&](const Primitive& leaf, const glm::dmat4&) {
+        const Material& own = materials[leaf.material];
+        any |= own.transmits() && (!bends || own.ior != 1 || own.fades() || !contents.fogs.empty());
+    });
+    return any;
+}
+
+/// Tells of a union in a composite that has surfaces inside it, where rays could meet these.
+void SceneMaker::tell_of_union(Primitive whole, const Around& around, TextPlace place) const {
+    std::vector<Box> boxes;
+    each_part(whole, [&](const Primitive& part) { boxes.push_back(world_bounds(part)); });
+    if (!any_meet(boxes)) return;
+    whole.transformations.insert(whole.transformations.end(), around.moves.begin(), around.moves.end());
+    if (clear(whole) || strahl::contains(whole, scene.camera.position))
+        notes.approximated(place, "a union in a composite has no surfaces inside it");
+}
+
+/// Tells of bodies of a union, the scene's from number `first` on, that overlap: for POV-Ray a ray that goes from one
+/// into another leaves their common interior.
+void SceneMaker::tell_of_interior(const ObjectThing& object, std::size_t first) const {
+    std::vector<Box> boxes;
+    for (std::size_t i = first; i < scene.primitives.size(); ++i)
+        if (clear(scene.primitives[i], true)) boxes.push_back(world_bounds(scene.primitives[i]));
+    if (any_meet(boxes)) notes.approximated(object.place, "bodies of a union that overlap have an interior each");
+}
+
+/// Tells of a camera in a body, in which POV-Ray has no fog unless the body is hollow.
+void SceneMaker::tell_of_eye(const Primitive& body, const ObjectThing& object, const Looks& own) const {
+    if (!contents.fogs.empty() && !own.hollow && !clear(body) && strahl::contains(body, scene.camera.position))
+        notes.approximated(object.place, "there is fog around a camera that is in a body");
+}
+
 /// Makes a body fit to be a part: a disc becomes the half-space behind it, and an open lathe is closed. Returns false
 /// if it cannot be one.
 bool SceneMaker::close(Primitive& body, TextPlace place) {
@@ -467,6 +544,7 @@ std::optional<SceneMaker::Part> SceneMaker::build_parts(const ObjectThing& objec
         }
         Around own_around = within;
         own_around.turned = within.turned != (object.kind == ObjectKind::subtract && !first);
+        own_around.merges = within.merges || (object.kind == ObjectKind::subtract && !first);
         std::optional<Part> part = build(*each, own_around);
         if (each->thin && !unites && object.kind == ObjectKind::intersect) return std::nullopt;
         if (each->thin && object.kind == ObjectKind::subtract && each->word != word("sphere"))
@@ -475,7 +553,13 @@ std::optional<SceneMaker::Part> SceneMaker::build_parts(const ObjectThing& objec
             notes.left_out(each->place, "an open body in a composite");
             part.reset();
         }
-        if (!part && object.kind == ObjectKind::subtract && first) return std::nullopt;
+        if (!part && !unites && !(object.kind == ObjectKind::subtract && !first && each->thin)) {
+            // Without that part more would be seen of the others.
+            if (!each->thin) notes.left_out(object.place, "a body that a part is missing of");
+            return std::nullopt;
+        }
+        if (part && each->interior && object.parts.size() > 1 && clear(part->primitive, true))
+            notes.approximated(each->place, "a part of a composite has the interior of the whole");
         const bool negated = part && part->negated != (object.kind == ObjectKind::subtract && !first);
         first = false;
         if (part) (negated ? hollow : solid).push_back(std::move(part->primitive));
@@ -491,6 +575,7 @@ std::optional<SceneMaker::Part> SceneMaker::build_parts(const ObjectThing& objec
         return Part{std::move(only), negated};
     }
     Primitive whole{.shape = share_of(std::move(solid), std::move(hollow)), .material = 0, .transformations = more};
+    if (object.kind == ObjectKind::unite && !within.merges) tell_of_union(whole, around, object.place);
     if (within.shared->number)
         whole.material = *within.shared->number;
     else  // no part uses it; it is that of the first leaf, but for patterns
@@ -525,7 +610,10 @@ std::optional<SceneMaker::Part> SceneMaker::clipped(const ObjectThing& object, c
     bare.clips = true;
     for (const auto& clip : object.clips) {
         std::optional<Part> cut = build(*clip, bare);
-        if (!cut || !close(cut->primitive, clip->place)) continue;
+        if (!cut || !close(cut->primitive, clip->place)) {
+            notes.left_out(object.place, "a body that an open one clips");
+            return std::nullopt;
+        }
         cut->primitive.transformations.insert(cut->primitive.transformations.end(), back.begin(), back.end());
         (cut->negated ? hollow : solid).push_back(std::move(cut->primitive));
     }
@@ -538,6 +626,9 @@ void SceneMaker::push(Part part, const ObjectThing& object, const Around& around
     own.insert(own.end(), around.moves.begin(), around.moves.end());
     Looks flags = around;
     take_over(object, around, flags);
+    tell_of_eye(part.primitive, object, flags);
+    if (ends_in_sight(part.primitive, scene.camera.position))
+        notes.approximated(object.place, "a body is seen further away than 1e7");
     shown.push_back({flags.no_shadow, flags.no_image, flags.no_reflection, object.place});
     scene.primitives.push_back(std::move(part.primitive));
 }
@@ -577,7 +668,9 @@ void SceneMaker::add(const ObjectThing& object, const Around& around) {
     } else if (object.kind == ObjectKind::unite && object.clips.empty()) {
         const Around within = inside(object, around);
         tell_notes(object);
+        const std::size_t first = scene.primitives.size();
         for (const auto& part : object.parts) add(*part, within);
+        if (scene.primitives.size() > first + 1) tell_of_interior(object, first);
     } else if (object.kind == ObjectKind::unite && object.parts.size() > 1) {
         for (const ObjectThing& piece : pieces_of(object)) add(piece, around);
     } else if (std::optional<Part> part = build(object, around)) {

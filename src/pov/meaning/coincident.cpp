@@ -105,14 +105,34 @@ void change_leaves(Primitive& body, const glm::dmat4& outer, bool all, const Vis
     });
 }
 
-/// Grows boxes and planes of an intersection by a hair where they only touch parts before them.
+/// Grows boxes and planes of an intersection by a hair where they only touch parts before them: planes that slant where
+/// they are those of others from their other side.
 void join_touching(Intersection& whole) {
     std::vector<Primitive> parts = *whole.parts;
     std::vector<FlatFace> before;
+    std::vector<HalfSpace> spaces;
     bool grows = false;
     for (Primitive& part : parts) {
         std::vector<FlatFace> own;
         change_leaves(part, glm::dmat4(1), false, [&](Primitive& leaf, const glm::dmat4& outer) {
+            auto* const plane = std::get_if<Plane>(&leaf.shape);
+            if (plane && axis_of(*plane) < 0) {
+                const HalfSpace there = plane->half_space(outer * matrix(leaf.transformations));
+                const double size = 1 + length(there.point);
+                const bool touches = std::ranges::any_of(spaces, [&](const HalfSpace& other) {
+                    return length(there.normal + other.normal) < hair &&
+                           std::fabs(dot_product(there.normal, there.point - other.point)) < hair * size;
+                });
+                spaces.push_back(there);
+                if (!touches) return;
+                const DVec3 n = plane->normal();
+                const double scale = length(transform_point(outer * matrix(leaf.transformations), n) -
+                                            transform_point(outer * matrix(leaf.transformations), DVec3(0)));
+                for (DVec3* const point : {&plane->a, &plane->b, &plane->c})
+                    *point = *point + (sliver * size / scale) * n;
+                grows = true;
+                return;
+            }
             for (FlatFace& face : faces_of(leaf, outer)) {
                 if (face.is_round) continue;
                 const bool touches = std::ranges::any_of(

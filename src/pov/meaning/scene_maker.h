@@ -49,6 +49,7 @@ class SceneMaker {
         bool no_shadow = false, no_image = false, no_reflection = false, both_sides = false;
         int group = 0;             // of lights, see Material
         bool common = true;        // lights of no group shine on it
+        bool hollow = false;       // there is fog in it
         Shared* shared = nullptr;  // of the outermost composite from which it has its texture
     };
     /// Holds the properties that an object takes over from the objects around it.
@@ -58,6 +59,7 @@ class SceneMaker {
         Steps to_owner;                       // from the space around the object into that of the texture
         bool clips = false;                   // it clips another object, and is not seen itself
         bool turned = false;                  // it is turned inside out, as what a difference takes away
+        bool merges = false;                  // it was turned at some time: unions in it keep no surfaces inside them
     };
     struct Part {
         Primitive primitive;
@@ -71,6 +73,10 @@ class SceneMaker {
     std::optional<Part> build(const ObjectThing& object, const Around& around);
     std::optional<Part> build_turned(const ObjectThing& object, const Around& around);
     void tell_of_cuts(const Material& material, TextPlace place) const;
+    bool clear(const Primitive& body, bool bends = false) const;
+    void tell_of_union(Primitive whole, const Around& around, TextPlace place) const;
+    void tell_of_interior(const ObjectThing& object, std::size_t first) const;
+    void tell_of_eye(const Primitive& body, const ObjectThing& object, const Looks& own) const;
     bool close(Primitive& body, TextPlace place);
     std::optional<Part> build_parts(const ObjectThing& object, const Around& around);
     std::optional<Part> clipped(const ObjectThing& object, const Around& around, Part part);

@@ -76,6 +76,19 @@ STRAHL_INLINE S gray_of(const Vec3<S>& color) {
     return fma(S(T(.297)), color.x, fma(S(T(.589)), color.y, S(T(.114)) * color.z));
 }
 
+/// Returns the colours that a thin film gives light, see Material; `cosines` is the sum of
+/// those of the angles at which it comes and goes.
+template <class S>
+[[gnu::noinline]] Vec3<S> film_colors(const LayerKernel<Element<S>>& layer, const S& cosines) {
+    using T = Element<S>;
+    constexpr T waves[3] = {T(.7), T(.52), T(.48)};
+    alignas(64) T ways[width<S>], colors[3][width<S>];
+    store_lanes(ways, S(layer.film) * cosines);
+    for (int k = 0; k < width<S>; ++k)
+        for (int c = 0; c < 3; ++c) colors[c][k] = 1 + layer.irid * std::cos(ways[k] / waves[c]);
+    return {load_lanes<S>(colors[0]), load_lanes<S>(colors[1]), load_lanes<S>(colors[2])};
+}
+
 template <class S>
 Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, const SeenSurface<S>& seen,
                                   const Footprint<S>* footprint, LayeredHit<S>& hit) {
@@ -141,9 +154,11 @@ Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, c
                 most = select(sends, max(most, strength), most);
                 Vec3<S> tint = splat<S>(Vec3<T>(1));
                 if (layer.gilding != 0) tint = tint_of(own.color, layer.gilding, cosine);
+                Vec3<S> film = splat<S>(Vec3<T>(1));
+                if (layer.irid > 0) film = film_colors<S>(layer, S(2) * cosine);
                 for (int c = 0; c < 3; ++c) {
                     const S gray = share * S(layer.mirror[c]);
-                    mirrored[c] = select(sends, fma(factor[c] * gray, tint[c], mirrored[c]), mirrored[c]);
+                    mirrored[c] = select(sends, fma(factor[c] * gray * film[c], tint[c], mirrored[c]), mirrored[c]);
                     if (layer.conserves) through[c] = through[c] * max(one - gray * tint[c], zero);
                 }
             }
@@ -158,18 +173,6 @@ Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, c
         hit.clear = select(lanes, S(finish.clear ? 1 : 0), hit.clear);
     });
     return all;
-}
-
-/// Returns the colours that a thin film gives light, see Material.
-template <class S>
-[[gnu::noinline]] Vec3<S> film_colors(const LayerKernel<Element<S>>& layer, const LitSurface<S>& lit) {
-    using T = Element<S>;
-    constexpr T waves[3] = {T(.7), T(.52), T(.48)};
-    alignas(64) T ways[width<S>], colors[3][width<S>];
-    store_lanes(ways, S(layer.film) * (lit.cosine + abs(dot(lit.direction, lit.normal))));
-    for (int k = 0; k < width<S>; ++k)
-        for (int c = 0; c < 3; ++c) colors[c][k] = 1 + layer.irid * std::cos(ways[k] / waves[c]);
-    return {load_lanes<S>(colors[0]), load_lanes<S>(colors[1]), load_lanes<S>(colors[2])};
 }
 
 template <class S>
@@ -194,7 +197,7 @@ void FinishCalls<S>::scatter(const World<T>& world, const int* materials, const 
             Vec3<S> tint = splat<S>(Vec3<T>(1));
             if (layer.metallic != 0) tint = tint_of(hit.color[i], layer.metallic, lit.cosine);
             Vec3<S> film = splat<S>(Vec3<T>(1));
-            if (layer.irid > 0) film = film_colors(layer, lit);
+            if (layer.irid > 0) film = film_colors<S>(layer, lit.cosine + abs(dot(lit.direction, lit.normal)));
             for (int c = 0; c < 3; ++c) {
                 const S sent = film[c] * fma(diffuse, hit.color[i][c], highlight * tint[c]);
                 sum[c] = select(lanes, fma(arriving[c] * hit.above[i][c], sent, sum[c]), sum[c]);

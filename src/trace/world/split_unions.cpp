@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "scene/leaves.h"
+#include "scene/overlap.h"
 #include "scene/union_groups.h"
 
 namespace strahl {
@@ -92,8 +93,11 @@ Scene with_split_unions(Scene scene) {
     const auto is_union = [](const Primitive& primitive) { return std::holds_alternative<Union>(primitive.shape); };
     if (std::ranges::none_of(scene.primitives, is_union)) return scene;
     std::vector<Primitive> all;
+    const auto around_eye = [&](const Primitive& body) {
+        return contains(body, scene.camera.position) && leaves_of(body.shape) <= most_leaves;
+    };
     for (Primitive& primitive : scene.primitives)
-        if (is_union(primitive))
+        if (is_union(primitive) && !around_eye(primitive))
             std::ranges::move(split_union(primitive, scene.materials), std::back_inserter(all));
         else
             all.push_back(std::move(primitive));

@@ -11,7 +11,7 @@ namespace strahl {
 /// added.
 std::vector<Primitive> split_union(const Primitive& primitive, std::vector<Material>& materials);
 
-/// Returns the scene with all its unions split.
+/// Returns the scene with all its unions split but those that the eye is in, which sees no surfaces inside them.
 Scene with_split_unions(Scene scene);
 
 }  // namespace strahl

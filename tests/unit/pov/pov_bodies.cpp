@@ -68,6 +68,95 @@ TEST_CASE("POV-Ray: boxes and planes of an intersection that only touch have a f
     CHECK(shape<Intersection>(apart).parts->at(1).shape == Shape(Cuboid{{.5, 4, -1}, {1, 5, 1}}));
 }
 
+TEST_CASE("POV-Ray: two sides of one slanting plane are a sheet") {
+    for (const char* const move : {"", "rotate <10, 20, 30> translate <1, 2, 3>", "scale <1, 2, 3>"}) {
+        const std::string sheet = "#declare N = vnormalize(<3, 5, -3>); intersection { plane { N, .5 } ";
+        const std::string rest = std::string(" sphere { 0, 3 } ") + move + "}";
+        const Scene scene = whole(sheet + "plane { -N, -.5 }" + rest);
+        const auto& parts = *shape<Intersection>(scene).parts;
+        const DVec3 n = normalize(DVec3(3, 5, -3)), in = .5 * n;
+        const auto moved = [&](const DVec3& p) { return transform_point(matrix(scene.primitives[0].transformations), p); };
+        CHECK(parts.size() == 3);
+        CHECK(contains(scene.primitives[0], moved(in - 1e-7 * n)));
+        CHECK_FALSE(contains(scene.primitives[0], moved(in - 1e-3 * n)));
+        const Scene thick = whole(sheet + "plane { -N, -.4 }" + rest);
+        CHECK_FALSE(contains(thick.primitives[0], moved(.4 * n - 1e-7 * n)));
+    }
+}
+
+TEST_CASE("POV-Ray: a body is left out of which a part is missing that would hide some of it") {
+    const std::string open = "triangle { x, y, z } ", ball = "sphere { 0, 1 } ";
+    const auto bodies = [](const std::string& text) { return opened(text).scene.primitives.size(); };
+    for (const std::string& text :
+         {"intersection { " + ball + open + "}", "difference { " + ball + open + "}", "difference { " + open + ball + "}",
+          "intersection { " + ball + "difference { box { -1, 1 } " + open + "} }",
+          "object { " + ball + "clipped_by { " + open + "} }"}) {
+        CAPTURE(text);
+        CHECK(bodies(text) == 0);
+        CHECK(says(notes_of(text), "left out"));
+    }
+    CHECK(bodies("merge { " + ball + open + "}") == 1);
+    // A ball without a size shows nothing, and takes nothing away.
+    CHECK(whole("difference { " + ball + "sphere { 0, 0 } }").primitives.size() == 1);
+    CHECK(whole("intersection { " + ball + "sphere { 0, 0 } }").primitives.empty());
+}
+
+TEST_CASE("POV-Ray: notes tell of surfaces inside unions that are parts, where rays could meet them") {
+    const std::string note = "a union in a composite has no surfaces inside it", clear = " pigment { rgbt .5 } }";
+    const auto both = [](const std::string& place) {
+        return "{ sphere { 0, 1 } sphere { " + place + ", 1 } } ";
+    };
+    const std::string box = "box { -3, <3, .5, 3> } ";
+    for (const std::string& text :
+         {"intersection { union " + both("x") + box, "difference { union " + both("y") + "sphere { 9, 1 } ",
+          "merge { union " + both("x") + box, "difference { difference { union " + both("z") + box + "} sphere { 9, 1 } "}) {
+        CAPTURE(text);
+        CHECK(says(notes_of("object { " + text + clear + "}"), note));
+        whole("camera { location 40 } object { " + text + "} pigment { rgb 1 } }");
+    }
+    // The camera is in one of these, and sees the surfaces of others.
+    CHECK(says(notes_of("intersection { union { plane { z, 5 } torus { 1, .3 } } box { -9, 9 } }"), note));
+    // Unions of bodies that are apart, merges, and what a difference takes away have no such surfaces.
+    for (const std::string& text :
+         {"intersection { union " + both("8*x") + box, "intersection { merge " + both("x") + box,
+          "difference { " + box + "union " + both("x"), "difference { " + box + "difference { " + box + "union " + both("x") + "} ",
+          "union { union " + both("x") + box})
+        CHECK_FALSE(says(notes_of(text + clear), note));
+}
+
+TEST_CASE("POV-Ray: notes tell of interiors of parts, and of those that bodies of a union share") {
+    const std::string glass = "pigment { rgbf 1 } ", own = "interior { ior 1.1 } ", all = "interior { ior 1.5 } ";
+    const auto balls = [](const std::string& more, const std::string& at) {
+        return "{ sphere { 0, 1 } sphere { " + at + ", .8 " + more + "} ";
+    };
+    const std::string part = "a part of a composite has the interior", shared = "bodies of a union that overlap";
+    for (const std::string word : {"intersection ", "difference ", "merge "}) {
+        CAPTURE(word);
+        CHECK(says(notes_of(word + balls(own + glass, "x") + glass + all + "}"), part));
+        whole(word + balls(own, "x") + "pigment { rgb 1 } " + all + "}");
+        whole(word + balls("", "x") + glass + all + "}");
+    }
+    CHECK(says(notes_of("union " + balls("", "x") + glass + all + "}"), shared));
+    CHECK(says(notes_of("union " + balls("", "x") + glass + "} fog { distance 9 rgb 1 }"), shared));
+    whole("union " + balls("", "3*x") + glass + all + "}");
+    whole("union " + balls("", "x") + glass + "}");
+    whole("union " + balls("", "x") + "pigment { rgb 1 } " + all + "}");
+}
+
+TEST_CASE("POV-Ray: notes tell of fog around a camera in a body, and of what is further away than 1e7") {
+    const std::string fog = " fog { distance 9 rgb 1 } ", note = "fog around a camera";
+    for (const std::string body : {"sphere { 0, 100 ", "box { -20, 20 ", "plane { y, 5 "}) {
+        CAPTURE(body);
+        CHECK(says(notes_of(body + "}" + fog), note));
+        whole(body + "hollow }" + fog);
+        whole(body + "}");
+    }
+    const std::string far = "further away than 1e7";
+    for (const std::string body : {"sphere { 24e6*z, 14.1e6 }", "box { -3e7, 3e7 }", "plane { y, -2e7 }", "sphere { 0, 2e7 }"})
+        CHECK(says(notes_of(body), far));
+    for (const std::string body : {"sphere { 9e5*z, 1e5 }", "plane { y, -1e6 }", "box { -3e7, <3e7, -1, 3e7> }"}) whole(body);
+}
+
 TEST_CASE("POV-Ray: a plane is seen where a body has a face in its place") {
     const auto box_of = [](const std::string& camera) {
         return shape<Cuboid>(

@@ -14,6 +14,20 @@
 namespace strahl {
 namespace {
 
+TEST_CASE("a union around the eye stays whole, whose surfaces inside it are not there") {
+    const auto parts = std::make_shared<const std::vector<Primitive>>(
+        std::vector<Primitive>{{Sphere{{.5, 0, 0}, 1}, 0, {}}, {Cuboid{{-9, -2, -9}, {9, .9, 9}}, 0, {}}});
+    Scene scene;
+    scene.materials.push_back({});
+    scene.primitives.push_back({Union{parts}, 0, {Translate{{1, 2, 3}}}});
+    const auto bodies_from = [&](const DVec3& eye) {
+        scene.camera.position = eye + DVec3(1, 2, 3);
+        return with_split_unions(scene).primitives.size();
+    };
+    for (const DVec3& inside : {DVec3(0, .5, -3), DVec3(.5, .95, 0), DVec3(8, 0, 8)}) CHECK(bodies_from(inside) == 1);
+    for (const DVec3& outside : {DVec3(0, 1.5, -3), DVec3(2, .95, 0), DVec3(99, 0, 0)}) CHECK(bodies_from(outside) == 2);
+}
+
 TEST_CASE("unions are split where their parts share no points") {
     std::minstd_rand random(5);
     int split = 0, groups_seen = 0;
