@@ -68,8 +68,7 @@ struct Place {
 };
 
 /// Starts a program as posix_spawnp does, from a thread that can write only where the program may.
-int spawn(pid_t& child, const Place& place, const posix_spawn_file_actions_t& files,
-          std::vector<char*>& arguments) {
+int spawn(pid_t& child, const Place& place, const posix_spawn_file_actions_t& files, std::vector<char*>& arguments) {
     int failed = 0;
     const auto start = [&] { failed = posix_spawnp(&child, arguments[0], &files, nullptr, arguments.data(), environ); };
     if (place.writable.empty()) return start(), failed;
@@ -88,8 +87,7 @@ int spawn(pid_t& child, const Place& place, const posix_spawn_file_actions_t& fi
 
 /// Runs `words` in a place, with all output in the file `log`. Returns the exit status, or -1 if there is no such
 /// program.
-int run(std::vector<std::string> words, const Place& place, const std::string& log,
-        const std::atomic<bool>* stop) {
+int run(std::vector<std::string> words, const Place& place, const std::string& log, const std::atomic<bool>* stop) {
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);

@@ -41,7 +41,7 @@ struct PovFile {
     /// the file's mirror image in z.
     std::optional<Camera> camera{};
     bool mirrored = false;
-    double moved = 0;  // > 0: averages of that ray and one up to so many pixels beside it, instead of a grid
+    double moved = 0;      // > 0: averages of that ray and one up to so many pixels beside it, instead of a grid
     bool by_tree = false;  // bodies are found by POV-Ray's other hierarchy of boxes
     std::optional<PicturePart> part{};  // if given, only this is rendered, and the rest of the picture is black
 };

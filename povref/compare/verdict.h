@@ -42,9 +42,10 @@ inline bool too_unsure(const Verdict& verdict) { return verdict.unsure * 50 > ve
 /// Compares POV-Ray's picture of a view, `theirs`, with the tracer's, `ours`. Searches for edges where they differ,
 /// until one pixel in 50 does off the edges: all that differ after that count as off the edges, except in
 /// `worst_off_edges`. Edges are lines: pixels of which six in eight neighbours are on edges as well, as they are where
-/// rounding sprinkles a face, are on none if more than `most_amid` of them differ within eight pixels. POV-Ray's rounding decides in a pixel if one of its pictures made again
-/// differs there from `theirs` by more than two steps and by half of what `ours` does; no more are made once four in a
-/// row, or one if so many differ, show no other pixel of that kind. Throws Stopped once `stop` is true.
+/// rounding sprinkles a face, are on none if more than `most_amid` of them differ within eight pixels. POV-Ray's
+/// rounding decides in a pixel if one of its pictures made again differs there from `theirs` by more than two steps and
+/// by half of what `ours` does; no more are made once four in a row, or one if so many differ, show no other pixel of
+/// that kind. Throws Stopped once `stop` is true.
 Verdict judge(Tracer& tracer, const View& view, const Frame& ours, const Picture& theirs,
               const std::atomic<bool>* stop = nullptr, const Again& again = {});
 

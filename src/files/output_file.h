@@ -16,7 +16,8 @@ namespace strahl {
 /// its owner where that is allowed. Devices and pipes are written to directly. Throws OutputError.
 class OutputFile {
   public:
-    /// `other_program`: another program overwrites the temporary file under its `name()`. Devices and pipes are refused.
+    /// `other_program`: another program overwrites the temporary file under its `name()`. Devices and pipes are
+    /// refused.
     enum class Writer { own, other_program };
     explicit OutputFile(const std::string& path, Writer writer = Writer::own);
     ~OutputFile();

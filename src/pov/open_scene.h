@@ -21,7 +21,7 @@ struct OpeningOptions {
     bool strict = false;                 // whatever cannot be shown as it is meant is an error
     bool as_text = false;                // the scene is written: what scene text has no words for is approximated
     std::optional<pov::IniFile> ini{};   // given in place of the scene; by default the one beside it
-    std::optional<double> time{};        // the moment of the flight at which the scene is read; without it the first one
+    std::optional<double> time{};  // the moment of the flight at which the scene is read; without it the first one
     const std::atomic<bool>* stop = nullptr;    // throws Interrupted once it is true
     std::vector<std::string>* files = nullptr;  // receives the paths of all files that are read, also before an error
 };

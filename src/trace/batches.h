@@ -196,8 +196,11 @@ class Batches {
     void trace_batches(int pixels, Sight<T>* sights) {
         for (int done = 0; done < pixels;) {
             const int count = std::min(workspace.batch, pixels - done);
-            const Footprints<T> footprints{eye.forward, eye.scale_x * eye.right, eye.scale_y * eye.down,
-                                           workspace.sides.data() + done, workspace.seen.data() + done,
+            const Footprints<T> footprints{eye.forward,
+                                           eye.scale_x * eye.right,
+                                           eye.scale_y * eye.down,
+                                           workspace.sides.data() + done,
+                                           workspace.seen.data() + done,
                                            eye.rays != nullptr};
             const ProvingBatch<T> batch{
                 {workspace.pixels_x.data() + done, workspace.pixels_y.data() + done, workspace.sums.data() + done,

@@ -51,8 +51,7 @@ void write_sheet(const std::string& path, const Frame& ours, const Picture& thei
 
 /// Returns the picture that averages with `one` to `average`.
 Picture other_half(Picture average, const Picture& one) {
-    for (std::size_t i = 0; i < average.values.size(); ++i)
-        average.values[i] = 2 * average.values[i] - one.values[i];
+    for (std::size_t i = 0; i < average.values.size(); ++i) average.values[i] = 2 * average.values[i] - one.values[i];
     return average;
 }
 

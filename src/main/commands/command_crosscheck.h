@@ -21,8 +21,8 @@ struct CrosscheckOptions {
 
 /// Prints a table, in Markdown, to standard output. Returns the exit status: 0 if no scene has a pixel off the edges
 /// that differs by more than 1/65535 and is one that POV-Ray is sure of, nor more than a thousandth of its pixels on
-/// edges, nor more than a fiftieth of which POV-Ray is unsure; else 1; and 130 if `stop` became true. Throws FileError, and std::runtime_error if POV-Ray is missing or
-/// fails.
+/// edges, nor more than a fiftieth of which POV-Ray is unsure; else 1; and 130 if `stop` became true. Throws FileError,
+/// and std::runtime_error if POV-Ray is missing or fails.
 int crosscheck_command(const CrosscheckOptions& options, const std::atomic<bool>* stop = nullptr);
 
 }  // namespace strahl

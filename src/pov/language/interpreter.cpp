@@ -59,7 +59,8 @@ void Interpreter::State::check_limits() {
     if (options.stop && options.stop->load(std::memory_order_relaxed)) throw Interrupted("reading was stopped");
     if (steps > options.limits.steps)
         fail(last, "the scene does not end: more than " + std::to_string(options.limits.steps) + " words were read");
-    if (*bytes > options.limits.bytes) fail(last, "the scene's arrays and strings need too much memory" + limit_of(options.limits.bytes));
+    if (*bytes > options.limits.bytes)
+        fail(last, "the scene's arrays and strings need too much memory" + limit_of(options.limits.bytes));
     if (readings.size() + controls.size() > 2 * static_cast<std::size_t>(options.limits.nesting))
         fail(last, "macros, files and loops are nested too deeply");
 }
@@ -191,7 +192,7 @@ void Interpreter::end_block() {
 }
 void Interpreter::count_bytes(std::size_t bytes, TextPlace at) {
     *state->bytes += bytes;
-    if (*state->bytes > state->options.limits.bytes) 
+    if (*state->bytes > state->options.limits.bytes)
         fail(at, "the scene's bodies need too much memory" + limit_of(state->options.limits.bytes));
 }
 void Interpreter::skip_block() {

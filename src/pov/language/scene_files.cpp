@@ -112,10 +112,10 @@ std::string Interpreter::State::find(const std::string& name, const std::vector<
     };
     const auto accepted = [&](const fs::path& path) {
         if (std::error_code ignored; !allowed(path))
-            return fault(
-                strahl::quoted(name) + " lies outside of the scene's folder and of the library folders; --library " +
-                in_shell_quotes(printable(fs::weakly_canonical(path, ignored).parent_path().string())) +
-                " allows to read it");
+            return fault(strahl::quoted(name) +
+                         " lies outside of the scene's folder and of the library folders; --library " +
+                         in_shell_quotes(printable(fs::weakly_canonical(path, ignored).parent_path().string())) +
+                         " allows to read it");
         const std::string found = found_files[key] = path.string();
         if (std::ranges::find(paths, found) != paths.end()) return found;
         paths.push_back(found);

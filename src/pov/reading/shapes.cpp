@@ -277,8 +277,7 @@ void set_normals(const DVec3 (&points)[3], DVec3 (&normals)[3], bool smooth) {
         const DVec3 way = normalize(normals[0]) - normalize(other);
         return dot_product(way, way) > 1e-10;
     };
-    if (!smooth || (!differs(normals[1]) && !differs(normals[2])))
-        std::fill(normals, normals + 3, flat_normal(points));
+    if (!smooth || (!differs(normals[1]) && !differs(normals[2]))) std::fill(normals, normals + 3, flat_normal(points));
 }
 
 bool is_flat(const DVec3 (&p)[3]) { return !Triangle{p[0], p[1], p[2]}.fault(); }

@@ -430,8 +430,9 @@ void PovReader::read_text_body(Interpreter& in, ObjectThing& object) {
     std::string path = in.find_file(font, {".ttf", ".TTF"}, false);
     if (path.empty()) {
         path = in.find_file(internal_fonts[0], {}, false);
-        if (path.empty()) return object.left_out("a text: cannot find its font " + strahl::quoted(font) +
-                                                     "; on Debian: apt install povray-includes");
+        if (path.empty())
+            return object.left_out("a text: cannot find its font " + strahl::quoted(font) +
+                                   "; on Debian: apt install povray-includes");
         object.approximated("letters of timrom.ttf are in place of those of " + strahl::quoted(font) +
                             ", which is not there");
     }

@@ -198,9 +198,9 @@ void read_finish_word(Interpreter& in, std::uint16_t code, FinishThing& finish, 
     }
 }
 
-constexpr std::array old_finish_words{word("ambient"),  word("brilliance"), word("diffuse"),   word("reflection"),
-                                      word("phong"),    word("phong_size"), word("specular"),  word("roughness"),
-                                      word("metallic"), word("crand"),      word("ior"),       word("refraction")};
+constexpr std::array old_finish_words{word("ambient"),  word("brilliance"), word("diffuse"),  word("reflection"),
+                                      word("phong"),    word("phong_size"), word("specular"), word("roughness"),
+                                      word("metallic"), word("crand"),      word("ior"),      word("refraction")};
 constexpr std::array old_normal_words{word("bumps"), word("dents"),    word("ripples"),   word("waves"),
                                       word("phase"), word("wrinkles"), word("frequency"), word("bump_map")};
 

@@ -443,8 +443,8 @@ MapEntry between(const MapEntry& before, const MapEntry& after, double at) {
     const double share = (at - before.at) / (after.at - before.at);
     MapEntry own{.at = at, .thing = nullptr};
     if (!before.thing && !after.thing) {
-        for (const auto part : {&FilterColor::red, &FilterColor::green, &FilterColor::blue, &FilterColor::filter,
-                                &FilterColor::transmit})
+        for (const auto part :
+             {&FilterColor::red, &FilterColor::green, &FilterColor::blue, &FilterColor::filter, &FilterColor::transmit})
             own.color.*part = std::lerp(before.color.*part, after.color.*part, static_cast<float>(share));
         return own;
     }

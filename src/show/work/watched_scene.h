@@ -73,7 +73,7 @@ class WatchedScene {
     bool awaited;
     std::string error;
     double error_until = Pace::forever;  // only the error of another file, which was not opened, expires
-    bool changes = false, sized = false; // see Loaded
+    bool changes = false, sized = false;  // see Loaded
     std::vector<std::string> said;
     ReadFor read_for;                    // for what the scene was read, or was asked to be
     double write_until = -1;             // until then the user may confirm that a changed file is written

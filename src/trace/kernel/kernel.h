@@ -187,8 +187,9 @@ struct PixelBatch {
     }
 };
 
-/// Traces a batch from the start, whatever its pixels have brought back before. Returns false if some generation has more
-/// rays than fit: then the batch must be split. A batch of one pixel always succeeds. Stopped batches are incomplete.
+/// Traces a batch from the start, whatever its pixels have brought back before. Returns false if some generation has
+/// more rays than fit: then the batch must be split. A batch of one pixel always succeeds. Stopped batches are
+/// incomplete.
 template <class T>
 using TraceBatch = bool (*)(const World<T>&, const Eye<T>&, const Limits<T>&, const PixelBatch<T>&, Workspace<T>&,
                             Counts&);

@@ -442,9 +442,10 @@ TEST_CASE("POV-Ray: a scene of too many bodies ends") {
         says(fault("#declare A = sphere { 0, 1 } #for (I, 1, 40) #declare A = union { object { A } object { A } } #end "
                    "object { A }"),
              "bodies need too much memory; more than 10 MiB in all"));
-    CHECK(says(fault("#declare A = sphere { 0, 1 } #for (I, 1, 3000) #declare A = union { object { A } sphere { I, 1 } } "
-                     "#end object { A }"),
-               "nested more than 2000 levels deep"));
+    CHECK(
+        says(fault("#declare A = sphere { 0, 1 } #for (I, 1, 3000) #declare A = union { object { A } sphere { I, 1 } } "
+                   "#end object { A }"),
+             "nested more than 2000 levels deep"));
     // A loop's bodies share a texture that is the same; others count.
     const std::string ball = "sphere { 0, 1 pigment { rgb ";
     CHECK(fault("#for (I, 1, 3500) " + ball + "1 } finish { phong .5 } } #end") == "");

@@ -75,7 +75,9 @@ TEST_CASE("POV-Ray: two sides of one slanting plane are a sheet") {
         const Scene scene = whole(sheet + "plane { -N, -.5 }" + rest);
         const auto& parts = *shape<Intersection>(scene).parts;
         const DVec3 n = normalize(DVec3(3, 5, -3)), in = .5 * n;
-        const auto moved = [&](const DVec3& p) { return transform_point(matrix(scene.primitives[0].transformations), p); };
+        const auto moved = [&](const DVec3& p) {
+            return transform_point(matrix(scene.primitives[0].transformations), p);
+        };
         CHECK(parts.size() == 3);
         CHECK(contains(scene.primitives[0], moved(in - 1e-7 * n)));
         CHECK_FALSE(contains(scene.primitives[0], moved(in - 1e-3 * n)));
@@ -88,8 +90,8 @@ TEST_CASE("POV-Ray: a body is left out of which a part is missing that would hid
     const std::string open = "triangle { x, y, z } ", ball = "sphere { 0, 1 } ";
     const auto bodies = [](const std::string& text) { return opened(text).scene.primitives.size(); };
     for (const std::string& text :
-         {"intersection { " + ball + open + "}", "difference { " + ball + open + "}", "difference { " + open + ball + "}",
-          "intersection { " + ball + "difference { box { -1, 1 } " + open + "} }",
+         {"intersection { " + ball + open + "}", "difference { " + ball + open + "}",
+          "difference { " + open + ball + "}", "intersection { " + ball + "difference { box { -1, 1 } " + open + "} }",
           "object { " + ball + "clipped_by { " + open + "} }"}) {
         CAPTURE(text);
         CHECK(bodies(text) == 0);
@@ -103,13 +105,12 @@ TEST_CASE("POV-Ray: a body is left out of which a part is missing that would hid
 
 TEST_CASE("POV-Ray: notes tell of surfaces inside unions that are parts, where rays could meet them") {
     const std::string note = "a union in a composite has no surfaces inside it", clear = " pigment { rgbt .5 } }";
-    const auto both = [](const std::string& place) {
-        return "{ sphere { 0, 1 } sphere { " + place + ", 1 } } ";
-    };
+    const auto both = [](const std::string& place) { return "{ sphere { 0, 1 } sphere { " + place + ", 1 } } "; };
     const std::string box = "box { -3, <3, .5, 3> } ";
     for (const std::string& text :
          {"intersection { union " + both("x") + box, "difference { union " + both("y") + "sphere { 9, 1 } ",
-          "merge { union " + both("x") + box, "difference { difference { union " + both("z") + box + "} sphere { 9, 1 } "}) {
+          "merge { union " + both("x") + box,
+          "difference { difference { union " + both("z") + box + "} sphere { 9, 1 } "}) {
         CAPTURE(text);
         CHECK(says(notes_of("object { " + text + clear + "}"), note));
         whole("camera { location 40 } object { " + text + "} pigment { rgb 1 } }");
@@ -119,7 +120,8 @@ TEST_CASE("POV-Ray: notes tell of surfaces inside unions that are parts, where r
     // Unions of bodies that are apart, merges, and what a difference takes away have no such surfaces.
     for (const std::string& text :
          {"intersection { union " + both("8*x") + box, "intersection { merge " + both("x") + box,
-          "difference { " + box + "union " + both("x"), "difference { " + box + "difference { " + box + "union " + both("x") + "} ",
+          "difference { " + box + "union " + both("x"),
+          "difference { " + box + "difference { " + box + "union " + both("x") + "} ",
           "union { union " + both("x") + box})
         CHECK_FALSE(says(notes_of(text + clear), note));
 }
@@ -152,9 +154,11 @@ TEST_CASE("POV-Ray: notes tell of fog around a camera in a body, and of what is 
         whole(body + "}");
     }
     const std::string far = "further away than 1e7";
-    for (const std::string body : {"sphere { 24e6*z, 14.1e6 }", "box { -3e7, 3e7 }", "plane { y, -2e7 }", "sphere { 0, 2e7 }"})
+    for (const std::string body :
+         {"sphere { 24e6*z, 14.1e6 }", "box { -3e7, 3e7 }", "plane { y, -2e7 }", "sphere { 0, 2e7 }"})
         CHECK(says(notes_of(body), far));
-    for (const std::string body : {"sphere { 9e5*z, 1e5 }", "plane { y, -1e6 }", "box { -3e7, <3e7, -1, 3e7> }"}) whole(body);
+    for (const std::string body : {"sphere { 9e5*z, 1e5 }", "plane { y, -1e6 }", "box { -3e7, <3e7, -1, 3e7> }"})
+        whole(body);
 }
 
 TEST_CASE("POV-Ray: a plane is seen where a body has a face in its place") {

@@ -203,8 +203,8 @@ TEST_CASE("POV-Ray: facets bend the normals of cells alike") {
 
 TEST_CASE("POV-Ray: all words of patterns that are not shown are read") {
     for (const char* const pattern :
-         {"pavement", "pavement number_of_sides 6 number_of_tiles 3 pattern 2 exterior 1 interior 0 form 2",
-          "tiling 3", "tiling 24 scale .2", "aoi", "slope y", "slope { y, 0, .5 altitude x, -1, 1 }",
+         {"pavement", "pavement number_of_sides 6 number_of_tiles 3 pattern 2 exterior 1 interior 0 form 2", "tiling 3",
+          "tiling 24 scale .2", "aoi", "slope y", "slope { y, 0, .5 altitude x, -1, 1 }",
           "slope { point_at <1, 2, 3> }"}) {
         CAPTURE(pattern);
         const std::string all = std::string(pattern) + " color_map { [0 rgb 0] [1 rgb 1] } turbulence .2";
@@ -247,8 +247,7 @@ TEST_CASE("POV-Ray: places of maps may be in any order") {
                       doctest::Approx(expected(map, value)).epsilon(1e-6));
             }
             const std::string declared = "#declare F = function { pigment { gradient x " + text + " } } ";
-            CHECK(computed(declared, "F(.390625, .5, 0).red") ==
-                  doctest::Approx(expected(map, .390625)).epsilon(1e-6));
+            CHECK(computed(declared, "F(.390625, .5, 0).red") == doctest::Approx(expected(map, .390625)).epsilon(1e-6));
             CHECK(computed(declared + "#declare G = function { F(x, y, z).grey } ", "G(.390625, .5, 0)") ==
                   doctest::Approx(.297 * expected(map, .390625)).epsilon(1e-6));
         }

@@ -26,7 +26,8 @@ using namespace strahl;
 namespace {
 
 /// Widths and heights of pictures: 4:3, 16:9, 1:1, 9:16, 21:9, and one pixel wide or high.
-constexpr std::array<std::array<int, 2>, 7> shapes{{{96, 72}, {96, 54}, {72, 72}, {54, 96}, {112, 48}, {1, 90}, {90, 1}}};
+constexpr std::array<std::array<int, 2>, 7> shapes{
+    {{96, 72}, {96, 54}, {72, 72}, {54, 96}, {112, 48}, {1, 90}, {90, 1}}};
 
 /// Why the pictures of this scene disagree, or "".
 std::string check(const std::string& name, const Scene& scene, const Allowed& allowed, int width, int height) {

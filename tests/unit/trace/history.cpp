@@ -49,7 +49,8 @@ Scene scene_of(int seed) {
 }
 
 /// Shapes of the pictures: none is 4:3.
-constexpr std::array<std::array<int, 2>, 7> shapes{{{32, 18}, {19, 19}, {14, 25}, {42, 18}, {1, 40}, {40, 1}, {35, 22}}};
+constexpr std::array<std::array<int, 2>, 7> shapes{
+    {{32, 18}, {19, 19}, {14, 25}, {42, 18}, {1, 40}, {40, 1}, {35, 22}}};
 
 const Sampling averages{.error = .02};
 constexpr int whole_queue = std::numeric_limits<int>::max();  // batches are as large as fits
@@ -94,11 +95,8 @@ void each_world(const Check& check) {
         const Scene scene = scene_of(seed);
         const auto [width, height] = shapes[static_cast<std::size_t>(seed) % shapes.size()];
         const Precision precision = seed % 3 == 0 ? Precision::float32 : Precision::float64;
-        const View view{.camera = scene.camera,
-                        .width = width,
-                        .height = height,
-                        .depth = 5,
-                        .error = seed % 2 ? 1. / 510 : 0};
+        const View view{
+            .camera = scene.camera, .width = width, .height = height, .depth = 5, .error = seed % 2 ? 1. / 510 : 0};
         if (affordable(scene, view)) check(seed, scene, view, precision), --left;
     }
 }

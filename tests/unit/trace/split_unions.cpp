@@ -25,7 +25,8 @@ TEST_CASE("a union around the eye stays whole, whose surfaces inside it are not 
         return with_split_unions(scene).primitives.size();
     };
     for (const DVec3& inside : {DVec3(0, .5, -3), DVec3(.5, .95, 0), DVec3(8, 0, 8)}) CHECK(bodies_from(inside) == 1);
-    for (const DVec3& outside : {DVec3(0, 1.5, -3), DVec3(2, .95, 0), DVec3(99, 0, 0)}) CHECK(bodies_from(outside) == 2);
+    for (const DVec3& outside : {DVec3(0, 1.5, -3), DVec3(2, .95, 0), DVec3(99, 0, 0)})
+        CHECK(bodies_from(outside) == 2);
 }
 
 TEST_CASE("unions are split where their parts share no points") {
