@@ -341,7 +341,7 @@ void Viewer::take_scene() {
     if (!loaded) return;
     if (first || loaded->opened) chooser.opened(loaded->path);
     if (loaded->moved) {
-        session.replace(loaded->scene, false);
+        session.replace_reread(loaded->scene);
         return bodies.loaded(*loaded), side.loaded(*loaded);
     }
     if (loaded->opened && !first) print_paths();

@@ -42,9 +42,7 @@ Session::Session(std::shared_ptr<const Scene> first_scene, std::optional<int> de
       motion_end(motion_end_of(*scene)) {}
 
 bool Session::replace(std::shared_ptr<const Scene> newer, bool opened) {
-    Camera before = scene->camera;
-    before.fov = newer->camera.fov, before.aspectratio = newer->camera.aspectratio;
-    const bool moved = opened || newer->camera != before, reshaped = before != scene->camera;
+    const bool moved = opened || newer->camera != scene->camera;
     scene = std::move(newer);
     motion_end = motion_end_of(*scene);
     bool lost = false;
@@ -55,8 +53,17 @@ bool Session::replace(std::shared_ptr<const Scene> newer, bool opened) {
         lost = editor.reload(path_in(*scene));
     flight.change(path_to_fly());
     if (moved && !bound()) camera = scene->camera, speed = default_speed(camera);
-    if (reshaped && !moved) camera.fov = scene->camera.fov, camera.aspectratio = scene->camera.aspectratio;
     return lost;
+}
+
+void Session::replace_reread(std::shared_ptr<const Scene> newer) {
+    Camera same = scene->camera;
+    same.fov = newer->camera.fov, same.aspectratio = newer->camera.aspectratio;
+    const bool reshaped = newer->camera == same && same != scene->camera && !bound();
+    Camera kept = camera;
+    const double kept_speed = speed;
+    replace(std::move(newer), false);
+    if (reshaped) kept.fov = same.fov, kept.aspectratio = same.aspectratio, camera = kept, speed = kept_speed;
 }
 
 std::optional<Flythrough> Session::path_to_fly() const {

@@ -32,6 +32,9 @@ class Session {
     /// To be called when the file has changed or, if `opened`, is another one. The camera stays unless it changed in
     /// the file. Returns whether the file's path replaced one that was not written.
     bool replace(std::shared_ptr<const Scene> scene, bool opened);
+    /// To be called when the file was read again for another moment or another size of the picture. Where only the
+    /// proportions or the angle of the file's camera differ, the camera stays where it is and takes these.
+    void replace_reread(std::shared_ptr<const Scene> scene);
 
     /// Commands that concern only the window (quit, still, full screen, panels) have no effect here.
     Answer perform(Command command, double now);

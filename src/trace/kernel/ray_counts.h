@@ -8,7 +8,7 @@ namespace strahl {
 struct Counts {
     std::uint64_t camera = 0, reflected = 0, refracted = 0, shadow = 0;
     int depth = 0;
-    std::uint64_t split = 0;  // batches that were traced again in halves: by how the pixels were divided, not by what
+    std::uint64_t split = 0;  // batches traced again in halves, as their rays did not fit; varies with the threads
     // Upper bounds of the light that a pixel lacks in any channel: by pruned rays (View::error), and by generations
     // past View::depth; infinite where those have no bound.
     double dropped = 0, past = 0;

@@ -35,7 +35,7 @@ class Workspace {
     std::vector<T> past;
     std::vector<Sight<T>> sights;
     std::vector<T> sides;               // see Footprints
-    std::vector<SeenPatterns<T>> seen;  // likewise
+    std::vector<SeenPatterns<T>> seen;  // see Footprints
     int batch = scattered_pixels;  // number of pixels that fitted last time
     /// Allocates the arrays of a policy's data of rays.
     void hold_extra();

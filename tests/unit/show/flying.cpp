@@ -220,6 +220,17 @@ TEST_CASE("after a change of the file the camera stays, unless the file's camera
     session.replace(other, false);
     CHECK(session.camera == other->camera);
     session.steer({.push = {1, 0, 0}}, 0);
+    const Camera far = session.camera;
+    auto wide = std::make_shared<Scene>(*session.scene);  // read again for a wider picture
+    wide->camera.fov = 40, wide->camera.aspectratio = 2;
+    session.replace_reread(wide);
+    CHECK((session.camera.fov == 40 && session.camera.aspectratio == 2));
+    CHECK((session.camera.position == far.position && session.camera.look_at == far.look_at));
+    wide = std::make_shared<Scene>(*session.scene);  // at another moment the camera is elsewhere
+    wide->camera.position += DVec3(1, 2, 3);
+    session.replace_reread(wide);
+    CHECK(session.camera == wide->camera);
+    session.steer({.push = {1, 0, 0}}, 0);
     session.replace(scene_of(""), true);  // another file
     CHECK(session.camera == camera);
 }
