@@ -17,5 +17,5 @@ strahl_tests(test_thread_pool unit "strahl_text;strahl_trace" thread_pool)
 set_tests_properties(thin PROPERTIES LABELS slow)
 # The label `figures` is for tests of what numbers come out: sanitizers see their code in `hashes`, `kernel` and
 # `attack_renderer`, which trace all kinds of worlds, and tests/run leaves them out there.
-set_tests_properties(accuracy area_light bound footprints light_culling pattern_means patterns reliefs
+set_tests_properties(accuracy area_light bound footprints history light_culling pattern_means patterns reliefs
                      structure PROPERTIES LABELS figures)

@@ -589,7 +589,7 @@ class FunctionReader {
         static constexpr std::uint16_t names_of[]{word("x"),   word("y"),     word("z"),    word("t"),
                                                   word("red"), word("green"), word("blue"), word("filter")};
         const std::uint16_t code = state.code();
-        const std::string_view name = code == new_name_code ? state.names.text(state.next.raw->index) : "";
+        const std::string name = code == new_name_code ? state.names.text(state.next.raw->index) : "";
         int index = static_cast<int>(std::ranges::find(names_of, code) - names_of) % 4;
         if (code == word("u") || code == word("v"))
             index = code == word("v");

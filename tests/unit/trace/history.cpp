@@ -11,7 +11,6 @@
 #include "num/thread_pool.h"
 #include "tests/referee/dice.h"
 #include "tests/referee/random_scene.h"
-#include "tests/unit/sanitized.h"
 #include "tests/unit/scenes.h"
 #include "tests/unit/trace/cut_out.h"
 #include "trace/cells/cell_picture.h"
@@ -90,7 +89,7 @@ bool affordable(const Scene& scene, const View& view) {
 
 template <class Check>
 void each_world(const Check& check) {
-    for (int seed = 1, left = sanitized() ? 3 : 16; left > 0; ++seed) {
+    for (int seed = 1, left = 16; left > 0; ++seed) {
         CAPTURE(seed);
         const Scene scene = scene_of(seed);
         const auto [width, height] = shapes[static_cast<std::size_t>(seed) % shapes.size()];
