@@ -310,7 +310,7 @@ void Reload::FileThread::show_text(const TextToShow& changed) {
 }
 
 void Reload::FileThread::read_moment(const ReadFor& moment) {
-    // At the start of a flight nothing is asked of the clock, as at first.
+    // At the start of a flight the clock stands as it does where no moment was asked for.
     if (moment.seconds != 0 || options.time) options.time = moment.seconds;
     options.width = moment.width, options.height = moment.height;
     Loaded loaded = load(path, shown_text.value_or(text), false);

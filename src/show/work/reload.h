@@ -29,7 +29,7 @@ struct FileStamp {
     bool operator==(const FileStamp&) const = default;
 };
 
-/// What a scene of POV-Ray may depend on: a moment of its flight, in seconds, and the size of its picture.
+/// Says for which moment of its flight, in seconds, and for which size of its picture a scene of POV-Ray is read.
 struct ReadFor {
     double seconds = 0;
     int width = 0, height = 0;
@@ -45,9 +45,9 @@ struct Loaded {
     EyeWords words{};                      // those of its camera
     bool mirrored = false;                 // see OpenedScene
     bool changes = false;                  // likewise
-    bool sized = false;                    // likewise
+    bool sized = false;                    // see OpenedScene
     bool moved = false;                    // the file is the same, read for another moment or size
-    ReadFor read_for{};                    // this one
+    ReadFor read_for{};                    // the moment and the size that it was read for
     pov::SourceLines lines{};              // of the bodies of a scene of POV-Ray
     // Holds what the file says; empty if that is more than 16 MB, or a scene of POV-Ray read again for each moment.
     std::string text{};
