@@ -39,7 +39,7 @@ class Batches {
             workspace.hold_cones(), std::ranges::fill(workspace.sides, static_cast<T>(side));
         else if (filters)
             workspace.hold_differentials();
-        if (world.finishes.list) workspace.hold_finishes();
+        if (world.finishes.carries) workspace.hold_carried();
     }
 
     Counts counts;  // its own memory: threads that count beside each other wait for each other

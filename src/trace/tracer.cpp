@@ -205,7 +205,7 @@ class TracerOf : public AnyTracer {
             workspaces.push_back(std::make_unique<Workspace<T>>());
 
         // Kept with the world: to look at thousands of materials takes longer than to trace some pixels.
-        if (!bound || bound->brightest.size() != std::size_t(view.depth) + 1) bound = bound_for(scene(), view.depth);
+        if (!bound || bound->depth != view.depth) bound = bound_for(scene(), view.depth);
         std::vector<T> brightest;
         for (const double most : bound->brightest) brightest.push_back(upper<T>(most));
         Eye<T> eye = eye_of<T>(view, placed);
@@ -223,6 +223,7 @@ class TracerOf : public AnyTracer {
         const bool filters =
             side > 0 ? world.patterns.has_quick_means : means && (world.patterns.list || world.patterns.sky);
         const ProvingLimits<T> limits{{.depth = view.depth,
+                                       .generations = static_cast<int>(bound->brightest.size()) - 1,
                                        .error = static_cast<T>(view.error),
                                        .brightest = brightest.data(),
                                        .noticed = static_cast<T>(noticed),

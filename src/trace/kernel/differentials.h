@@ -78,7 +78,7 @@ template <class S, class P>
 template <class S, class P>
 STRAHL_INLINE bool goes_on(const Shading<S, P>& shading, const Hit<S>& hit) {
     const MaterialKernel<S>& material = hit.material;
-    return shading.world.finishes.list || any((material.reflection > S(0)) | (material.refraction > S(0)));
+    return shading.world.finishes.hides || any((material.reflection > S(0)) | (material.refraction > S(0)));
 }
 
 /// Finds the differentials of rays where they end on surfaces, and how normals change there if rays go on.

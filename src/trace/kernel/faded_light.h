@@ -141,7 +141,7 @@ template <class S>
     return share;
 }
 
-/// Returns the share of light that is transmitted, see Visibility.
+/// Returns the share of light that is transmitted, followed from surface to surface.
 template <class S>
 Vec3<S> faded_visibility(const World<Element<S>>& world, const Ray<S>& ray, const S& distance, Mask<S> active,
                          const Start<S>& start) {
@@ -166,6 +166,18 @@ template <class S>
     if (none(lit | dark)) return share;
     const Vec3<S> followed = followed_light(world, ray, distance, lit | dark, start, hidden);
     return select(lit | (dark & dimmed(followed) & !hidden), followed, share);
+}
+
+template <class S>
+[[gnu::noinline]] Vec3<S> visibility_by_parts(const World<Element<S>>& world, const Ray<S>& ray, const S& distance,
+                                              Mask<S> active, const Start<S>& start) {
+    if (world.shadow_rays == ShadowRays::followed) return faded_visibility(world, ray, distance, active, start);
+    if (world.shadow_rays == ShadowRays::followed_where_dimmed)
+        return clear_visibility(world, ray, distance, active, start);
+    const S way = way_before_light(world, ray, distance);
+    Vec3<S> share = visibility_of_all(world, ray, way, active, start);
+    if (world.passed_in_shadows > 0) look_past(world, ray, way, active & dimmed(share), start, share);
+    return share;
 }
 
 }  // namespace strahl::inline STRAHL_LEVEL

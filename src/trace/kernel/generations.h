@@ -1,6 +1,7 @@
 // Traces a batch of pixels: camera rays, their hits, light and new rays, generation by generation.
 #pragma once
 #include <algorithm>
+#include <array>
 
 #include "trace/kernel/shade.h"
 #include "trace/kernel/touching.h"
@@ -8,10 +9,9 @@
 namespace strahl::inline STRAHL_LEVEL {
 namespace {  // a copy for each kernel, so that functions which are called once are inlined
 
-/// Generates the camera rays of a batch, one through each of its places (x, y). `finished`: the world has POV-Ray's
-/// finishes.
+/// Generates the camera rays of a batch, one through each of its places (x, y). `carry`: rays carry colours and counts.
 template <class S, class T>
-void generate_camera_rays(const Eye<T>& eye, const PixelBatch<T>& batch, bool finished, Workspace<T>& workspace,
+void generate_camera_rays(const Eye<T>& eye, const PixelBatch<T>& batch, bool carry, Workspace<T>& workspace,
                           RayQueue<T>& rays) {
     for (int i = 0; i < batch.count; i += width<S>) {
         const S u = fma(load_lanes<S>(batch.x + i), S(eye.scale_x), S(eye.bias_x));
@@ -28,7 +28,7 @@ void generate_camera_rays(const Eye<T>& eye, const PixelBatch<T>& batch, bool fi
         store_lanes(rays.medium + i, S(eye.medium));
     }
     rays.count = batch.count;
-    if (finished)
+    if (carry)
         for (T* const array : {rays.tint[0], rays.tint[1], rays.tint[2], rays.level, rays.mirrored})
             std::fill_n(array, batch.count, T(array != rays.mirrored));
     if (eye.rays) [[unlikely]]
@@ -185,6 +185,25 @@ void append(RayQueue<T>& to, const RayQueue<T>& from) {
     to.count += from.count;
 }
 
+/// Returns the hits of a bin: those on plain bodies, and those on bodies with finishes if there are any; the order of
+/// either does not change. The list of misses is used up.
+template <class T>
+[[gnu::noinline]] std::array<BinHits<T>, 2> plain_first(const World<T>& world, const HitList<T>& hits, int bin) {
+    const int count = hits.count[bin], material = world.sort_bins[bin].material;
+    if (material >= 0) return {{{bin, hits.of(bin), count, !world.finishes.list[material].plain}, {}}};
+    T *const list = hits.of(bin), *const later = hits.of(world.bins);
+    int plain = 0, finished = 0;
+    for (int i = 0; i < count; ++i) {
+        const T ray = list[i];
+        if (world.finishes.finished[static_cast<int>(hits.surface[static_cast<int>(ray)])])
+            later[finished++] = ray;
+        else
+            list[plain++] = ray;
+    }
+    std::copy_n(later, finished, list + plain);
+    return {{{bin, list, plain, false}, {bin, list + plain, finished, true}}};
+}
+
 /// Traces one generation: adds its light to the pixels and makes the next one, of its reflected and then its refracted
 /// rays, those inside enclosed bodies apart. The order of a pixel's rays, and so its sum, depends on that pixel alone.
 /// Returns false if the next generation does not fit.
@@ -208,8 +227,13 @@ bool trace_generation(const World<T>& world, const Limits<T>& limits, const Gene
                                 depth,
                                 batch.sights || batch.footprints || world.patterns.bends};
     shade_misses(shading);
-    for (int bin = 0; bin < world.bins; ++bin)
-        if (!shade_bin(shading, bin)) return false;
+    for (int bin = 0; bin < world.bins; ++bin) {
+        std::array<BinHits<T>, 2> parts{{{bin, list.of(bin), list.count[bin], false}, {}}};
+        if (world.finishes.finished) [[unlikely]]
+            parts = plain_first(world, list, bin);
+        for (int i = 0; i < 2; ++i)
+            if ((i == 0 || parts[i].count > 0) && !shade_bin(shading, parts[i])) return false;
+    }
     if (shading.full()) return false;
     append(next.open, refracted);
     return true;
@@ -260,7 +284,7 @@ bool trace(const World<T>& world, const Eye<T>& eye, const Limits<T>& limits, co
     const auto start = [&](int slot) {
         Generation<T>& first = generation(workspace, slot);
         batch.clear();
-        generate_camera_rays<S>(eye, batch, world.finishes.list, workspace, first.open);
+        generate_camera_rays<S>(eye, batch, world.finishes.carries, workspace, first.open);
         P::start(world, eye, limits, batch, first.open);
         first.inside.count = 0;
         std::fill_n(first.inside_begin, world.bins, 0);

@@ -1,5 +1,6 @@
 // Direct illumination: the light of all lights that hits scatter.
 #pragma once
+#include "trace/kernel/light_at.h"
 #include "trace/kernel/sight.h"
 
 namespace strahl::inline STRAHL_LEVEL {
@@ -13,42 +14,6 @@ STRAHL_INLINE S highlight_of(const Hit<S>& hit, const Vec3<S>& reflected, const 
     if (none(shines)) return S(0);
     const S power_of_shine = hit.uniform ? power_of_uniform(shine, lane(material.pow, 0)) : power(shine, material.pow);
     return select(shines, material.specular * power_of_shine, S(0));
-}
-
-/// Squares below this lose bits to underflow.
-template <class T>
-inline constexpr T least_square = std::numeric_limits<T>::min() / std::numeric_limits<T>::epsilon();
-
-/// The direction to a light, its distance, and the cosine of the direction with the normal. For lights so near that the
-/// square of the distance underflows.
-template <class S>
-struct WayToLight {
-    Vec3<S> l;
-    S distance, cosine;
-};
-/// Finds these without squares of small numbers. The cosine is 0 if it is not below 2: then the normal is not of length
-/// 1, as of a body too small or too large for this kind of number.
-template <class S>
-[[gnu::noinline]] WayToLight<S> way_to_near_light(const Hit<S>& hit, const Vec3<S>& to_light) {
-    const S longest = max(abs(to_light.x), max(abs(to_light.y), abs(to_light.z)));
-    const Vec3<S> way(to_light.x / longest, to_light.y / longest, to_light.z / longest);
-    const S length = sqrt(dot(way, way));
-    const Vec3<S> l = scale(S(1) / length, way);
-    const S cosine = dot(hit.normal, l);
-    return {l, longest * length, select(cosine < S(2), cosine, S(0))};
-}
-
-/// Returns the share of its light that a spotlight sends along -l. 1 - cosine is computed from the difference of the
-/// directions: in a narrow cone, cosines have few digits.
-template <class S>
-[[gnu::noinline]] S spot_share(const LightKernel<Element<S>>& light, const Vec3<S>& l) {
-    using T = Element<S>;
-    const Vec3<S> off = l + splat<S>(light.axis);
-    const S from_axis = dot(off, off) * S(T(.5)), cosine = S(1) - from_axis;
-    const S u = min(max((S(light.falloff) - from_axis) * S(light.per), S(0)), S(1));
-    S share = select(from_axis > S(light.radius), u * u * fma(S(-2), u, S(3)), S(1));
-    if (light.tightness != 0) share = share * power_of_uniform(max(cosine, S(0)), light.tightness);
-    return select(cosine > S(0), share, S(0));
 }
 
 /// Adds the light of a rectangle to `sum`, at the hits in these lanes.
@@ -78,11 +43,27 @@ template <class S, class P>
         sum[c] = fma(S(light.color[c]), fma(material.diffuse[c], means.diffuse[c], means.highlight[c]), sum[c]);
 }
 
-/// Are points with bent normals lit from behind the surface too, unless their body itself is in the way? So it is in
-/// POV-Ray's scenes.
-template <class T>
-bool lights_bent_sides(const World<T>& world) {
-    return world.patterns.bends && world.passed_over > 0;
+/// Adds the light of a special light to `sum`, where it brings more than `faint` of its colour to plain hits.
+template <class S, class P>
+[[gnu::noinline]] void add_special_light(const Shading<S, P>& shading, const Hit<S>& hit, int number, const S& faint,
+                                         const HitNotes<S, P>& notes, Vec3<S>& sum) {
+    const MaterialKernel<S>& material = hit.material;
+    const LightKernel<Element<S>>& light = shading.world.lights[number];
+    if (light.group != 0) return;
+    const Vec3<S>& flat = flat_normal(shading, hit, notes);
+    const Vec3<S> reflected = reflect(hit);
+    LightAt<S> at = light_at(shading, hit, light, flat, first_lanes<S>(0));
+    if (none(at.faces)) return;
+    S highlight(0);
+    if (!light.shadowless) highlight = highlight_of(hit, reflected, at.way.l, at.faces & (material.specular > S(0)));
+    at.faces = at.faces & (at.strength * fma(largest(material.diffuse), at.way.cosine, highlight) > faint);
+    if (none(at.faces)) return;
+    const Vec3<S> share = share_at(shading, hit, number, at, flat, reflected);
+    if (notes_sights(shading)) note_light(shading, hit, notes, number, share, S(dot(reflected, at.way.l)), at.faces);
+    for (int c = 0; c < 3; ++c) {
+        const S sent = fma(material.diffuse[c], at.way.cosine, highlight);
+        sum[c] = select(at.faces, fma(at.strength * share[c] * S(light.color[c]), sent, sum[c]), sum[c]);
+    }
 }
 
 /// Returns Ia Ka Of + sum over lights S Il [Kd Of (n.l) + Ks (h.l)^p]. At `dim` hits lights are skipped that bring no
@@ -104,10 +85,13 @@ STRAHL_INLINE Vec3<S> illumination(const Shading<S, P>& shading, const Hit<S>& h
     const S faint = select(dim, S(faint_share) * strongest, zero);
     for (int i = 0; i < world.light_count; ++i) {
         const LightKernel<Element<S>>& light = world.lights[i];
-        if (light.area) [[unlikely]] {
+        if (light.special) [[unlikely]] {
             P::area(shading, hit, light, notes.own);
             Vec3<S> copy = sum;
-            add_area_light(shading, hit, i, hit.active & ((strongest > faint) | glossy), notes, copy);
+            if (light.area && !light.soft)
+                add_area_light(shading, hit, i, hit.active & ((strongest > faint) | glossy), notes, copy);
+            else
+                add_special_light(shading, hit, i, S(faint), notes, copy);
             sum = copy;
             continue;
         }
@@ -146,7 +130,9 @@ STRAHL_INLINE Vec3<S> illumination(const Shading<S, P>& shading, const Hit<S>& h
             const Mask<S> inwards = dot(notes.flat, l) < S(0);
             outside = (outside & !inwards) | (inwards & !outside);
         }
-        const Start<S> start{i, hit.bin, outside};
+        Start<S> start{i, hit.bin, outside};
+        if (world.shadow_rays == ShadowRays::followed) [[unlikely]]
+            start.medium = hit.medium, start.mediums = &mediums(shading.workspace);
         Vec3<S> share = P::arriving(shading, hit, own, l, distance, faces, cosine, highlight, start, notes.own);
         if (shading.has_notes) [[unlikely]] {
             // A light that only the bent normal faces is behind the surface.

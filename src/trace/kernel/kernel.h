@@ -14,6 +14,9 @@ namespace strahl {
 /// Most pixels in a batch, and most rays in each queue of a generation.
 inline constexpr int batch_pixels = 256, batch_rays = 4096;
 
+/// The last generation of rays, also of those that go straight on without a new one as POV-Ray counts.
+inline constexpr int deepest_ray = 256;
+
 /// How a ray's place and direction change from a sample to those beside it, right of it and below it: by a side of the
 /// square that the sample stands for.
 template <class S>
@@ -48,14 +51,14 @@ struct RayQueue {
     T* extra[4] = {};                       // values that the kernel's policy keeps, see plain.h
     Differentials<T*> differentials{};      // only where patterns are filtered
     RayCone<T*> cone{};                     // only where they are filtered roughly
-    // In worlds with POV-Ray's finishes: the colour of its light beside `weight`, its generation as POV-Ray counts, and
-    // 1 if it has been reflected on its way from the eye, else 0.
+    // Where rays carry more than weights (FinishTables::carries): the colour of their light beside `weight`, their
+    // generation as POV-Ray counts, and 1 if they have been reflected on their way from the eye, else 0.
     T *tint[3] = {}, *level = nullptr, *mirrored = nullptr;
 };
 
 /// Says which rays have an array: all; those inside an enclosed body; those of a policy that keeps more; those with
-/// differentials or cones; those of worlds with POV-Ray's finishes.
-enum class RayPart { all, inside, extra, beside, cone, finish };
+/// differentials or cones; those that carry colours and counts.
+enum class RayPart { all, inside, extra, beside, cone, carried };
 inline constexpr int ray_arrays = 11;  // number of those of the first two parts
 
 /// Calls visit(part, arrays...) for each array of a queue, or of several queues side by side.
@@ -68,8 +71,8 @@ void each_array(const Visit& visit, Queues&... queues) {
     for (int i = 0; i < 4; ++i) visit(RayPart::extra, queues.extra[i]...);
     each_number([&](auto&... arrays) { visit(RayPart::beside, arrays...); }, queues.differentials...);
     visit(RayPart::cone, queues.cone.width...), visit(RayPart::cone, queues.cone.spread...);
-    for (int c = 0; c < 3; ++c) visit(RayPart::finish, queues.tint[c]...);
-    visit(RayPart::finish, queues.level...), visit(RayPart::finish, queues.mirrored...);
+    for (int c = 0; c < 3; ++c) visit(RayPart::carried, queues.tint[c]...);
+    visit(RayPart::carried, queues.level...), visit(RayPart::carried, queues.mirrored...);
 }
 
 /// The rays of a generation: open ones, whose hits are searched, and those inside an enclosed body (see World), which
@@ -134,13 +137,16 @@ inline constexpr int most_lit = 31;
 /// Limits to how far rays are followed.
 template <class T>
 struct Limits {
-    int depth = 20;                           // generations
+    int depth = 20;                           // generations, of rays that count
+    int generations = 20;                     // the same with those that do not, see FinishTables::carries
     T error = 0;                              // most light that pruned rays may take from a pixel
     const T* brightest = nullptr;             // [n]: with n generations to come, the next one's rays are no brighter
     T noticed = 0;                            // hits of at most this weight do not count in signatures
     T brightest_limit = 0;                    // the same for any number of generations; infinite if there is no bound
     int queue = batch_rays;                   // most rays of a generation in a batch of several pixels, see Job
     const std::atomic<bool>* stop = nullptr;  // if it becomes true the picture is no longer wanted
+    /// Returns the most light that rays of the generation after this one bring.
+    T brightest_beyond(int depth) const { return brightest[generations - depth]; }
     bool stopped() const { return stop && stop->load(std::memory_order_relaxed); }
 };
 

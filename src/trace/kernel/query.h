@@ -426,16 +426,19 @@ STRAHL_INLINE S way_before_light(const World<Element<S>>& world, const Ray<S>& r
     return (S(1) - share) * distance - share * (abs(ray.origin.x) + abs(ray.origin.y) + abs(ray.origin.z));
 }
 
+/// Returns the share of light that is transmitted, by shadow rays of other ways than the whole at once
+/// (kernel/faded_light.h).
+template <class S>
+Vec3<S> visibility_by_parts(const World<Element<S>>& world, const Ray<S>& ray, const S& distance, Mask<S> active,
+                            const Start<S>& start);
+
 /// Returns the share of light that is transmitted, see Visibility.
 template <class S>
 STRAHL_INLINE Vec3<S> visibility(const World<Element<S>>& world, const Ray<S>& ray, const S& distance, Mask<S> active,
                                  const Start<S>& start) {
-    if (world.around_lights <= 0) [[likely]]
+    if (world.shadow_rays == ShadowRays::whole) [[likely]]
         return visibility_of_all(world, ray, distance, active, start);
-    const S way = way_before_light(world, ray, distance);
-    Vec3<S> share = visibility_of_all(world, ray, way, active, start);
-    if (world.passed_in_shadows > 0) look_past(world, ray, way, active & dimmed(share), start, share);
-    return share;
+    return visibility_by_parts(world, ray, distance, active, start);
 }
 
 }  // namespace strahl::inline STRAHL_LEVEL

@@ -54,8 +54,8 @@ void shade_misses(const Shading<S, P>& shading) {
                 for (int c = 0; c < 3; ++c) color[c] = fma(left, color[c] - fog[c], fog[c]);
             }
         }
-        if (world.finishes.list) [[unlikely]]
-            color = color * tint_of(shading.rays.open, pick);
+        if (world.finishes.carries) [[unlikely]]
+            color = color * carried_by(shading, shading.rays.open, pick).tint;
         add_light(shading.batch, pixel, pick.lanes, scale(weight, color));
         P::miss(shading, pick, weight, pixel, color);
     }
@@ -97,8 +97,17 @@ class HitMaterial {
     int number = -1;  // of the one that all lanes have, else -1
 };
 
+/// Hits of a bin: the numbers of their rays, all on plain bodies or all on bodies with finishes.
+template <class T>
+struct BinHits {
+    int bin;
+    const T* rays;
+    int count;
+    bool finished;
+};
+
 template <class S, class P>
-STRAHL_INLINE Hit<S> make_hit(const Shading<S, P>& shading, int bin, const RayQueue<Element<S>>& from,
+STRAHL_INLINE Hit<S> make_hit(const Shading<S, P>& shading, int bin, bool finished, const RayQueue<Element<S>>& from,
                               const LaneIndices<S>& pick, const Element<S>* t, HitMaterial<S>& material) {
     const auto& world = shading.world;
     const SortBin& own = world.sort_bins[bin];
@@ -109,14 +118,14 @@ STRAHL_INLINE Hit<S> make_hit(const Shading<S, P>& shading, int bin, const RayQu
     if (own.material >= 0) {
         hit = surface_at(world, own, ray, pick(t));
         material.broadcast(world, own.material);
-        if (world.patterns.list) [[unlikely]] {
+        if (finished || world.patterns.list) [[unlikely]] {
             std::fill_n(material.numbers, width<S>, own.material);
-            if (patterned(world, own.material)) material.paint(shading, hit, from, pick, t);
+            if (patterned(world, own.material) && !finished) material.paint(shading, hit, from, pick, t);
         }
     } else {
         hit = surfaces_at(world, own.form, shading.hits.surface, pick, ray, pick(t), material.numbers);
         material.load(world);
-        if (world.patterns.list) [[unlikely]]
+        if (world.patterns.list && !finished) [[unlikely]]
             material.paint(shading, hit, from, pick, t);
     }
     const Mask<S> outside = dot(ray.direction, hit.point.normal) < S(0);
@@ -148,13 +157,13 @@ template <class S, class P>
     return normal;
 }
 
-/// Shades the hits of a bin, first those of rays inside an enclosed body. Returns false if the queues are full.
+/// Shades hits of a bin, first those of rays inside an enclosed body. Returns false if the queues are full.
 template <class S, class P>
-bool shade_bin(const Shading<S, P>& shading, int bin) {
+bool shade_bin(const Shading<S, P>& shading, const BinHits<Element<S>>& own) {
     const auto& world = shading.world;
     const Generation<Element<S>>& rays = shading.rays;
     Generation<Element<S>>& next = shading.next;
-    const int found = shading.hits.count[bin];
+    const int bin = own.bin, found = own.count;
     const int inside = world.few.enclosed ? rays.inside_end[bin] - rays.inside_begin[bin] : 0;
     next.inside_begin[bin] = next.inside.count;
     HitMaterial<S> material;
@@ -163,10 +172,10 @@ bool shade_bin(const Shading<S, P>& shading, int bin) {
         if (shading.full()) return false;
         const bool within = i < 0;
         const LaneIndices<S> pick =
-            within ? LaneIndices<S>(rays.inside_end[bin] + i, left) : LaneIndices<S>(shading.hits.of(bin) + i, left);
+            within ? LaneIndices<S>(rays.inside_end[bin] + i, left) : LaneIndices<S>(own.rays + i, left);
         const RayQueue<Element<S>>& from = within ? rays.inside : rays.open;
         const Element<S>* const t = within ? rays.inside.t : shading.hits.t;
-        Hit<S> hit = make_hit(shading, bin, from, pick, t, material);
+        Hit<S> hit = make_hit(shading, bin, own.finished, from, pick, t, material);
         if (world.fog.any) [[unlikely]]
             hit.weight = left_by_fog(world, S(hit.weight), S(hit.medium), origins_of(from, pick),
                                      Vec3<S>(hit.direction), pick(t));
@@ -196,7 +205,7 @@ bool shade_bin(const Shading<S, P>& shading, int bin) {
                 note_hits(shading, hit, seen_from, pick(t), pick.lanes, material.numbers, notes);
             }
         }
-        if (world.finishes.list) [[unlikely]] {
+        if (own.finished) [[unlikely]] {
             shade_finish(shading, Hit<S>(hit), material.numbers, from, pick, pick(t), notes);
             for (int bend = 1; bend <= world.finishes.most_bends; ++bend) {
                 Hit<S> layer = hit;
@@ -207,13 +216,27 @@ bool shade_bin(const Shading<S, P>& shading, int bin) {
             continue;
         }
         Mask<S> dim = first_lanes<S>(0);
-        if (shading.depth < shading.limits.depth)
+        const S weight = hit.weight;
+        bool goes_on = shading.depth < shading.limits.depth;
+        if (world.finishes.carries) [[unlikely]] {
+            Onward<S> on;
+            carry_on(shading, Hit<S>(hit), from, pick, true, notes.carried, on);
+            hit.active = on.lanes, hit.weight = on.weight;
+            goes_on = true;
+        }
+        if (goes_on)
             dim = scatter(shading, hit, notes);
         else
             truncate(shading, hit);
+        if (world.finishes.carries) [[unlikely]]
+            hit.active = first_lanes<S>(pick.lanes), hit.weight = weight;
         Vec3<S> light = scale(hit.weight, illumination(shading, hit, dim, notes));
+        if (world.finishes.carries) [[unlikely]]
+            light = light * tint_of_fog(world, S(hit.medium));
         if (world.fog.any) [[unlikely]]
             light = fma(pick(from.weight) - hit.weight, splat<S>(world.fog.color), light);
+        if (world.finishes.carries) [[unlikely]]
+            light = light * carried_by(shading, from, pick).tint;
         add_light(shading.batch, hit.pixel, pick.lanes, light);
         P::shade(shading, hit, from, pick, t, light, notes.own);
     }

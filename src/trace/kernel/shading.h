@@ -68,6 +68,21 @@ struct Hit {
     int bin;
 };
 
+/// What rays carry besides weights, where FinishTables::carries; see RayQueue.
+template <class S>
+struct Carried {
+    Vec3<S> tint;
+    S level, mirrored;
+};
+/// Returns what rays have carried to hits.
+template <class S, class P>
+STRAHL_INLINE Carried<S> carried_by(const Shading<S, P>& shading, const RayQueue<Element<S>>& rays,
+                                    const LaneIndices<S>& pick) {
+    if (!shading.world.finishes.carries)
+        return {splat<S>(Vec3<Element<S>>(1)), S(static_cast<Element<S>>(shading.depth)), S(0)};
+    return {{pick(rays.tint[0]), pick(rays.tint[1]), pick(rays.tint[2])}, pick(rays.level), pick(rays.mirrored)};
+}
+
 /// Data of a pack of hits that only some worlds, batches and policies need.
 template <class S, class P>
 struct HitNotes {
@@ -77,8 +92,15 @@ struct HitNotes {
     Vec3<S> turn[2];                // changes of the normal from there to those places
     RayCone<S> cone;                // only set where patterns are filtered roughly, as the next
     S bend;                         // by how much the normal turns over the cone's width
+    Carried<S> carried;             // for the rays that go on; only set where rays carry something
     [[no_unique_address]] typename P::template OfHit<S> own;
 };
+
+/// Returns the normals of hits before they were bent.
+template <class S, class P>
+STRAHL_INLINE const Vec3<S>& flat_normal(const Shading<S, P>& shading, const Hit<S>& hit, const HitNotes<S, P>& notes) {
+    return shading.world.patterns.bends ? notes.flat : hit.normal;
+}
 
 /// Calls visit(stack, body, lanes) once for all lanes with the same medium stack whose surfaces are of the same body.
 template <class S, class Visit>
@@ -96,6 +118,12 @@ STRAHL_INLINE void each_stack_and_body(const World<Element<S>>& world, const S& 
 template <class S>
 STRAHL_INLINE Vec3<S> reflect(const Hit<S>& hit) {
     return fma(S(-2) * dot(hit.direction, hit.normal), hit.normal, hit.direction);
+}
+
+/// Returns the largest channels of colours, whatever their signs.
+template <class S>
+STRAHL_INLINE S most_of(const Vec3<S>& color) {
+    return max(abs(color.x), max(abs(color.y), abs(color.z)));
 }
 
 /// Adds light to the pixels of a pack's first lanes.

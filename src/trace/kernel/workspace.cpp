@@ -82,7 +82,7 @@ void Workspace<T>::hold_more(RayQueue<T>& queue) {
     each_array(
         [&](RayPart part, T*& array) {
             if ((part == RayPart::extra && with_extra) || (part == RayPart::beside && with_differentials) ||
-                (part == RayPart::cone && with_cones) || (part == RayPart::finish && with_finishes))
+                (part == RayPart::cone && with_cones) || (part == RayPart::carried && with_carried))
                 hold(array);
         },
         queue);
@@ -113,8 +113,8 @@ void Workspace<T>::hold_cones() {
 }
 
 template <class T>
-void Workspace<T>::hold_finishes() {
-    with_finishes = true;
+void Workspace<T>::hold_carried() {
+    with_carried = true;
     hold_more();
 }
 

@@ -43,14 +43,14 @@ class Workspace {
     void hold_differentials();
     /// Allocates the arrays of cones, for filtering them roughly.
     void hold_cones();
-    /// Allocates the arrays that POV-Ray's finishes need.
-    void hold_finishes();
+    /// Allocates the arrays of rays that carry colours and counts.
+    void hold_carried();
 
   private:
     Buffer<T> values, order_by_bin;
     std::vector<Buffer<T>> more;  // memory of arrays that queues have besides those in `values`
     std::size_t used = 0;         // arrays taken from the last of these
-    bool with_extra = false, with_differentials = false, with_cones = false, with_finishes = false;
+    bool with_extra = false, with_differentials = false, with_cones = false, with_carried = false;
     void hold(T*& array);
     void hold_more(RayQueue<T>& queue);
     void hold_more();

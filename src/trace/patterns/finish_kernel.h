@@ -19,7 +19,10 @@ template <class S, class Visit>
 STRAHL_INLINE void each_finish(const World<Element<S>>& world, const int* materials, const Visit& visit) {
     using T = Element<S>;
     alignas(64) T numbers[width<S>];
-    for (int k = 0; k < width<S>; ++k) numbers[k] = static_cast<T>(materials[k]);
+    bool uniform = true;
+    for (int k = 0; k < width<S>; ++k)
+        numbers[k] = static_cast<T>(materials[k]), uniform &= materials[k] == materials[0];
+    if (uniform) return visit(world.finishes.list[materials[0]], first_lanes<S>(width<S>));
     const S number = load_lanes<S>(numbers);
     for (Mask<S> left = first_lanes<S>(width<S>); any(left);) {
         const T own = lane(number, first(left));
@@ -38,22 +41,23 @@ STRAHL_INLINE S power_or_zero(const S& x, Element<S> p) {
 }
 
 /// Returns by how much a metal tints light that meets it at an angle with this cosine: 1 if it comes straight, 0 if it
-/// grazes, where F = .014567225 / (a - 1.12)^2 - .011612903 of the angle a in quarter turns is 1.
+/// grazes, where F = .014567225 / (a - 1.12)^2 - .011612903 of the angle a in quarter turns is 1. Only in these lanes.
 template <class S>
-[[gnu::noinline]] S metal_share(const S& cosine) {
+[[gnu::noinline]] S metal_share(const S& cosine, Mask<S> lanes) {
     using T = Element<S>;
     alignas(64) T values[width<S>];
     store_lanes(values, cosine);
-    for (T& value : values) {
+    for (unsigned left = bits(lanes); left != 0; left &= left - 1) {
+        T& value = values[std::countr_zero(left)];
         const T a = std::acos(std::clamp(value, T(0), T(1))) * (2 / std::numbers::pi_v<T>) - T(1.12);
         value = 1 - std::clamp(T(.014567225) / (a * a) - T(.011612903), T(0), T(1));
     }
     return load_lanes<S>(values);
 }
-/// Returns the colour that light gets from a metal of this colour.
+/// Returns the colour that light gets in these lanes from a metal of this colour.
 template <class S>
-STRAHL_INLINE Vec3<S> tint_of(const Vec3<S>& color, Element<S> metallic, const S& cosine) {
-    const S share = S(metallic) * metal_share(cosine);
+STRAHL_INLINE Vec3<S> tint_of(const Vec3<S>& color, Element<S> metallic, const S& cosine, Mask<S> lanes) {
+    const S share = S(metallic) * metal_share(cosine, lanes);
     Vec3<S> tint;
     for (int c = 0; c < 3; ++c) tint[c] = fma(share, color[c] - S(1), S(1));
     return tint;
@@ -112,6 +116,9 @@ Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, c
             const LayerKernel<T>& layer = world.finishes.layers[finish.first_layer + i];
             const auto color_at = [&](const PatternKernel<T>& pattern) {
                 ClearColor<S> own;
+                const ColorStopKernel<T>& stop = world.patterns.stops[pattern.first_stop];
+                if (pattern.form == PatternForm::constant && pattern.stops == 1 && !pattern.nests)
+                    return ClearColor<S>{splat<S>(stop.color), S(stop.filter), S(stop.transmit)};
                 if (!footprint) return clear_color_at<true>(world, pattern, seen.position, seen.surface);
                 const Filtering<S> filtering =
                     filtered_at(world, pattern, seen.position, seen.surface, *footprint, lanes, own);
@@ -153,7 +160,7 @@ Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, c
                 const Mask<S> sends = apart ? first_lanes<S>(0) : open & (strength >= S(bailout));
                 most = select(sends, max(most, strength), most);
                 Vec3<S> tint = splat<S>(Vec3<T>(1));
-                if (layer.gilding != 0) tint = tint_of(own.color, layer.gilding, cosine);
+                if (layer.gilding != 0) tint = tint_of(own.color, layer.gilding, cosine, lanes);
                 Vec3<S> film = splat<S>(Vec3<T>(1));
                 if (layer.irid > 0) film = film_colors<S>(layer, S(2) * cosine);
                 for (int c = 0; c < 3; ++c) {
@@ -195,7 +202,8 @@ void FinishCalls<S>::scatter(const World<T>& world, const int* materials, const 
                 highlight = fma(S(layer.blinn), power_or_zero(half, layer.blinn_size), highlight);
             if (world.finishes.behind && !finish.both_sides) highlight = select(lit.behind, zero, highlight);
             Vec3<S> tint = splat<S>(Vec3<T>(1));
-            if (layer.metallic != 0) tint = tint_of(hit.color[i], layer.metallic, lit.cosine);
+            const Mask<S> shines = lanes & (highlight > zero);
+            if (layer.metallic != 0 && any(shines)) tint = tint_of(hit.color[i], layer.metallic, lit.cosine, shines);
             Vec3<S> film = splat<S>(Vec3<T>(1));
             if (layer.irid > 0) film = film_colors<S>(layer, lit.cosine + abs(dot(lit.direction, lit.normal)));
             for (int c = 0; c < 3; ++c) {
@@ -229,7 +237,7 @@ template <class S>
 S FinishCalls<S>::faded(const LightKernel<T>& light, const S& distance) {
     alignas(64) T values[width<S>];
     store_lanes(values, distance * S(light.fade_per));
-    for (T& value : values) value = 2 / (1 + std::pow(value, light.fade_power));
+    for (T& value : values) value = 2 / (1 + (light.fade_power == 1 ? value : std::pow(value, light.fade_power)));
     return load_lanes<S>(values);
 }
 

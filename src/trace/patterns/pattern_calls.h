@@ -12,11 +12,17 @@ STRAHL_INLINE bool patterned(const World<T>& world, int material) {
     return material >= world.patterns.first;
 }
 
+/// Returns true if the article's equation is all that this material has.
+template <class T>
+STRAHL_INLINE bool plain(const World<T>& world, int material) {
+    return !world.finishes.list || world.finishes.list[material].plain;
+}
+
 /// Returns true if colours or normals of this material may vary within a piece of its pattern, see PatternCalls::piece.
 template <class T>
 STRAHL_INLINE bool uneven(const World<T>& world, int material) {
     if (!patterned(world, material)) return false;
-    if (world.finishes.list) return true;
+    if (!plain(world, material)) return true;
     const int which = material - world.patterns.first;
     if (world.patterns.bends && !(world.patterns.bends[which].map.flat && world.patterns.bends[which].bump.flat))
         return true;

@@ -453,7 +453,6 @@ STRAHL_INLINE void set_colors(const PatternKernel<Element<S>>& pattern, Mask<S> 
 template <class S>
 void PatternCalls<S>::paint(const World<T>& world, const int* materials, const Vec3<S>& position, const S& surface,
                             MaterialKernel<S>& values) {
-    if (world.finishes.list) return;  // those find colours themselves
     each_pattern<S>(world, materials, [&](int which, Mask<S> lanes) {
         const PatternKernel<T>& pattern = world.patterns.list[which];
         set_colors(pattern, lanes, color_at(world, pattern, position, surface), values);
@@ -465,7 +464,6 @@ Filtering<S> PatternCalls<S>::paint_filtered(const World<T>& world, const int* m
                                              const S& surface, const Footprint<S>& footprint,
                                              MaterialKernel<S>& values) {
     Filtering<S> all;
-    if (world.finishes.list) return all;
     each_pattern<S>(world, materials, [&](int which, Mask<S> lanes) {
         const PatternKernel<T>& pattern = world.patterns.list[which];
         Vec3<S> color;
@@ -614,7 +612,7 @@ template <class S>
 void PatternCalls<S>::filter(const World<T>& world, int material, const S& surface, const Ray<S>& ray, const S& t,
                              Mask<S> lanes, Vec3<S>& share) {
     if (none(lanes)) return;
-    if (world.finishes.list) {
+    if (!plain(world, material)) {
         const Vec3<S> through =
             FinishCalls<S>::through(world, material, fma(t, ray.direction, ray.origin), surface, lanes);
         for (int c = 0; c < 3; ++c) share[c] = select(lanes, min(share[c] * through[c], S(largest_gain)), share[c]);

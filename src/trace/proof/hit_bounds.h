@@ -62,7 +62,7 @@ STRAHL_INLINE void add_bounds(const PixelBatch<Element<S>>& batch, const S& pixe
 /// here on.
 template <class T>
 STRAHL_INLINE T brightest_of(const Limits<T>& limits, int depth) {
-    return limits.brightest[limits.depth - depth + 1];
+    return limits.brightest_beyond(depth - 1);
 }
 
 /// Bounds the rounding error of a hit's light: of its colours, products and sums, 6 roundings and one for each light,

@@ -143,6 +143,7 @@ STRAHL_INLINE Vec3<S> share_proved(const ProvedShading<S>& shading, const Hit<S>
                                    const Vec3<S>& l, const S& distance, Mask<S> faces, const S& cosine,
                                    const S& highlight, const Start<S>& start, HitBounds<S>& known) {
     const Ray<S> ray{hit.position, l, hit.surface};
+    if (shading.world.shadow_rays != ShadowRays::whole) return visibility(shading.world, ray, distance, faces, start);
     const Slack<Element<S>>& slack = proving(shading.limits).slack;
     LightBounds<S> found = light_bounds(shading.world, DoubtfulRay<S>{ray, lit.ray}, distance, lit.distance,
                                         faces & known.followed, start, slack);

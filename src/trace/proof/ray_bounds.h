@@ -85,7 +85,7 @@ template <class S>
     if (none(doubt)) return;
     reflected.own.away = select(doubt, S(-1), reflected.own.away);
     reflected.own.turn = select(doubt, S(0), reflected.own.turn);
-    const S most(shading.limits.brightest[shading.limits.depth - shading.depth]);
+    const S most(shading.limits.brightest_beyond(shading.depth));
     add_bounds(shading.batch, hit.pixel, count(hit.active), select(doubt, hit.weight * share * most, S(0)));
 }
 
@@ -107,7 +107,7 @@ STRAHL_INLINE void bound_refraction(const ProvedShading<S>& shading, const Hit<S
     refracted.own.turn = select(known.followed & !doubt, turn_refracted(known, b, c, k, k_error), S(0));
     refracted.own.side = side_refracted(known, c, k, k_error);
     if (none(doubt)) return;
-    const S most(shading.limits.brightest[shading.limits.depth - shading.depth]);
+    const S most(shading.limits.brightest_beyond(shading.depth));
     add_bounds(shading.batch, hit.pixel, count(hit.active),
                select(doubt, hit.weight * hit.material.refraction * most, S(0)));
 }

@@ -343,9 +343,10 @@ void WorldArrays<T>::add_composites(const Scene& scene, const Placement& placeme
         leaf_bins[form] = static_cast<std::int32_t>(sort_bins.size());
         sort_bins.push_back({form});
     }
-    const auto refer_to = [&](std::int32_t bin, std::int32_t surface, std::int32_t item, int face) {
+    const auto refer_to = [&](std::int32_t bin, std::int32_t surface, std::int32_t item, int face, int material) {
         references[1 + surface] = {item, bin};
         leaf_faces[surface] = face;
+        if (world.finishes.finished) finishes.finished[surface] = !is_plain(material);
     };
     const auto refer_to_all = [&]<class Own>(std::type_identity<Own>) {
         constexpr int form = place_of<Own>(Forms{});
@@ -353,14 +354,14 @@ void WorldArrays<T>::add_composites(const Scene& scene, const Placement& placeme
         for (int i = 0; i < forms[form].count; ++i)
             for (int face = 0; face < all[i].shape.face_count(); ++face)
                 refer_to(first_bins[form] + (world.bin_per_item ? i : 0), static_cast<int>(all[i].surface) + face, i,
-                         face);
+                         face, static_cast<int>(all[i].material));
     };
     refer_to_all(std::type_identity<Form<Prism, 0>>()), refer_to_all(std::type_identity<Form<Lathe, 0>>());
     refer_to_all(std::type_identity<Form<Blob, 0>>()), refer_to_all(std::type_identity<Form<SphereSweep, 0>>());
     refer_to_all(std::type_identity<Form<JuliaFractal, 0>>());
     for (const CompositeLeaf& leaf : leaves) {
         const auto refer = [&](std::int32_t surface, std::int32_t item, int face) {
-            refer_to(leaf_bins[leaf.form], surface, item, face);
+            refer_to(leaf_bins[leaf.form], surface, item, face, leaf.material);
         };
         const std::size_t fields = traits[leaf.form].fields;
         const T* const numbers = forms[leaf.form].numbers.get();

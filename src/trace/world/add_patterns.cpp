@@ -163,6 +163,17 @@ template void WorldArrays<float>::add_patterns(const Scene&, const Placement&, b
 template void WorldArrays<double>::add_patterns(const Scene&, const Placement&, bool);
 template void WorldArrays<long double>::add_patterns(const Scene&, const Placement&, bool);
 
+/// Do rays that go on from a material have colours, or strengths that vary with the angle, or are some not counted as a
+/// new generation?
+static bool sends_colors(const Material& own) {
+    const auto reflects = [](const Material& m) { return m.reflection > 0; };
+    const bool even = own.mirror == Color(own.mirror.x) && own.gilding == 0 && own.irid == 0 && own.facing == 1 &&
+                      own.fresnel == 0 && own.coats.empty();
+    return (!even && (reflects(own) || std::ranges::any_of(own.coats, reflects))) || own.rgb.clear() ||
+           own.seen == 0 || own.mirrored == 0 || own.shares() ||
+           (own.transmits() && (!own.coats.empty() || own.fades()));
+}
+
 /// Adds the finish of a material whose body has the matrix `to_world`.
 template <class T>
 void WorldArrays<T>::add_finish(const Material& material, const Scene& scene, const glm::dmat4& to_world,
@@ -175,6 +186,7 @@ void WorldArrays<T>::add_finish(const Material& material, const Scene& scene, co
         pattern.places = places;
         add_colors(pigment, pattern, gamma, to_world, placement);
     };
+    world.finishes.carries |= sends_colors(material);
     const auto first_bend = static_cast<std::int32_t>(finishes.bends.size());
     const auto add_layer = [&](const Material& own) {
         LayerKernel<T> layer{};
@@ -206,7 +218,7 @@ void WorldArrays<T>::add_finish(const Material& material, const Scene& scene, co
     const auto scatters = [](double diffuse) { return diffuse > 0; };
     const bool clear = material.transmits() && material.rgb.clear();
     finishes.list.push_back(
-        {static_cast<std::int32_t>(finishes.layers.size()), static_cast<std::int32_t>(1 + material.coats.size()),
+        {material.plain(), static_cast<std::int32_t>(finishes.layers.size()), static_cast<std::int32_t>(1 + material.coats.size()),
          number(material.refraction), number(material.ior),
          number(clear ? material.clarity : material.reflection + material.refraction), number(material.clarity), clear,
          material.shadow > 0, material.seen > 0, material.mirrored > 0, material.both_sides > 0,
@@ -241,6 +253,7 @@ void WorldArrays<T>::add_finishes(const Scene& scene, const Placement& placement
     for (std::size_t i = 0; const Material& own : scene.materials) {
         add_finish(own, scene, glm::dmat4(1), placement, {});
         MaterialKernel<T>& kernel = materials[i++];
+        if (own.plain()) continue;
         // Shadow rays multiply light by `filter`. Bodies without a shadow count as transparent to them alone.
         constexpr T hardly = std::numeric_limits<T>::min();
         Color reflected(0);
@@ -258,10 +271,11 @@ void WorldArrays<T>::add_finishes(const Scene& scene, const Placement& placement
                             : own.shadow > 0 ? T(0)
                                              : hardly;
         kernel.reflection = static_cast<T>(most(reflected));
-        kernel.specular = static_cast<T>(shine), kernel.scattered = 0;
+        kernel.specular = static_cast<T>(shine);
         world.transparent |= kernel.refraction > 0;
     }
     world.finishes.bailout = static_cast<T>(scene.settings.adc_bailout);
+    world.finishes.carries |= world.finishes.bailout > 0 || (scene.fog && scene.fog->filter > 0);
 }
 
 template void WorldArrays<float>::add_finish(const Material&, const Scene&, const glm::dmat4&, const Placement&,

@@ -181,6 +181,10 @@ void WorldArrays<T>::number_bins(ThreadPool& pool) {
     share_out(pool, surfaces + 1, 16 * share_items, [&](std::int32_t first, std::int32_t last) {
         std::fill(&references[first], &references[last], ItemReference{-1, -1});
     });
+    if (!std::ranges::all_of(finishes.list, &FinishKernel<T>::plain)) {
+        finishes.finished.resize(surfaces);
+        world.finishes.finished = finishes.finished.data();
+    }
     int hierarchy_forms = 0;
     for (int form = 0; form < Forms::size; ++form) {
         const FormItems<T>& own = forms[form];
@@ -195,7 +199,7 @@ void WorldArrays<T>::number_bins(ThreadPool& pool) {
             for (int i = 0; i < own.count; ++i) {
                 const int material = static_cast<int>(own.numbers[i * fields + fields - 1]);
                 const BodySet body = BodySet(1) << sort_bins.size();
-                if (materials[material].refraction > 0) few.glass |= body;
+                if (materials[material].refraction > 0 && !traits[form].listed) few.glass |= body;
                 if (!traits[form].hot) world.few.cold |= body;
                 if (traits[form].convex) world.few.convex |= body;
                 sort_bins.push_back({form, i, traits[form].listed ? -1 : material});
@@ -204,9 +208,12 @@ void WorldArrays<T>::number_bins(ThreadPool& pool) {
         // The last of several copies of a triangle is the one that surfaces refer to.
         share_out(pool, own.count, own.copied ? own.count : share_items, [&](std::int32_t first, std::int32_t last) {
             for (std::int32_t i = first; i < last; ++i)
-                for (int face = 0; face < traits[form].faces; ++face)
-                    references[1 + static_cast<int>(own.numbers[i * fields + fields - 2]) + face] = {
-                        i, world.bin_per_item ? first_bin + i : first_bin};
+                for (int face = 0; face < traits[form].faces; ++face) {
+                    const int surface = static_cast<int>(own.numbers[i * fields + fields - 2]) + face;
+                    references[1 + surface] = {i, world.bin_per_item ? first_bin + i : first_bin};
+                    if (world.finishes.finished)
+                        finishes.finished[surface] = !is_plain(static_cast<int>(own.numbers[i * fields + fields - 1]));
+                }
         });
     }
     if (hierarchy_forms > 1 || forms[place_of<CompositeForm>(Forms{})].count > 0) world.hierarchy_bin = -1;

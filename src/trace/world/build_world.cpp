@@ -96,10 +96,12 @@ LightKernel<T> light_kernel(const Light& light, const Placement& placement) {
         kernel.tightness = static_cast<T>(light.spot->tightness);
     }
     kernel.shadowless = light.shadowless;
+    kernel.soft = light.soft;
     if (light.fades()) {
         kernel.fade_per = static_cast<T>(1 / (light.fade_distance * placement.scale));
         kernel.fade_power = static_cast<T>(light.fade_power);
     }
+    kernel.special = kernel.area || kernel.starts || kernel.shadowless || kernel.fade_per > 0;
     return kernel;
 }
 
@@ -173,8 +175,8 @@ void WorldArrays<T>::bound_bodies() {
         for (int c = 0; c < 3; ++c) balls[c * stride + i] = static_cast<T>(centre[c]);
         balls[3 * stride + i] = volumes[i].plane ? std::numeric_limits<T>::infinity() : static_cast<T>(radius + margin);
         boxes.push_back({cast<T>(volumes[i].box.low - DVec3(margin)), cast<T>(volumes[i].box.high + DVec3(margin))});
-        const bool follows = world.nested || world.finishes.list;  // rays carry more than their queue inside bodies
-        if ((glass & world.few.convex) >> i & 1 && !follows && isolated(volumes, i, margin))
+        // In nested worlds rays need more than the queue of those inside bodies has.
+        if ((glass & world.few.convex) >> i & 1 && !world.nested && isolated(volumes, i, margin))
             world.few.enclosed |= BodySet(1) << i;
     }
     const T* const first = balls.data();
@@ -226,7 +228,6 @@ WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, Thre
         world.finishes.list = finishes.list.data(), world.finishes.layers = finishes.layers.data();
         world.finishes.shares = finishes.shares.data(), world.finishes.bends = finishes.bends.data();
         world.patterns.stops = patterns.stops.data();
-        if (!world.patterns.list) world.patterns.list = &patterns.sky;  // kernels then keep the numbers of materials
     }
     world.patterns.nested = patterns.nested.data();
     const auto averaged = [](const PatternKernel<T>& pattern) { return has_quick_mean(pattern.form); };
@@ -237,6 +238,7 @@ WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, Thre
     for (const Light& light : points_of(scene.lights)) {
         lights.push_back(light_kernel<T>(light, placement));
         lights.back().group = finishes.group_number(light.group);
+        lights.back().special |= light.group != 0;
     }
     if (scene.fog) {
         const long double per = 1 / (scene.fog->distance * placement.scale);
@@ -273,13 +275,18 @@ WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, Thre
 
     add_items(scene, placement, pool, proves);
     world.rounding = static_cast<T>(rounding(reach));
-    if (!proves && scene.settings.passed_over > 0) world.around_lights = 64 * std::numeric_limits<T>::epsilon();
+    if (!proves && scene.settings.passed_over > 0) {
+        world.around_lights = 64 * std::numeric_limits<T>::epsilon();
+        world.shadow_rays = ShadowRays::past_near;
+    }
     const double passed_over = scene.settings.passed_over * placement.scale;
     // Leaves it out where rounding is as large: there rays would meet the surface again that they start on.
     if (!proves && passed_over > 1024 * std::numeric_limits<T>::epsilon() * reach) {
         world.passed_over = static_cast<T>(passed_over);
         world.passed_in_shadows = static_cast<T>(10 * passed_over);
+        if (world.finishes.list && world.transparent) world.shadow_rays = ShadowRays::followed_where_dimmed;
     }
+    if (world.finishes.follows) world.shadow_rays = ShadowRays::followed;
     arrange_items(pool, proves);
     add_composites(scene, placement, pool, proves);
     world.sort_bins = sort_bins.data();

@@ -33,13 +33,35 @@ double most_crossings(const Shape& shape) {
         shape);
 }
 
+/// Returns the largest factor that a metal of this colour, or a darker one, gives light: 1 + s m (c - 1), where s is
+/// between 0 and 1.
+double most_tint(double metallic, const Color& color) {
+    return std::max({1., std::abs(1 - metallic), std::abs(1 + metallic * (largest(color) - 1))});
+}
+
+/// Returns by how much the colours of a layer multiply light that comes through it, at most.
+double passes(const Material& m) {
+    return m.rgb.filter * largest(m.rgb.color) + m.rgb.transmit + m.refraction;
+}
+
+/// Returns the sum of what its layers have each, of which upper ones let no more through than they do.
+template <class Of>
+double sum_of_layers(const Material& m, const Of& of) {
+    double sum = of(m);
+    for (const Material& coat : m.coats) sum = sum * std::max(1., passes(coat)) + of(coat);
+    return sum * m.most_share();
+}
+
 /// Returns the share that a surface sends on at most: reflected, or refracted, or reflected totally.
 double sent_on(const Material& m) {
-    double reflected = m.reflection * largest(m.mirror) * std::max(1., m.gilding * largest(m.rgb.color));
-    for (const Material& coat : m.coats)
-        reflected += coat.reflection * largest(coat.mirror) * std::max(1., coat.gilding * largest(coat.rgb.color));
-    const double through = m.clarity * std::max(m.refraction, largest(m.passed(Color(m.refraction))));
-    return reflected * m.most_share() + (m.transmits() && m.rgb.clear() ? std::max(m.clarity, through) : through);
+    const double reflected = sum_of_layers(m, [](const Material& layer) {
+        return layer.reflection * largest(layer.mirror) * most_tint(layer.gilding, layer.rgb.color) * (1 + layer.irid);
+    });
+    double through = m.clarity * std::max(m.refraction, largest(m.passed(Color(m.refraction))));
+    const bool clear = m.transmits() && m.rgb.clear();
+    if (clear) through = std::max(m.clarity, through);
+    const double total = m.transmits() ? clear ? m.clarity : m.reflection + m.refraction : 0;
+    return std::max(reflected + through, total);
 }
 
 /// Returns by how much the bodies on its way can multiply a light at most: glass of a colour above 1 brightens it.
@@ -55,17 +77,25 @@ double gain(const Scene& scene) {
     return std::min(product, std::numeric_limits<double>::max());  // infinity times nothing would be no number
 }
 
-/// Most light that a surface of this material sends back by itself.
-double own_light(const Scene& scene, const Material& m, double gain) {
-    Color sum = scene.settings.ambient_light * m.rgb.color * m.ambient * m.glow;
-    const double tint = std::max(1., m.metallic * largest(m.rgb.color));
-    for (const Light& light : scene.lights)
-        for (int c = 0; c < 3; ++c)
-            sum[c] += gain * (light.fades() ? 2 : 1) * std::abs(light.color[c]) *
-                      (std::max(m.diffuse, m.behind) * m.rgb.color[c] + (m.specular + m.blinn) * tint);
-    double all = largest(sum);
-    for (const Material& coat : m.coats) all += own_light(scene, coat, gain);
-    return all * m.most_share() * (1 + m.irid);
+/// Returns a light's color, or the most of it: light that fades is stronger near its source.
+Color most_of(const Light& light) {
+    Color color = light.color * (light.fades() ? 2. : 1.);
+    for (int c = 0; c < 3; ++c) color[c] = std::abs(color[c]);
+    return color;
+}
+
+/// Most light of all lights that a surface of this material sends back, and if `glows` of its own.
+double own_light(const Scene& scene, const Material& m, double gain, bool glows) {
+    return sum_of_layers(m, [&](const Material& layer) {
+        const Pigment& rgb = layer.rgb;
+        Color sum = glows ? scene.settings.ambient_light * rgb.color * layer.ambient * layer.glow : Color(0);
+        const double shine = (layer.specular + layer.blinn) * most_tint(layer.metallic, rgb.color);
+        for (const Light& light : scene.lights)
+            sum += gain * (1 + layer.irid) * most_of(light) *
+                            (std::max(layer.diffuse, layer.behind) * rgb.color + Color(shine));
+        // Where more comes through than there is, POV-Ray scatters less than nothing.
+        return largest(sum) * std::max(1., rgb.filter + rgb.transmit - 1);
+    });
 }
 
 /// Returns the scene with bounds that hold for its pictures as values of an assumed_gamma above 1: the root of a pixel
@@ -92,7 +122,7 @@ Bound bound_for(const Scene& given, int depth) {
     const std::optional<Scene> raised = with_raised_pictures(given);
     const Scene& scene = raised ? *raised : given;
     // B(n) = max(background, own + (Kr + Kt) B(n - 1)) over all materials, from the last generation upwards; a fog that
-    // filters multiplies all that is seen through it.
+    // filters multiplies all that is seen through it. B(n) >= B(n - 1), which rays bring that surfaces are not there for.
     const Fog fog = scene.fog.value_or(Fog());
     const double tint = std::max(1., 1 - fog.filter + fog.filter * largest(fog.color));
     double sky = largest(scene.background.color);
@@ -101,9 +131,14 @@ Bound bound_for(const Scene& given, int depth) {
     const double background = std::max(tint * sky, scene.fog ? largest(fog.color) : 0);
     std::vector<double> own, sent;
     const double most_gain = gain(scene);
-    for (const Material& m : scene.materials) own.push_back(own_light(scene, m, most_gain)), sent.push_back(sent_on(m));
-    Bound bound{{0}, background, most_gain};
-    for (int generation = 0; generation < depth; ++generation) {
+    for (const Material& m : scene.materials) own.push_back(own_light(scene, m, most_gain, true)), sent.push_back(sent_on(m));
+    constexpr int deepest = 256;  // of rays that go straight on through clear surfaces and hidden bodies
+    const auto is_clear = [](const Material& m) {
+        return m.seen == 0 || m.mirrored == 0 || (m.transmits() && m.rgb.clear());
+    };
+    const int generations = std::ranges::any_of(scene.materials, is_clear) ? deepest : depth;
+    Bound bound{depth, {0}, background, most_gain};
+    for (int generation = 0; generation < generations; ++generation) {
         double most = background;
         for (std::size_t i = 0; i < own.size(); ++i)
             most = std::max(most, tint * (own[i] + sent[i] * bound.brightest.back()));
@@ -122,11 +157,12 @@ std::vector<double> scattered_light(const Scene& given) {
     const std::optional<Scene> raised = with_raised_pictures(given);
     const Scene& scene = raised ? *raised : given;
     double lights = 0;
-    for (const Light& light : scene.lights) lights += largest(light.color);
+    for (const Light& light : scene.lights) lights += largest(most_of(light));
     const double most_gain = gain(scene);
     std::vector<double> light;
     for (const Material& m : scene.materials)
-        light.push_back(faint_share * most_gain * lights * m.diffuse * largest(m.rgb.color));
+        light.push_back(m.plain() ? faint_share * most_gain * lights * m.diffuse * largest(m.rgb.color)
+                                  : own_light(scene, m, most_gain, false));
     return light;
 }
 

@@ -46,6 +46,10 @@ struct MaterialKernel {
     T scattered;    // see scattered_light
 };
 
+/// How shadow rays look for bodies: all at once; not for those near their ends; not for these, and surfaces that dim
+/// them one after the other; all surfaces one after the other.
+enum class ShadowRays : std::int32_t { whole, past_near, followed_where_dimmed, followed };
+
 /// A light; parallel light has the direction towards it as its position.
 template <class T>
 struct LightKernel {
@@ -56,9 +60,10 @@ struct LightKernel {
                       // its radius and its falloff
     T radius = 0, falloff = 0, per = 0;  // per: 1 over their difference
     T tightness = 0;
+    bool special = false;  // has any of what follows
     bool shadowless = false;
     T fade_per = 0, fade_power = 0;  // fade_per: 1 over the distance; 0 if the light does not fade
-    bool area = false;
+    bool area = false, soft = false;  // soft: see Light
     Vec3<T> u{0}, v{0};  // edges of a rectangle around its position, or unit vectors across parallel light
     std::int32_t columns = 0, rows = 0, adaptive = 0;  // of a soft light with a grid, see Light
     bool circular = false, orient = false;
@@ -232,16 +237,18 @@ struct PatternTables {
     int coat_count = 0;
 };
 
-/// POV-Ray's finishes, by material, in worlds that have any: there all materials have one, and rays carry colours
-/// besides their weights. Null in other worlds.
+/// POV-Ray's finishes, by material, in worlds that have any or lights as only POV-Ray has them: there all materials
+/// have one, plain ones too. Null in other worlds.
 template <class T>
 struct FinishTables {
     const FinishKernel<T>* list = nullptr;
+    const std::uint8_t* finished = nullptr;  // by surface: 1 if its material is not plain; null if all are
     const LayerKernel<T>* layers = nullptr;
     const PatternKernel<T>* shares = nullptr;
     const BendKernel<T>* bends = nullptr;
     int most_bends = 0;   // of a material
     T bailout = 0;        // rays of less weight are black
+    bool carries = false;  // rays carry colours besides their weights, and counts of their own, see RayQueue
     bool follows = false;  // shadow rays go from surface to surface: light fades in bodies, or their sides differ
     bool hides = false;   // some body is not seen by all rays
     bool behind = false;  // some surface is lit from behind
@@ -302,6 +309,7 @@ struct World {
     T rounding = 0;  // what the coordinates of points on bodies may be off
     T passed_over = 0, passed_in_shadows = 0;  // what is nearer to the start of a ray is not there for it
     T around_lights = 0;  // what is so near to a light, as a share of its distance, is not in its way
+    ShadowRays shadow_rays = ShadowRays::whole;
     const MaterialKernel<T>* materials = nullptr;
     const LightKernel<T>* lights = nullptr;
     int light_count = 0;

@@ -135,7 +135,8 @@ struct FinishArrays {
     std::vector<LayerKernel<T>> layers;
     std::vector<PatternKernel<T>> shares;
     std::vector<BendKernel<T>> bends;
-    std::vector<double> groups;  // of lights, with duplicates
+    std::vector<std::uint8_t> finished;  // by surface
+    std::vector<double> groups;          // of lights, with duplicates
     /// Returns the number of a group as kernels have it: not 0 unless the group is 0.
     std::int32_t group_number(double group) const {
         return group > 0 ? static_cast<std::int32_t>(1 + (std::ranges::find(groups, group) - groups.begin())) : 0;
@@ -225,6 +226,7 @@ struct WorldArrays {
     std::int32_t leaf_of(std::int32_t primitive) const {
         return patterns.first_leaf.empty() ? 0 : patterns.first_leaf[primitive];
     }
+    bool is_plain(int material) const { return finishes.list.empty() || finishes.list[material].plain; }
     void add_finish(const Material& material, const Scene& scene, const glm::dmat4& to_world,
                     const Placement& placement, const PlacesKernel& places);
     void add_finishes(const Scene& scene, const Placement& placement);

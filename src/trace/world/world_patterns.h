@@ -124,6 +124,7 @@ struct LayerKernel {
 /// The layers of a material, the lowest first, and what they share.
 template <class T>
 struct FinishKernel {
+    bool plain;  // the article's equation is all that it has
     std::int32_t first_layer, layers;
     T refraction, ior;  // Kt of the lowest layer
     T total;            // the share of light that is reflected totally

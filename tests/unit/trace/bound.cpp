@@ -72,6 +72,67 @@ TEST_CASE("no more radiance is lost than the bound says") {
     }
 }
 
+/// Gives the bodies of a scene finishes of POV-Ray, and its lights what only POV-Ray's have.
+Scene finished(Scene scene, int seed) {
+    for (int number = seed; Material & own : scene.materials) {
+        Material coat = own;
+        coat.rgb = {.9, .7, .2}, coat.rgb.transmit = .4, coat.rgb.filter = .3, coat.refraction = 0;
+        switch (number++ % 16) {
+            case 0: own.metallic = 1.4, own.gilding = .7; break;
+            case 1: own.blinn = .6, own.roughness = .1; break;
+            case 2: own.brilliance = 2; break;
+            case 3: own.facing = .3, own.falloff = 3; break;
+            case 4: own.fresnel = own.conserve = 1, own.ior = 1.4; break;
+            case 5: own.irid = .5, own.film = .6; break;
+            case 6: own.behind = 1.5; break;
+            case 7: own.both_sides = 1; break;
+            case 8: own.shadow = 0; break;
+            case 9: own.clarity = .6; break;
+            case 10: own.mirror = {1.3, .4, .9}; break;
+            case 11: own.rgb.transmit = .4, own.rgb.filter = .5; break;
+            case 12: own.seen = 0; break;
+            case 13: own.mirrored = 0; break;
+            case 14: own.coats = {coat}; break;
+            default: break;  // stays plain
+        }
+    }
+    for (int number = seed; Light & own : scene.lights) {
+        if (number % 3 == 1) own.fade_distance = 4, own.fade_power = 1.5;
+        if (number++ % 3 == 2) own.shadowless = true;
+    }
+    if (seed % 5 == 1) scene.settings.adc_bailout = .004;
+    if (seed % 5 == 2) scene.fog = Fog{.distance = 20, .color = {.5, .6, .7}, .filter = .4};
+    return scene;
+}
+
+TEST_CASE("no more radiance is lost with finishes than the bound says") {
+    for (int seed = 0; seed < 48; ++seed) {
+        CAPTURE(seed);
+        const RandomScene what{.lights = seed % 3 == 1, .patterns = seed % 2 == 1, .camera_inside = seed % 4 == 3};
+        hold(finished(random_scene(seed, what), seed), 1 + seed % 5);
+    }
+}
+
+TEST_CASE("bodies beside one with a finish are traced as without it") {
+    std::uint64_t pruned = 0;
+    for (int seed = 0; seed < 12; ++seed) {
+        CAPTURE(seed);
+        Scene scene = random_scene(seed, {.patterns = seed % 2 == 1});
+        const auto there = static_cast<int>(scene.materials.size());
+        scene.materials.push_back({.reflection = 0, .diffuse = 0, .specular = 0});
+        scene.primitives.push_back({Sphere{{1e3, 1e3, 1e3}, 1e-3}, there, {}});
+        const auto [plain, rays] = trace(scene, 5, .3);
+        for (double Material::*const word : {&Material::metallic, &Material::irid, &Material::gilding}) {
+            scene.materials.back().*word = .7;
+            const auto [beside, as_many] = trace(scene, 5, .3);
+            CHECK(beside == plain);
+            CHECK(as_many.total() == rays.total());
+        }
+        pruned += trace(scene, 5).counts.total() - rays.total();
+    }
+    CHECK(pruned > 0);
+}
+
 TEST_CASE("glass that brightens light") {
     Scene scene;
     scene.camera = {{0, -6, 2}, {0, 0, 0}, {0, 0, -1}, 20, {}};
