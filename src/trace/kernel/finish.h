@@ -73,7 +73,7 @@ void add_lights(const Shading<S, P>& shading, const Hit<S>& hit, const int* numb
         Vec3<S> arriving;
         for (int c = 0; c < 3; ++c) arriving[c] = at.strength * share[c] * S(light.color[c]);
         arriving = select(at.faces, arriving, nothing);
-        const LitSurface<S> lit{hit.direction,  hit.normal,        reflected, at.way.l,
+        const LitSurface<S> lit{hit.direction, hit.normal,        reflected, at.way.l,
                                 at.way.cosine, !light.shadowless, at.behind};
         Vec3<S> lighted = sum;
         FinishCalls<S>::scatter(world, numbers, layers, lit, arriving, lighted);
@@ -134,10 +134,10 @@ template <class S, class P>
         through = before.tint * faded * scale(one / share, layers.through);
     }
     // POV-Ray takes rays for as strong as light that grazes the surface, or that comes through it.
-    const S share = select(total, world.finishes.carries ? largest(layers.through) : layers.total, layers.most_mirrored);
+    const S share =
+        select(total, world.finishes.carries ? largest(layers.through) : layers.total, layers.most_mirrored);
     const Mask<S> sends = hit.active & (share > least) & (largest(mirrored) > zero);
-    Branch<S, P> reflected =
-        branch<P>(hit, sends, mirrored_direction(shading, hit, notes), share, hit.medium);
+    Branch<S, P> reflected = branch<P>(hit, sends, mirrored_direction(shading, hit, notes), share, hit.medium);
     P::reflect(shading, hit, notes, share, reflected);
     reflected.mask = reflected.mask & (reflected.weight >= bailout);
     const Vec3<S> sent = before.tint * scale(one / share, mirrored), sent_faded = select(total, sent * faded, sent);
@@ -150,7 +150,8 @@ template <class S, class P>
     refracted.mask = refracted.mask & !refracted_part.pruned;
     shading.counts.reflected += count(reflected.mask);
     shading.counts.refracted += count(refracted.mask);
-    const Carried<S> beyond{through, before.level + counted, before.mirrored}, away{sent_faded, before.level + one, one};
+    const Carried<S> beyond{through, before.level + counted, before.mirrored},
+        away{sent_faded, before.level + one, one};
     if (world.few.enclosed >> hit.bin & 1) {
         const Mask<S> in = hit.outside;
         const Carried<S> within{select(in, beyond.tint, away.tint), select(in, beyond.level, away.level),

@@ -263,8 +263,8 @@ STRAHL_INLINE Mask<S> scatter(const Shading<S, P>& shading, const Hit<S>& hit, H
         prune(shading, hit.pixel, light);
         return light.pruned;
     }
-    const auto bound_rays = [&](Mask<S> total, Branch<S, P>& reflected,
-                                Branch<S, P>* refracted) __attribute__((always_inline)) {
+    const auto bound_rays = [&](Mask<S> total, Branch<S, P> & reflected, Branch<S, P> * refracted)
+        __attribute__((always_inline)) {
         Branch<S, P> copy = reflected;
         if (world.finishes.bailout > 0) {
             bail_out(shading, Hit<S>(hit), total, copy, notes.carried);
@@ -288,8 +288,7 @@ STRAHL_INLINE Mask<S> scatter(const Shading<S, P>& shading, const Hit<S>& hit, H
     }
     const Refraction<S> way = refract(shading, hit, glass);
     const S all = material.reflection + material.refraction, share = select(way.total, all, material.reflection);
-    Branch<S, P> reflected =
-        branch<P>(hit, hit.active, mirrored_direction(shading, hit, notes), share, hit.medium);
+    Branch<S, P> reflected = branch<P>(hit, hit.active, mirrored_direction(shading, hit, notes), share, hit.medium);
     Branch<S, P> refracted = branch<P>(hit, glass & !way.total, way.direction, material.refraction, way.medium);
     P::reflect(shading, hit, notes, share, reflected);
     P::refract(shading, hit, notes.own, glass, way.far, way.ratio, way.cosine, way.k, refracted);

@@ -169,9 +169,8 @@ static bool sends_colors(const Material& own) {
     const auto reflects = [](const Material& m) { return m.reflection > 0; };
     const bool even = own.mirror == Color(own.mirror.x) && own.gilding == 0 && own.irid == 0 && own.facing == 1 &&
                       own.fresnel == 0 && own.coats.empty();
-    return (!even && (reflects(own) || std::ranges::any_of(own.coats, reflects))) || own.rgb.clear() ||
-           own.seen == 0 || own.mirrored == 0 || own.shares() ||
-           (own.transmits() && (!own.coats.empty() || own.fades()));
+    return (!even && (reflects(own) || std::ranges::any_of(own.coats, reflects))) || own.rgb.clear() || own.seen == 0 ||
+           own.mirrored == 0 || own.shares() || (own.transmits() && (!own.coats.empty() || own.fades()));
 }
 
 /// Adds the finish of a material whose body has the matrix `to_world`.
@@ -217,15 +216,26 @@ void WorldArrays<T>::add_finish(const Material& material, const Scene& scene, co
     };
     const auto scatters = [](double diffuse) { return diffuse > 0; };
     const bool clear = material.transmits() && material.rgb.clear();
-    finishes.list.push_back(
-        {material.plain(), static_cast<std::int32_t>(finishes.layers.size()), static_cast<std::int32_t>(1 + material.coats.size()),
-         number(material.refraction), number(material.ior),
-         number(clear ? material.clarity : material.reflection + material.refraction), number(material.clarity), clear,
-         material.shadow > 0, material.seen > 0, material.mirrored > 0, material.both_sides > 0,
-         material.behind > 0 || std::ranges::any_of(material.coats, scatters, &Material::behind), material.common > 0,
-         finishes.group_number(material.group), 0, 0,
-         number(material.fades() ? 1 / (material.fade_distance * placement.scale) : 0), number(material.fade_power),
-         cast<T>(material.fade_color)});
+    finishes.list.push_back({material.plain(),
+                             static_cast<std::int32_t>(finishes.layers.size()),
+                             static_cast<std::int32_t>(1 + material.coats.size()),
+                             number(material.refraction),
+                             number(material.ior),
+                             number(clear ? material.clarity : material.reflection + material.refraction),
+                             number(material.clarity),
+                             clear,
+                             material.shadow > 0,
+                             material.seen > 0,
+                             material.mirrored > 0,
+                             material.both_sides > 0,
+                             material.behind > 0 || std::ranges::any_of(material.coats, scatters, &Material::behind),
+                             material.common > 0,
+                             finishes.group_number(material.group),
+                             0,
+                             0,
+                             number(material.fades() ? 1 / (material.fade_distance * placement.scale) : 0),
+                             number(material.fade_power),
+                             cast<T>(material.fade_color)});
     world.finishes.follows |= material.fades() || (material.transmits() && material.has_sides());
     world.finishes.hides |= !(material.seen > 0 && material.mirrored > 0);
     world.finishes.behind |= finishes.list.back().both_sides || finishes.list.back().behind;

@@ -40,9 +40,7 @@ double most_tint(double metallic, const Color& color) {
 }
 
 /// Returns by how much the colours of a layer multiply light that comes through it, at most.
-double passes(const Material& m) {
-    return m.rgb.filter * largest(m.rgb.color) + m.rgb.transmit + m.refraction;
-}
+double passes(const Material& m) { return m.rgb.filter * largest(m.rgb.color) + m.rgb.transmit + m.refraction; }
 
 /// Returns the sum of what its layers have each, of which upper ones let no more through than they do.
 template <class Of>
@@ -92,7 +90,7 @@ double own_light(const Scene& scene, const Material& m, double gain, bool glows)
         const double shine = (layer.specular + layer.blinn) * most_tint(layer.metallic, rgb.color);
         for (const Light& light : scene.lights)
             sum += gain * (1 + layer.irid) * most_of(light) *
-                            (std::max(layer.diffuse, layer.behind) * rgb.color + Color(shine));
+                   (std::max(layer.diffuse, layer.behind) * rgb.color + Color(shine));
         // Where more comes through than there is, POV-Ray scatters less than nothing.
         return largest(sum) * std::max(1., rgb.filter + rgb.transmit - 1);
     });
@@ -122,7 +120,8 @@ Bound bound_for(const Scene& given, int depth) {
     const std::optional<Scene> raised = with_raised_pictures(given);
     const Scene& scene = raised ? *raised : given;
     // B(n) = max(background, own + (Kr + Kt) B(n - 1)) over all materials, from the last generation upwards; a fog that
-    // filters multiplies all that is seen through it. B(n) >= B(n - 1), which rays bring that surfaces are not there for.
+    // filters multiplies all that is seen through it. Rays that surfaces are not there for bring B(n - 1), which is
+    // less.
     const Fog fog = scene.fog.value_or(Fog());
     const double tint = std::max(1., 1 - fog.filter + fog.filter * largest(fog.color));
     double sky = largest(scene.background.color);
@@ -131,7 +130,8 @@ Bound bound_for(const Scene& given, int depth) {
     const double background = std::max(tint * sky, scene.fog ? largest(fog.color) : 0);
     std::vector<double> own, sent;
     const double most_gain = gain(scene);
-    for (const Material& m : scene.materials) own.push_back(own_light(scene, m, most_gain, true)), sent.push_back(sent_on(m));
+    for (const Material& m : scene.materials)
+        own.push_back(own_light(scene, m, most_gain, true)), sent.push_back(sent_on(m));
     constexpr int deepest = 256;  // of rays that go straight on through clear surfaces and hidden bodies
     const auto is_clear = [](const Material& m) {
         return m.seen == 0 || m.mirrored == 0 || (m.transmits() && m.rgb.clear());

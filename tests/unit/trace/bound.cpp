@@ -78,22 +78,53 @@ Scene finished(Scene scene, int seed) {
         Material coat = own;
         coat.rgb = {.9, .7, .2}, coat.rgb.transmit = .4, coat.rgb.filter = .3, coat.refraction = 0;
         switch (number++ % 16) {
-            case 0: own.metallic = 1.4, own.gilding = .7; break;
-            case 1: own.blinn = .6, own.roughness = .1; break;
-            case 2: own.brilliance = 2; break;
-            case 3: own.facing = .3, own.falloff = 3; break;
-            case 4: own.fresnel = own.conserve = 1, own.ior = 1.4; break;
-            case 5: own.irid = .5, own.film = .6; break;
-            case 6: own.behind = 1.5; break;
-            case 7: own.both_sides = 1; break;
-            case 8: own.shadow = 0; break;
-            case 9: own.clarity = .6; break;
-            case 10: own.mirror = {1.3, .4, .9}; break;
-            case 11: own.rgb.transmit = .4, own.rgb.filter = .5; break;
-            case 12: own.seen = 0; break;
-            case 13: own.mirrored = 0; break;
-            case 14: own.coats = {coat}; break;
-            default: break;  // stays plain
+            case 0:
+                own.metallic = 1.4, own.gilding = .7;
+                break;
+            case 1:
+                own.blinn = .6, own.roughness = .1;
+                break;
+            case 2:
+                own.brilliance = 2;
+                break;
+            case 3:
+                own.facing = .3, own.falloff = 3;
+                break;
+            case 4:
+                own.fresnel = own.conserve = 1, own.ior = 1.4;
+                break;
+            case 5:
+                own.irid = .5, own.film = .6;
+                break;
+            case 6:
+                own.behind = 1.5;
+                break;
+            case 7:
+                own.both_sides = 1;
+                break;
+            case 8:
+                own.shadow = 0;
+                break;
+            case 9:
+                own.clarity = .6;
+                break;
+            case 10:
+                own.mirror = {1.3, .4, .9};
+                break;
+            case 11:
+                own.rgb.transmit = .4, own.rgb.filter = .5;
+                break;
+            case 12:
+                own.seen = 0;
+                break;
+            case 13:
+                own.mirrored = 0;
+                break;
+            case 14:
+                own.coats = {coat};
+                break;
+            default:
+                break;  // stays plain
         }
     }
     for (int number = seed; Light & own : scene.lights) {
