@@ -1,15 +1,15 @@
 // The bound on what rays can still contribute, compared with pictures with and without those rays.
-#include "trace/world/light_bound.h"
-
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "num/thread_pool.h"
 #include "tests/referee/examples.h"
 #include "tests/referee/random_scene.h"
 #include "trace/tracer.h"
+#include "trace/world/light_bound.h"
 
 namespace strahl::bound {
 
@@ -72,61 +72,35 @@ TEST_CASE("no more radiance is lost than the bound says") {
     }
 }
 
-/// Gives the bodies of a scene finishes of POV-Ray, and its lights what only POV-Ray's have.
-Scene finished(Scene scene, int seed) {
-    for (int number = seed; Material & own : scene.materials) {
+/// Words of POV-Ray's finishes.
+constexpr void (*words[])(Material&) = {
+    [](Material& own) { own.metallic = 1.4, own.gilding = .7; },
+    [](Material& own) { own.blinn = .6, own.roughness = .1; },
+    [](Material& own) { own.brilliance = 2; },
+    [](Material& own) { own.facing = .3, own.falloff = 3; },
+    [](Material& own) { own.fresnel = own.conserve = 1, own.ior = 1.4; },
+    [](Material& own) { own.irid = .5, own.film = .6; },
+    [](Material& own) { own.behind = 1.5; },
+    [](Material& own) { own.both_sides = 1; },
+    [](Material& own) { own.shadow = 0; },
+    [](Material& own) { own.clarity = .6; },
+    [](Material& own) {
+        own.mirror = {1.3, .4, .9};
+    },
+    [](Material& own) { own.rgb.transmit = .4, own.rgb.filter = .5; },
+    [](Material& own) { own.seen = 0; },
+    [](Material& own) { own.mirrored = 0; },
+    [](Material& own) {
         Material coat = own;
         coat.rgb = {.9, .7, .2}, coat.rgb.transmit = .4, coat.rgb.filter = .3, coat.refraction = 0;
-        switch (number++ % 16) {
-            case 0:
-                own.metallic = 1.4, own.gilding = .7;
-                break;
-            case 1:
-                own.blinn = .6, own.roughness = .1;
-                break;
-            case 2:
-                own.brilliance = 2;
-                break;
-            case 3:
-                own.facing = .3, own.falloff = 3;
-                break;
-            case 4:
-                own.fresnel = own.conserve = 1, own.ior = 1.4;
-                break;
-            case 5:
-                own.irid = .5, own.film = .6;
-                break;
-            case 6:
-                own.behind = 1.5;
-                break;
-            case 7:
-                own.both_sides = 1;
-                break;
-            case 8:
-                own.shadow = 0;
-                break;
-            case 9:
-                own.clarity = .6;
-                break;
-            case 10:
-                own.mirror = {1.3, .4, .9};
-                break;
-            case 11:
-                own.rgb.transmit = .4, own.rgb.filter = .5;
-                break;
-            case 12:
-                own.seen = 0;
-                break;
-            case 13:
-                own.mirrored = 0;
-                break;
-            case 14:
-                own.coats = {coat};
-                break;
-            default:
-                break;  // stays plain
-        }
-    }
+        own.coats = {coat};
+    },
+    [](Material&) {},
+};
+
+/// Gives the bodies of a scene finishes of POV-Ray, and its lights what only POV-Ray's have.
+Scene finished(Scene scene, int seed) {
+    for (int number = seed; Material & own : scene.materials) words[number++ % std::size(words)](own);
     for (int number = seed; Light & own : scene.lights) {
         if (number % 3 == 1) own.fade_distance = 4, own.fade_power = 1.5;
         if (number++ % 3 == 2) own.shadowless = true;
