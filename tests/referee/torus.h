@@ -12,6 +12,14 @@ namespace strahl::referee {
 template <class R>
 std::vector<R> roots_between(const std::vector<R>& c, R low, R high) {
     if (c.size() < 2) return {};
+    // About the middle it has no root if its first coefficient outweighs what the others can add.
+    std::vector<R> about = c;
+    for (std::size_t i = 1; i < c.size(); ++i)
+        for (std::size_t k = c.size() - 1; k-- > i - 1;) about[k] += (low + high) / 2 * about[k + 1];
+    R others = 0;
+    for (std::size_t i = c.size(); i-- > 1;) others = (high - low) / 2 * (others + std::max(about[i], -about[i]));
+    if (std::max(about[0], -about[0]) > others) return {};
+
     std::vector<R> derivative, ends{low}, found;
     for (std::size_t i = 1; i < c.size(); ++i) derivative.push_back(R(static_cast<int>(i)) * c[i]);
     for (const R t : roots_between(derivative, low, high)) ends.push_back(t);
