@@ -66,11 +66,13 @@ void BodyTools::apply(const BodyInput& input) {
     const auto& values = bodies.body().values;
     bool changed = false;
     if (const auto& change = input.change)
-        changed = bodies.change(values[change->value], change->numbers, change->merged, others());
-    if (input.own) changed = bodies.make_own(values[*input.own], others());
+        changed = bodies.change(values[change->value], change->numbers, session.edits, change->merged);
+    if (input.own) changed = bodies.make_own(values[*input.own], session.edits);
     if (changed) show();
     if (input.track) follow_track(*input.track);
-    if (input.free) change_text(without_tracks(bodies.edited.text(), values[*input.free]), false);
+    if (input.free)
+        change_text(without_tracks(bodies.edited.text(), values[*input.free]),
+                    values[*input.free].name + " of " + bodies.name() + " follows no track");
 }
 
 /// Has a number follow a track. One without keys gets the number as its first key. False if the name cannot be one.
@@ -79,17 +81,17 @@ bool BodyTools::follow_track(const BodyInput::NewTrack& track) {
     if (track.name.empty() || track.name.size() > 255 || track.name.find_first_of("\"\n\r") != std::string::npos)
         return notes.fail("the name of a track has 1 to 255 characters, and no quotes"), false;
     const double number = value.numbers[std::size_t(std::max(track.component, 0))];
-    change_text(with_track(bodies.edited.text(), value, track.component, track.name), false);
+    change_text(with_track(bodies.edited.text(), value, track.component, track.name),
+                value.name + " of " + bodies.name() + " follows the track " + track.name);
     if (session.track_keys.track(track.name).keys.empty() && !session.keys_elsewhere)
-        session.change_track({track.name, {{0, number, Interpolation::linear}}}, false,
-                             session.editor.steps() + bodies.edited.steps(), pace.now());
+        session.change_track({track.name, {{0, number, Interpolation::linear}}}, false, pace.now());
     notes.announce("follows the track " + track.name + ", whose keys are on the timeline");
     return true;
 }
 
-bool BodyTools::change_text(const std::string& newer, bool merged) {
+bool BodyTools::change_text(const std::string& newer, const std::string& what, bool merged) {
     if (bodies.read_only()) return notes.note("the text of this scene is changed in an editor"), false;
-    bodies.edited.change(newer, merged, others());
+    bodies.edited.change(newer, {session.edits, what, merged});
     show_anew();
     return true;
 }
@@ -137,10 +139,10 @@ void BodyTools::show_anew() {
     pace.redraw(3);
 }
 
-bool BodyTools::undo(Action action) {
-    const bool done = action == Action::undo ? bodies.edited.undo(others()) : bodies.edited.redo(others());
-    if (!done) return false;
-    notes.note(action == Action::undo ? "undone" : "redone");
+bool BodyTools::undo(bool back) {
+    if (bodies.edited.next_step(back, session.edits) <= session.next_step(back)) return false;
+    const auto what = bodies.edited.undo(back, session.edits);
+    notes.note((back ? "undone: " : "redone: ") + what.value_or(""));
     awaited.next.reset(), awaited.undone = true;
     show_anew();
     return true;
@@ -166,7 +168,7 @@ void BodyTools::add(const View& view, const glm::dvec2& point) {
     const int count = static_cast<int>(light ? session.scene->lights.size() : session.scene->primitives.size());
     bodies.edited.change(
         with_new_block(bodies.edited.text(), block, count, place.point, place.normal, place.size, place.decimals),
-        false, others());
+        {session.edits, std::string(block.name) + " added"});
     awaited.next = {block.what, count, place.point};
     if (light && !marks) marks.emplace();
     notes.announce(std::string(block.name) + " added: drag its handles; F2 writes it into the file");
@@ -198,7 +200,7 @@ bool BodyTools::change_block(bool copies) {
     const std::string text =
         copies ? with_copy(before, what, bodies.number()) : without_block(before, what, bodies.number());
     if (text == before) return notes.note("the text of this scene is changed in an editor: F4 opens it"), true;
-    bodies.edited.change(text, false, others());
+    bodies.edited.change(text, {session.edits, name + (copies ? " copied" : " removed")});
     awaited.next.reset();
     if (copies) awaited.next = {what, bodies.number() + 1};
     notes.announce(copies ? name + " copied; the copy is in the same place: drag its handles"
@@ -265,7 +267,7 @@ void BodyTools::take_shown() {
         }
     } else if (newest) {
         notes.fail(shown->fault.substr(0, shown->fault.find('\n')));
-        bodies.edited.change(good, true, others());
+        bodies.edited.change(good, {session.edits, "change with an error", true});
         handles.let_go(), awaited.next.reset();
     }
     if (newest) {
@@ -305,7 +307,7 @@ void BodyTools::let_go() {
 
 /// Shows what the drag has changed up to now.
 void BodyTools::drag_on() {
-    if (handles.change_text(others())) show();
+    if (handles.change_text()) show();
 }
 
 Overlay::Tools BodyTools::drawn() const {

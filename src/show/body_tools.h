@@ -54,11 +54,11 @@ class BodyTools {
     const std::set<int>& hidden() const { return not_shown.numbers(); }
     /// Returns the session's scene without these.
     std::shared_ptr<const Scene> scene_shown() { return not_shown.scene_without(session.scene); }
-    /// Changes the text elsewhere than in what is chosen. `merged`: see EditedText::change. False if it cannot be
-    /// changed here, as is the case of scenes without a text.
-    bool change_text(const std::string& newer, bool merged);
-    /// Undoes or redoes a change, if that is what comes next. Else returns false.
-    bool undo(Action action);
+    /// Changes the text elsewhere than in what is chosen. `what` and `merged`: see Edit. False if it cannot be changed
+    /// here, as is the case of scenes without a text.
+    bool change_text(const std::string& newer, const std::string& what, bool merged = false);
+    /// Undoes or redoes a change of the text, if that comes next among those of the session. Else returns false.
+    bool undo(bool back);
     /// Moves the camera to where the body chosen fills the picture, if it is bounded.
     void approach(const View& view);
     /// Opens the line of what is chosen, or that which a message names, "FILE:LINE: ...", in the user's editor.
@@ -109,7 +109,6 @@ class BodyTools {
         std::optional<NextChoice> next;  // is chosen then
         std::optional<bool> later;       // what is chosen is copied (true) or removed then
     };
-    std::size_t others() const { return session.editor.steps() + session.track_keys.steps(); }
     const Scene& scene_seen(const View& view) { return moment.at(session.scene, view); }
     bool changing() const { return awaited.scene || handles.held(); }
     bool follow_track(const BodyInput::NewTrack& track);

@@ -121,10 +121,8 @@ void Viewer::perform(Command command) {
             return file.write(session.editor.path(), bodies.changes());
         case Action::undo:
         case Action::redo:
-            if (bodies.undo(command.action)) return;
-            if (session.undo_track(command.action, steps_beside_tracks(), pace.now()))
-                return notes.note(command.action == Action::undo ? "undone" : "redone");
-            return notes.tell(session.perform(command, pace.now()));
+            if (!bodies.undo(command.action == Action::undo)) notes.tell(session.perform(command, pace.now()));
+            return;
         case Action::open_text:
             return bodies.open_text();
         case Action::handles:
@@ -181,7 +179,7 @@ void Viewer::take_sound(const std::string& path) {
 void Viewer::take_music(const Music& music, bool merged) {
     if (music.sound.find_first_of("\"\n\r") != std::string::npos)
         return notes.fail("the name of the music has quotes in it: give the file another one");
-    bodies.change_text(with_music(bodies.editor().edited.text(), music), merged);
+    bodies.change_text(with_music(bodies.editor().edited.text(), music), "music", merged);
 }
 
 void Viewer::apply(const TimelineInput& done) {
@@ -194,7 +192,7 @@ void Viewer::apply(const TimelineInput& done) {
                                   : what == Change::add ? with_motion_key(text, *session.scene, motion, seconds)
                                                         : without_motion_key(text, motion, key);
         if (newer != text)
-            bodies.change_text(newer, merged), session.go_to(seconds, pace.now());
+            bodies.change_text(newer, "keys of the motion of " + motion.name, merged), session.go_to(seconds, pace.now());
         else if (what == Change::remove && motion.times.size() == 2)
             notes.note("a motion has two keys at least");
         else if (what != Change::move)
@@ -202,9 +200,9 @@ void Viewer::apply(const TimelineInput& done) {
     }
     if (done.choose_sound) chooser.ask_for_sound();
     if (const auto& change = done.track)
-        session.change_track(change->track, change->merged, steps_beside_tracks(), pace.now());
+        session.change_track(change->track, change->merged, pace.now());
     if (done.music || done.track || done.motion) pace.redraw(3);
-    if (done.path) session.change_path(done.path->path, done.path->merged, pace.now());
+    if (done.path) session.change_path(done.path->path, done.path->what, done.path->merged, pace.now());
     if (!done.command && !done.go_to && !done.change && !done.path) return;
     if (done.command) perform(*done.command);
     if (done.go_to) session.go_to(*done.go_to, pace.now());

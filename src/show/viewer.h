@@ -42,8 +42,6 @@ class Viewer {
     void perform(Command command);
     void take_sound(const std::string& path);
     void take_music(const Music& music, bool merged);
-    /// How many changes can be undone, without those of keys of tracks.
-    std::size_t steps_beside_tracks() const { return session.editor.steps() + bodies.editor().edited.steps(); }
     void apply(const TimelineInput& input);
     void apply(const BodyInput& input);
     void apply(const OutlinerInput& input);

@@ -50,7 +50,7 @@ bool Session::replace(std::shared_ptr<const Scene> newer, bool opened) {
         tracks.reset(), flight.reset(), outside = false, recorded.reset(), editor = PathEditor(path_in(*scene)),
                                         cameras = {}, time = 0;
     else
-        lost = editor.reload(path_in(*scene));
+        lost = editor.reload(path_in(*scene), edits);
     flight.change(path_to_fly());
     if (moved && !bound()) camera = scene->camera, speed = default_speed(camera);
     return lost;
@@ -99,9 +99,10 @@ Answer Session::perform(Command command, double now) {
         case Action::set_key:
         case Action::delete_key:
         case Action::clear_path:
+            return edit(command.action, now);
         case Action::undo:
         case Action::redo:
-            return edit(command.action, now);
+            return undo(command.action == Action::undo, now);
         case Action::record:
             return record(now);
         case Action::copy_path:
@@ -218,24 +219,18 @@ Answer Session::edit(Action action, double now) {
     const auto there = key_at(editor.path(), moment);
     std::string note;
     switch (action) {
-        case Action::undo:
-            note = editor.undo() ? "undone" : "nothing to undo";
-            break;
-        case Action::redo:
-            note = editor.redo() ? "redone" : "nothing to redo";
-            break;
         case Action::clear_path:
-            editor.replace({}), flight.set(0, now);
             note = "new path";
+            editor.replace({}, {edits, note}), flight.set(0, now);
             break;
         case Action::set_key:
-            editor.change(with_key(editor.path(), key_of(camera, scene->camera, moment)));
             note = "key at " + seconds_text(moment) + (there ? " changed" : " set");
+            editor.change(with_key(editor.path(), key_of(camera, scene->camera, moment)), {edits, note});
             break;
         case Action::delete_key:
             if (!there) return {"no key at " + seconds_text(moment) + "; PgUp and PgDn go to keys", ""};
-            editor.change(without_key(editor.path(), *there));
             note = "key at " + seconds_text(moment) + " deleted";
+            editor.change(without_key(editor.path(), *there), {edits, note});
             break;
         default:
             return add_key(now);
@@ -245,12 +240,26 @@ Answer Session::edit(Action action, double now) {
 }
 
 Answer Session::add_key(double now) {
-    editor.change(continued(editor.path(), key_of(camera, scene->camera, 0), seconds_per_key));
-    const std::vector<Keyframe>& keys = editor.path().keys;
-    flight.stop(now), flight.set(keys.back().time, now);
-    return {"key " + std::to_string(keys.size()) + " added at " + seconds_text(keys.back().time) +
-                (keys.size() < 2 ? "; a path needs two keys" : ""),
-            ""};
+    Flythrough longer = continued(editor.path(), key_of(camera, scene->camera, 0), seconds_per_key);
+    const std::size_t count = longer.keys.size();
+    const double time = longer.keys.back().time;
+    const std::string note = "key " + std::to_string(count) + " added at " + seconds_text(time);
+    editor.change(std::move(longer), {edits, note});
+    flight.stop(now), flight.set(time, now);
+    return {note + (count < 2 ? "; a path needs two keys" : ""), ""};
+}
+
+std::size_t Session::next_step(bool back) const {
+    return std::max(editor.next_step(back, edits), track_keys.next_step(back, edits));
+}
+
+/// Takes back the last change of the path or of tracks, or makes it again.
+Answer Session::undo(bool back, double now) {
+    const bool of_tracks = track_keys.next_step(back, edits) > editor.next_step(back, edits);
+    const auto what = of_tracks ? track_keys.undo(back, edits) : editor.undo(back, edits);
+    if (!what) return {back ? "nothing to undo" : "nothing to redo", ""};
+    of_tracks ? show_tracks(now) : path_changed(now);
+    return {(back ? "undone: " : "redone: ") + *what, ""};
 }
 
 Answer Session::change_key(std::size_t number, const Keyframe& key, bool merged, double now) {
@@ -266,7 +275,7 @@ Answer Session::change_key(std::size_t number, const Keyframe& key, bool merged,
     newer.keys[number] = key, newer.keys[number].time = time;
     newer = retimed(std::move(newer), number, key.time);
     const double moment = newer.keys[number].time;
-    editor.change(std::move(newer), merged);
+    editor.change(std::move(newer), {edits, "key " + std::to_string(number + 1) + " of the path", merged});
     go_to(moment, now);
     return {};
 }
@@ -282,15 +291,9 @@ bool Session::take_tracks(const std::string& text, bool opened) {
     return lost;
 }
 
-void Session::change_track(const Track& track, bool merged, std::size_t others, double now) {
-    track_keys.change(track, merged, others);
+void Session::change_track(const Track& track, bool merged, double now) {
+    track_keys.change(track, {edits, "keys of the track " + track.name, merged});
     show_tracks(now);
-}
-
-bool Session::undo_track(Action action, std::size_t others, double now) {
-    if (!(action == Action::undo ? track_keys.undo(others) : track_keys.redo(others))) return false;
-    show_tracks(now);
-    return true;
 }
 
 /// Shows the tracks as they are edited.
@@ -318,7 +321,7 @@ Answer Session::record(double now) {
     if (moments.size() < 2) return {"nothing was recorded, because nothing moved", ""};
     const double tolerance = length(scene->camera.look_at - scene->camera.position) / 100;
     const Thinned flown = thinned(moments, scene->camera, tolerance);
-    editor.replace(flown.path);
+    editor.replace(flown.path, {edits, "recorded flight"});
     flight.stop(now), flight.set(0, now);
     char text[120];
     std::snprintf(text, sizeof text, "recorded %.1f s as %zu keys, at most %.2g from the flight", flown.path.duration,
@@ -326,8 +329,8 @@ Answer Session::record(double now) {
     return {text, ""};
 }
 
-void Session::change_path(Flythrough path, bool merged, double now) {
-    editor.change(std::move(path), merged);
+void Session::change_path(Flythrough path, const std::string& what, bool merged, double now) {
+    editor.change(std::move(path), {edits, what, merged});
     path_changed(now);
 }
 

@@ -58,16 +58,16 @@ class Session {
     Answer end_recording(double now) { return recorded ? record(now) : Answer{}; }
 
     /// Gives a key of the path other values, if they make a camera that sees something, and goes to the key's time.
-    /// `merged`: see PathEditor::change.
+    /// `merged`: see Edit.
     Answer change_key(std::size_t number, const Keyframe& key, bool merged, double now);
     /// Takes the text of the file of tracks, which was read with the scene. Returns whether a change was lost.
     bool take_tracks(const std::string& text, bool opened);
-    /// Gives a track other keys; or takes the last such change back, or makes it again: false if that is not what comes
-    /// next. `merged` and `others`: see EditedText::change.
-    void change_track(const Track& track, bool merged, std::size_t others, double now);
-    bool undo_track(Action action, std::size_t others, double now);
-    /// Replaces the path. `merged`: see PathEditor::change.
-    void change_path(Flythrough path, bool merged, double now);
+    /// Gives a track other keys.
+    void change_track(const Track& track, bool merged, double now);
+    /// Replaces the path. `what`: see Edit.
+    void change_path(Flythrough path, const std::string& what, bool merged, double now);
+    /// Returns the number of the next change of the path or of tracks to be undone, or redone; see EditSteps::next.
+    std::size_t next_step(bool back) const;
     /// Applies a change of the path to the flight that is under way.
     void path_changed(double now);
     /// Moves the camera along the flight to this moment. Returns an answer if the flight has ended.
@@ -84,6 +84,7 @@ class Session {
     std::optional<Flythrough> path_to_fly() const;
 
     std::shared_ptr<const Scene> scene;
+    EditOrder edits;  // of the path, the tracks and the text
     PathEditor editor;
     Flight flight;
     Camera camera;
@@ -108,6 +109,7 @@ class Session {
     Answer see_outside(double now);
     Answer step_to(double seconds, double now);
     Answer to_key(int step, double now);
+    Answer undo(bool back, double now);
     Answer edit(Action action, double now);
     Answer add_key(double now);
     Answer record(double now);

@@ -47,19 +47,13 @@ bool TrackKeys::asks() {
     return true;
 }
 
-void TrackKeys::change(const Track& track, bool merged, std::size_t others) {
-    edited.change(with_keys(edited.text(), track), merged, others);
+void TrackKeys::change(const Track& track, const Edit& edit) {
+    edited.change(with_keys(edited.text(), track), edit);
     present = tracks_of(edited.text());
 }
 
-bool TrackKeys::undo(std::size_t others) {
-    const bool done = edited.undo(others);
-    if (done) present = tracks_of(edited.text());
-    return done;
-}
-
-bool TrackKeys::redo(std::size_t others) {
-    const bool done = edited.redo(others);
+std::optional<std::string> TrackKeys::undo(bool back, EditOrder& order) {
+    const auto done = edited.undo(back, order);
     if (done) present = tracks_of(edited.text());
     return done;
 }

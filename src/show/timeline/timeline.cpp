@@ -72,7 +72,7 @@ void Timeline::buttons(const TimelineView& view, TimelineInput& input) {
     button(view.outside ? "inside" : "outside", {Action::outside});
     button("both", {Action::second, int(SecondKind::flight)});
     if (const Flythrough& path = view.editor.path(); path.keys.size() >= 2) {
-        if (ImGui::SmallButton(path.loop ? "no loop" : "loop")) input.path = {looped(path, 3), false};
+        if (ImGui::SmallButton(path.loop ? "no loop" : "loop")) input.path = {looped(path, 3), path.loop ? "path opened" : "path closed", false};
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("closes the path, or ends it with its last key");
         ImGui::SameLine();
     }
@@ -113,7 +113,7 @@ void Timeline::bar(const TimelineView& view, TimelineInput& input) {
     }
     if (held && end_dragged && has_path && ImGui::IsMouseDragging(0, 3)) {
         Flythrough path = lasting(view.editor.path(), std::round(100 * std::clamp(pointed, 0., scale.last())) / 100);
-        if (path != view.editor.path()) input.path = {std::move(path), std::exchange(drag_began, true)};
+        if (path != view.editor.path()) input.path = {std::move(path), "end of the path", std::exchange(drag_began, true)};
     }
     if (held && !dragged && !end_dragged) input.go_to = std::clamp(pointed, 0., view.duration);
     if (held && dragged && *dragged < keys.size() && ImGui::IsMouseDragging(0, 3)) {

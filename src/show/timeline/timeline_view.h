@@ -37,6 +37,7 @@ struct TimelineInput {
     std::optional<Change> change;
     struct NewPath {
         Flythrough path;
+        const char* what;  // has changed, for the user
         bool merged;
     };
     std::optional<NewPath> path;

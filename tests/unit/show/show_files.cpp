@@ -255,9 +255,10 @@ TEST_CASE("the flight of a scene of POV-Ray is written beside it, in its coordin
     CHECK(bytes_of(path) == text);
     // Numbers are written into the scene itself, and a path with them into its own file.
     while (reload.take()) continue;
+    EditOrder order;
     EditedText edited;
     edited.open(text);
-    edited.change("camera { location <0, 0, -5> } sphere { 0, 2 }", false, 0);
+    edited.change("camera { location <0, 0, -5> } sphere { 0, 2 }", {order, "radius"});
     reload.show(edited.text());
     std::optional<Loaded> shown;
     REQUIRE(soon([&] { return (shown = reload.take_shown()).has_value(); }));
@@ -315,9 +316,10 @@ TEST_CASE("a scene of POV-Ray is read again when a file changes that it includes
     CHECK(loaded->text == changed);
     CHECK(ball().radius == 2);
     CHECK(ball().centre.x == doctest::Approx(7.5));
+    EditOrder order;
     EditedText edited;
     edited.open(text);
-    edited.change(changed, false, 0);
+    edited.change(changed, {order, "change"});
     reload.write({}, edited.changes(), false);
     std::optional<Written> written;
     REQUIRE(soon([&] { return (written = reload.take_written()).has_value(); }));
@@ -367,9 +369,10 @@ TEST_CASE("changed numbers are shown before they are written, and are written be
     CHECK(bytes_of(path) == scene_text);
     std::optional<Written> written;
     const auto write = [&] {
+        EditOrder order;
         EditedText edited;
         edited.open(scene_text);
-        edited.change(changed, false, 0);
+        edited.change(changed, {order, "change"});
         reload.write({}, edited.changes(), true);
         return soon([&] { return (written = reload.take_written()).has_value(); });
     };
