@@ -1,6 +1,6 @@
 # The window: its parts without a display, and the program itself on a virtual one.
 if(TARGET strahl_show)
-  strahl_tests(test_show unit/show strahl_show progressive sharpener flying flights edited_path show_threads show_files rocket panels bodies handles second file_dialog film_recorder outline welcome keys beat)
+  strahl_tests(test_show unit/show strahl_show progressive sharpener flying flights edited_path show_threads show_files rocket panels bodies handles second file_dialog film_recorder outline welcome keys beat unwritten)
   if(SOUND_FOUND)
     strahl_tests(test_sound unit/show strahl_show sound)
   endif()

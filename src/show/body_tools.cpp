@@ -24,14 +24,22 @@ void BodyTools::loaded(const Loaded& scene) {
     if (scene.opened) not_shown.show_all();
     if (scene.opened)
         bodies.open(scene.text, is_pov(scene.path));
-    else if (bodies.edited.reload(scene.text))
-        notes.announce("the file has other numbers now, which replace yours");
+    else
+        reload(scene.text);
     handles.let_go();
     if (!on_its_way) awaited = {};
     good = scene.text;
     bodies.take_lines(scene.lines, scene.text);
     if (bodies.edited.changed()) return show_anew();  // there may be other bodies than in the file
     bodies.look(*session.scene);
+}
+
+/// Takes the text that the file has now. Prints what was changed and is lost by that.
+void BodyTools::reload(const std::string& text) {
+    const std::vector<std::string> yours = bodies.edited.unwritten();
+    if (!bodies.edited.reload(text)) return;
+    notes.announce("the file has other numbers now, which replace yours");
+    for (const std::string& line : yours) log_line("changed and not written, line " + line);
 }
 
 void BodyTools::click(const View& view, const glm::dvec2& point, double reach) {
@@ -171,7 +179,8 @@ void BodyTools::add(const View& view, const glm::dvec2& point) {
         {session.edits, std::string(block.name) + " added"});
     awaited.next = {block.what, count, place.point};
     if (light && !marks) marks.emplace();
-    notes.announce(std::string(block.name) + " added: drag its handles; F2 writes it into the file");
+    notes.announce(std::string(block.name) + " added: drag its handles; " + notes.key(Action::write_path) +
+                   " writes it into the file");
     show_anew();
 }
 
@@ -185,26 +194,41 @@ void BodyTools::choose(const NextChoice& chosen) {
     bodies.choose(chosen.number, *chosen.added_at, *session.scene);
 }
 
+void BodyTools::note_editor() {
+    notes.note("the text of this scene is changed in an editor: " + notes.key(Action::open_text) + " opens it");
+}
+
 bool BodyTools::copy() { return change_block(true); }
-bool BodyTools::remove() { return change_block(false); }
+bool BodyTools::remove() {
+    if (bodies.choice() && hidden().contains(bodies.number()))
+        return notes.note("this body is hidden: show it before you remove it"), true;
+    return change_block(false);
+}
+
+bool BodyTools::step_back() {
+    if (end_adding()) return true;
+    if (bodies.any()) return bodies.close(), true;
+    if (marks) return toggle(Action::lights), true;
+    return false;
+}
 
 /// Copies or removes what is chosen. False if nothing is chosen.
 bool BodyTools::change_block(bool copies) {
     if (!bodies.any()) return false;
     if (awaited.scene) return awaited.later = copies, true;
-    if (bodies.read_only()) return notes.note("the text of this scene is changed in an editor: F4 opens it"), true;
+    if (bodies.read_only()) return note_editor(), true;
     const bool light = bodies.light().has_value();
     const std::string name = (light ? "light " : "body ") + std::to_string(bodies.number() + 1);
     const std::string& before = bodies.edited.text();
     const TopBlock what = light ? TopBlock::light : TopBlock::body;
     const std::string text =
         copies ? with_copy(before, what, bodies.number()) : without_block(before, what, bodies.number());
-    if (text == before) return notes.note("the text of this scene is changed in an editor: F4 opens it"), true;
+    if (text == before) return note_editor(), true;
     bodies.edited.change(text, {session.edits, name + (copies ? " copied" : " removed")});
     awaited.next.reset();
     if (copies) awaited.next = {what, bodies.number() + 1};
     notes.announce(copies ? name + " copied; the copy is in the same place: drag its handles"
-                          : name + " removed; Ctrl+Z brings it back");
+                          : name + " removed; " + notes.key(Action::undo) + " brings it back");
     show_anew();
     return true;
 }
@@ -218,12 +242,13 @@ void BodyTools::toggle(Action action) {
         return notes.note("lights are hidden");
     }
     if (!bodies.any()) return notes.note("click a body first; its handles then move, turn or scale it");
-    if (bodies.read_only()) return notes.note("the text of this scene is changed in an editor: F4 opens it");
+    if (bodies.read_only()) return note_editor();
     notes.note(handles.change_mode());
 }
 
 void BodyTools::approach(const View& view) {
-    if (!bodies.choice() || awaited.scene) return notes.note("click a body first; B then moves the camera to it");
+    if (!bodies.choice() || awaited.scene)
+        return notes.note("click a body first; " + notes.key(Action::approach) + " then moves the camera to it");
     const Box box = world_bounds(scene_seen(view).primitives[std::size_t(bodies.number())]);
     if (!std::isfinite(length(box.high - box.low))) return notes.note("this body has no end");
     notes.tell(session.steer({}, pace.now()));
@@ -235,7 +260,9 @@ std::string BodyTools::file_name() const {
 }
 
 void BodyTools::open_text() {
-    if (!bodies.any()) return notes.note("click a body first; F4 then opens its line in your editor");
+    if (!bodies.any())
+        return notes.note("click a body first; " + notes.key(Action::open_text) +
+                          " then opens its line in your editor");
     if (bodies.body().line == 0 || file.path() == "-") return notes.note("no line of a file is known for it");
     const std::string fault = open_in_editor(bodies.file().empty() ? file.path() : bodies.file(), bodies.body().line);
     if (!fault.empty()) notes.fail(fault);
@@ -316,16 +343,6 @@ Overlay::Tools BodyTools::drawn() const {
     tools.chosen = bodies.light();
     handles.draw(tools);
     return tools;
-}
-
-bool BodyTools::asks() {
-    if (!bodies.edited.changed() || asked_about == bodies.edited.text()) return false;
-    asked_about = bodies.edited.text();
-    return true;
-}
-
-void BodyTools::print_unwritten() const {
-    for (const std::string& line : bodies.edited.unwritten()) log_line("changed and not written, line " + line);
 }
 
 }  // namespace strahl

@@ -49,7 +49,8 @@ void FilmRecorder::toggle(const Session& session, const std::string& scene_path,
     if (under_way()) return void(stop = true);
     auto order = film_of(session, scene_path, options.still_size.width > 0 ? options.still_size.width : width,
                          options.still_size.width > 0 ? options.still_size.height : height);
-    if (!order) return notes.note("nothing flies or moves here; P adds keys of a path");
+    if (!order)
+        return notes.note("nothing flies or moves here; " + notes.key(Action::add_key) + " adds keys of a path");
     try {
         const std::string ffmpeg = find_ffmpeg("a film");
         path = order->path =
@@ -58,7 +59,7 @@ void FilmRecorder::toggle(const Session& session, const std::string& scene_path,
         any_failed = true;
         return notes.fail(error.what());
     }
-    notes.announce("a film of the flight is being made: " + path + "; Ctrl+F12 ends it");
+    notes.announce("a film of the flight is being made: " + path + "; " + notes.key(Action::film) + " ends it");
     stop = done = false, share = 0, said.clear(), fault.clear();
     thread = std::thread([this, order = *std::move(order)] {
         // On Linux priority belongs to a thread and is inherited by the threads that it starts.
@@ -114,7 +115,7 @@ void FilmRecorder::make(const FilmOrder& order) {
 void FilmRecorder::finish() {
     if (!under_way()) return;
     if (std::exchange(finishing, true)) return void(stop = true);
-    log_line("waiting for the film; Esc or a signal ends it");
+    log_line("waiting for the film; " + notes.key(Action::back) + " or a signal ends it");
     pace.redraw();
 }
 
@@ -129,7 +130,7 @@ void FilmRecorder::tell_done() {
 std::string FilmRecorder::progress_text() const {
     if (!under_way()) return "";
     return "A film: " + std::to_string(int(100 * share)) + " %, " + std::filesystem::path(path).filename().string() +
-           (finishing ? "; Esc ends it" : "; Ctrl+F12 ends it");
+           "; " + notes.key(finishing ? Action::back : Action::film) + " ends it";
 }
 
 }  // namespace strahl

@@ -27,7 +27,8 @@ void SideBySide::toggle(Command command) {
     pace.redraw();
     const std::string name = second_name(line.second);
     if (!line.shown())
-        notes.note(action == Action::second ? "one picture" : "G chooses what the picture is compared with");
+        notes.note(action == Action::second ? "one picture"
+                                            : notes.key(Action::second) + " chooses what the picture is compared with");
     else
         notes.note(line.difference && !line.other_view() ? "at the right: 16 times the difference from " + name
                                                          : "at the right: " + name + "; the line can be dragged");

@@ -132,12 +132,6 @@ std::vector<Flythrough> PathEditor::unwritten() const {
     return paths;
 }
 
-bool PathEditor::asks() {
-    if (!changed() || asked_about == present) return false;
-    asked_about = present;
-    return true;
-}
-
 std::optional<std::string> PathEditor::undo(bool back, EditOrder& order) {
     return steps.move(back, order, [this](Flythrough& path) { std::swap(present, path); });
 }

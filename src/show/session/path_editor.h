@@ -60,14 +60,11 @@ class PathEditor {
     /// Returns the paths that would be lost now: those that were replaced before they were written, the oldest first,
     /// and the present one.
     std::vector<Flythrough> unwritten() const;
-    /// Is the present path not written, and was this not asked about it before?
-    bool asks();
 
   private:
     Flythrough present, saved;
     EditSteps<Flythrough> steps;       // with the path before or after each
     std::vector<Flythrough> replaced;  // before they were written
-    std::optional<Flythrough> asked_about;
 };
 
 }  // namespace strahl

@@ -35,15 +35,18 @@ std::optional<double> motion_end_of(const Scene& scene) {
 
 Session::Session(std::shared_ptr<const Scene> first_scene, std::optional<int> depth)
     : scene(std::move(first_scene)),
+      pictured(scene),
       editor(path_in(*scene)),
       camera(scene->camera),
       speed(default_speed(camera)),
       own_depth(depth),
       motion_end(motion_end_of(*scene)) {}
 
-bool Session::replace(std::shared_ptr<const Scene> newer, bool opened) {
+bool Session::replace(std::shared_ptr<const Scene> newer, bool opened, std::shared_ptr<const Scene> picture) {
     const bool moved = opened || newer->camera != scene->camera;
     scene = std::move(newer);
+    const bool same = picture && !opened && (tracks || picture->tracks == scene->tracks);
+    pictured = same ? std::move(picture) : scene;
     motion_end = motion_end_of(*scene);
     bool lost = false;
     if (opened)
@@ -56,13 +59,13 @@ bool Session::replace(std::shared_ptr<const Scene> newer, bool opened) {
     return lost;
 }
 
-void Session::replace_reread(std::shared_ptr<const Scene> newer) {
+void Session::replace_reread(std::shared_ptr<const Scene> newer, std::shared_ptr<const Scene> picture) {
     Camera same = scene->camera;
     same.fov = newer->camera.fov, same.aspectratio = newer->camera.aspectratio;
     const bool reshaped = newer->camera == same && same != scene->camera && !bound();
     Camera kept = camera;
     const double kept_speed = speed;
-    replace(std::move(newer), false);
+    replace(std::move(newer), false, std::move(picture));
     if (reshaped) kept.fov = same.fov, kept.aspectratio = same.aspectratio, camera = kept, speed = kept_speed;
 }
 
@@ -152,13 +155,24 @@ Answer Session::perform(Command command, double now) {
 }
 
 Answer Session::play(double now) {
-    if (flight.flying()) return flight.stop(now), Answer{"flight ended", ""};
-    if (auto path = path_to_fly())
+    if (flight.under_way())
+        return {
+            "the flight is played; " + keys.name(Action::pause) + " pauses it, " + keys.name(Action::back) + " ends it",
+            ""};
+    if (flight.circling())
+        flight.run(now);
+    else if (auto path = path_to_fly())
         flight.begin(*std::move(path), now);
     else
         flight.circle(orbit_path(camera, scene->camera), now);
     follow(now);
     return {"flying from " + text_of(std::round(100 * flight.time(now)) / 100) + " s", ""};
+}
+
+Answer Session::end_flight(double now) {
+    if (!flight.flying()) return {};
+    flight.stop(now);
+    return {"flight ended at " + seconds_text(time), ""};
 }
 
 Answer Session::pause(double now) {
@@ -175,7 +189,9 @@ Answer Session::pause(double now) {
 Answer Session::see_outside(double now) {
     outside = !outside;
     follow(now);
-    return {outside ? "the flight is seen from outside; Shift+T goes back" : "the camera of the flight", ""};
+    return {outside ? "the flight is seen from outside; " + keys.name(Action::outside) + " goes back"
+                    : "the camera of the flight",
+            ""};
 }
 
 Answer Session::step_to(double seconds, double now) {
@@ -201,15 +217,15 @@ Answer Session::to_key(int step, double now) {
 Answer Session::expose(int step) {
     if (step == 0) return exposure.reset(), Answer{"light as it is", ""};
     exposure = std::clamp(exposure.value_or(0) + step / 2., -most_exposure, most_exposure);
-    return {"exposure " + exposure_text(exposure) + "; 0 shows light as it is", ""};
+    return {"exposure " + exposure_text(exposure) + "; " + keys.name(Action::expose) + " shows light as it is", ""};
 }
 
 Answer Session::recall(int number) {
     const auto& stored = cameras[number - 1];
     if (!stored)
-        return {
-            "no camera is stored as " + std::to_string(number) + "; Shift+" + std::to_string(number) + " stores one",
-            ""};
+        return {"no camera is stored as " + std::to_string(number) + "; " + keys.name(Action::store, number) +
+                    " stores one",
+                ""};
     camera = *stored;
     return {"camera " + std::to_string(number), ""};
 }
@@ -228,7 +244,9 @@ Answer Session::edit(Action action, double now) {
             editor.change(with_key(editor.path(), key_of(camera, scene->camera, moment)), {edits, note});
             break;
         case Action::delete_key:
-            if (!there) return {"no key at " + seconds_text(moment) + "; PgUp and PgDn go to keys", ""};
+            if (!there)
+                return {"no key at " + seconds_text(moment) + "; the nearest are found by " + keys.name(Action::to_key),
+                        ""};
             note = "key at " + seconds_text(moment) + " deleted";
             editor.change(without_key(editor.path(), *there), {edits, note});
             break;
@@ -286,8 +304,12 @@ bool Session::take_tracks(const std::string& text, bool opened) {
         track_keys.open(text);
     else
         lost = track_keys.reload(text);
-    if (!keys_elsewhere)
-        tracks = track_keys.changed() ? std::make_shared<const std::vector<Track>>(track_keys.tracks()) : nullptr;
+    if (keys_elsewhere) return lost;
+    // Once changed they stay instead of the scene's, though these may be the same: what is traced goes on.
+    if (opened)
+        tracks.reset();
+    else if ((tracks || track_keys.changed()) && (!tracks || *tracks != track_keys.tracks()))
+        tracks = std::make_shared<const std::vector<Track>>(track_keys.tracks());
     return lost;
 }
 
@@ -315,7 +337,7 @@ Answer Session::record(double now) {
     if (!recorded) {
         recorded.emplace();
         observe(now);
-        return {"recording: fly by hand, K ends it", ""};
+        return {"recording: fly by hand, " + keys.name(Action::record) + " ends it", ""};
     }
     const auto moments = *std::exchange(recorded, std::nullopt);
     if (moments.size() < 2) return {"nothing was recorded, because nothing moved", ""};
@@ -360,7 +382,8 @@ bool Session::go_to(double seconds, double now) {
 Answer Session::steer(const CameraInput& input, double now) {
     std::string note;
     if (bound()) {
-        if (flight.under_way()) note = "flight ended at " + seconds_text(time) + "; F continues";
+        if (flight.under_way())
+            note = "flight ended at " + seconds_text(time) + "; " + keys.name(Action::play) + " continues";
         flight.stop(now);
     }
     CameraInput scaled = input;

@@ -8,7 +8,7 @@
 
 #include "image/transfer.h"
 #include "scene/scene.h"
-#include "show/keys/commands.h"
+#include "show/keys/key_map.h"
 #include "show/session/camera_control.h"
 #include "show/session/flight.h"
 #include "show/session/path_editor.h"
@@ -30,15 +30,17 @@ class Session {
     explicit Session(std::shared_ptr<const Scene> scene, std::optional<int> depth = {});
 
     /// To be called when the file has changed or, if `opened`, is another one. The camera stays unless it changed in
-    /// the file. Returns whether the file's path replaced one that was not written.
-    bool replace(std::shared_ptr<const Scene> scene, bool opened);
+    /// the file. `picture`: see Loaded. Returns whether the file's path replaced one that was not written.
+    bool replace(std::shared_ptr<const Scene> scene, bool opened, std::shared_ptr<const Scene> picture = {});
     /// To be called when the file was read again for another moment or another size of the picture. Where only the
     /// proportions or the angle of the file's camera differ, the camera stays where it is and takes these.
-    void replace_reread(std::shared_ptr<const Scene> scene);
+    void replace_reread(std::shared_ptr<const Scene> scene, std::shared_ptr<const Scene> picture = {});
 
     /// Commands that concern only the window (quit, still, full screen, panels) have no effect here.
     Answer perform(Command command, double now);
 
+    /// Ends the flight, if there is one; the camera stays where it is.
+    Answer end_flight(double now);
     /// Moves to a moment of the flight and pauses there. False if nothing moves; then only the moment is kept, for
     /// keys.
     bool go_to(double seconds, double now);
@@ -84,6 +86,7 @@ class Session {
     std::optional<Flythrough> path_to_fly() const;
 
     std::shared_ptr<const Scene> scene;
+    std::shared_ptr<const Scene> pictured;  // gives the same picture as `scene`: what is traced goes on if it stays
     EditOrder edits;  // of the path, the tracks and the text
     PathEditor editor;
     Flight flight;
@@ -95,6 +98,7 @@ class Session {
     /// If not null, instead of the scene's.
     std::shared_ptr<const std::vector<Track>> tracks;
     TrackKeys track_keys;
+    KeyMap keys;                  // that messages name
     bool keys_elsewhere = false;  // an editor of tracks has the keys, and they cannot be changed here
     double speed = 1;           // units of the scene per second
     int finest = sharpened_level;  // level in motion

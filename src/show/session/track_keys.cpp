@@ -18,13 +18,14 @@ std::vector<Track> tracks_of(const std::string& text) try { return parse_tracks(
 
 void TrackKeys::open(const std::string& text) {
     edited.open(text);
-    saved = present = tracks_of(text), asked_about.clear();
+    saved = present = tracks_of(text);
 }
 
 bool TrackKeys::reload(const std::string& text) {
+    const std::vector<Track> before = present;
     const bool lost = edited.reload(text);
     saved = tracks_of(text), present = tracks_of(edited.text());
-    return lost;
+    return lost && present != before;
 }
 
 Track TrackKeys::track(const std::string& name) const {
@@ -39,12 +40,6 @@ std::vector<Track> TrackKeys::changes() const {
     for (const Track& track : saved)
         if (std::ranges::find(present, track.name, &Track::name) == present.end()) list.push_back({track.name, {}});
     return list;
-}
-
-bool TrackKeys::asks() {
-    if (!changed() || asked_about == edited.text()) return false;
-    asked_about = edited.text();
-    return true;
 }
 
 void TrackKeys::change(const Track& track, const Edit& edit) {

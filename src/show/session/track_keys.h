@@ -24,8 +24,6 @@ class TrackKeys {
     /// Returns those that are not written yet; tracks that were removed have no keys.
     std::vector<Track> changes() const;
     std::vector<std::string> unwritten() const { return edited.unwritten(); }
-    /// Returns true if there are changes that are not written and about which the user was not asked yet.
-    bool asks();
 
     /// Gives a track these keys.
     void change(const Track& track, const Edit& edit);
@@ -36,7 +34,6 @@ class TrackKeys {
   private:
     EditedText edited;
     std::vector<Track> saved, present;
-    std::string asked_about;
 };
 
 /// Returns a track in which the keys of the first beat, of so many rows, are repeated in each beat before `end`.

@@ -94,7 +94,8 @@ void Input::on_key(int key, int scancode, int action, int modifiers) {
     }
     used = false;
     if (action != GLFW_RELEASE && for_help(key, modifiers)) return;
-    if (panels.gallery && action != GLFW_RELEASE && handlers.browse(key)) return pace.redraw(after_input);
+    if ((panels.gallery || panels.asking) && action != GLFW_RELEASE && handlers.browse(key))
+        return used = true, pace.redraw(after_input);
     const auto push = keys.push_of_key(key);
     used = push.has_value();
     const bool third_level = glfwGetKey(window, GLFW_KEY_RIGHT_ALT);
@@ -110,7 +111,7 @@ void Input::on_key(int key, int scancode, int action, int modifiers) {
         return;
     }
     const bool combined = modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER);
-    if (push && !combined && !fixed && !panels.gallery)
+    if (push && !combined && !fixed && !panels.gallery && !panels.asking)
         controls.press(*push);
     else if (const auto command = keys.command_of_key(key, scancode, modifiers, third_level))
         used = true, unsettle(fixed ? 0 : to_settle), handlers.perform(*command);

@@ -42,7 +42,7 @@ class Panels {
     void search(unsigned character);
     /// Does one of these panels cover this point of the window?
     bool cover(double x, double y) const {
-        return gallery || help_shown() || (body_shown && body.area().has(x, y)) ||
+        return gallery || asking || help_shown() || (body_shown && body.area().has(x, y)) ||
                (add_shown() && add.area().has(x, y)) || (outline_shown() && outliner.area().has(x, y));
     }
     /// The width in pixels that it takes at the right of the window.
@@ -52,11 +52,17 @@ class Panels {
     /// The height in pixels of what lies at the bottom of the window.
     float reserved() const { return timeline_shown() ? timeline.height() : 0; }
     /// Is there a panel that takes input, even if all text is hidden?
-    bool take_input() const { return gallery || timeline_open || body_shown || add_open || outline_open; }
+    bool take_input() const { return gallery || asking || timeline_open || body_shown || add_open || outline_open; }
 
     bool help = false, info = false, quiet, gallery;
+    bool asking = false;  // a question covers the window, see Leaving
+
+    /// Closes a list or a menu that a panel has opened; or one of the panels. False if there is none.
+    bool step_back_from_popup();
+    bool step_back();
 
   private:
+    bool& shown(Action action);
     bool add_shown() const { return add_open && !quiet; }
     bool outline_shown() const { return outline_open && !quiet; }
 

@@ -189,7 +189,7 @@ TEST_CASE("a path is written into the scene file, of which a copy stays; a file 
     REQUIRE(reload.take(10));
     std::optional<Written> written;
     const auto write = [&](std::optional<Flythrough> flythrough, bool anyway) {
-        reload.write(std::move(flythrough), {}, anyway);
+        reload.write({.flythrough = std::move(flythrough), .anyway = anyway});
         return soon([&] { return (written = reload.take_written()).has_value(); });
     };
     Flythrough flight{4, false, {{0, {1, 2, 3}, {0, 0, 0}, {}, {}}, {4, {3, 2, 1}, {0, 0, 0}, {}, {}}}};
@@ -231,11 +231,11 @@ TEST_CASE("the flight of a scene of POV-Ray is written beside it, in its coordin
     REQUIRE(reload.take(10));
     std::optional<Written> written;
     const auto write = [&](std::optional<Flythrough> flight) {
-        reload.write(std::move(flight), {}, true);
+        reload.write({.flythrough = std::move(flight), .anyway = true});
         return soon([&] { return (written = reload.take_written()).has_value(); });
     };
     REQUIRE(write({}));
-    CHECK(says(written->fault, "there is nothing to write"));
+    CHECK(written->unchanged);
     CHECK(folder.files() == 1);
     Flythrough flight{4, false, {{0, {1, 2, 3}, {0, 0, 0}, {}, {}}, {4, {3, 2, 1}, {0, 0, 0}, {}, {}}}};
     REQUIRE(write(flight));
@@ -264,7 +264,7 @@ TEST_CASE("the flight of a scene of POV-Ray is written beside it, in its coordin
     REQUIRE(soon([&] { return (shown = reload.take_shown()).has_value(); }));
     CHECK(shown->text == edited.text());
     CHECK(std::get<Sphere>(shown->scene->primitives[0].shape).radius == 2);
-    reload.write(flight, edited.changes(), true);
+    reload.write({.flythrough = flight, .changes = edited.changes(), .anyway = true});
     REQUIRE(soon([&] { return (written = reload.take_written()).has_value(); }));
     CHECK(written->fault == "");
     CHECK(bytes_of(path) == edited.text());
@@ -320,7 +320,7 @@ TEST_CASE("a scene of POV-Ray is read again when a file changes that it includes
     EditedText edited;
     edited.open(text);
     edited.change(changed, {order, "change"});
-    reload.write({}, edited.changes(), false);
+    reload.write({.changes = edited.changes()});
     std::optional<Written> written;
     REQUIRE(soon([&] { return (written = reload.take_written()).has_value(); }));
     CHECK(written->fault == "");
@@ -373,7 +373,7 @@ TEST_CASE("changed numbers are shown before they are written, and are written be
         EditedText edited;
         edited.open(scene_text);
         edited.change(changed, {order, "change"});
-        reload.write({}, edited.changes(), true);
+        reload.write({.changes = edited.changes(), .anyway = true});
         return soon([&] { return (written = reload.take_written()).has_value(); });
     };
     put("// theirs\n" + scene_text);
