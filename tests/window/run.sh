@@ -149,7 +149,7 @@ await 'finished 400x300'
 shows larger.png
 
 echo "-- quitting asks about a path that is not written, and waits for stills; a path that the file replaces is printed"
-xdotool key F12 F12 Escape Escape # after the flight
+xdotool key F12 F12 Escape
 await 'scene.rt is not written'
 put "$camera" "$world" "${path//60/50}"
 await 'Ctrl+Z brings yours back'
