@@ -22,6 +22,11 @@ namespace {
 
 constexpr FrameRate film_rate{};
 
+/// "40 s", or "5 min" for more than two minutes.
+std::string short_duration(double seconds) {
+    return seconds < 120 ? std::to_string(int(seconds)) + " s" : std::to_string(int(seconds / 60)) + " min";
+}
+
 }  // namespace
 
 std::optional<FilmOrder> film_of(const Session& session, const std::string& scene_path, int width, int height) {
@@ -60,7 +65,7 @@ void FilmRecorder::toggle(const Session& session, const std::string& scene_path,
         return notes.fail(error.what());
     }
     notes.announce("a film of the flight is being made: " + path + "; " + notes.key(Action::film) + " ends it");
-    stop = done = false, share = 0, said.clear(), fault.clear();
+    stop = done = false, share = 0, began = pace.now(), said.clear(), fault.clear();
     thread = std::thread([this, order = *std::move(order)] {
         // On Linux priority belongs to a thread and is inherited by the threads that it starts.
         static_cast<void>(::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), 10));
@@ -85,7 +90,7 @@ void FilmRecorder::make(const FilmOrder& order) {
     const FileFormat format{.bits = 8, .gamma = order.scene.settings.assumed_gamma, .exposure = order.exposure};
     const SampledRegion picture{{.columns = view.width, .rows = view.height},
                                 {.error = Sampling{}.error / gain_of(order.exposure)}};
-    Film film(find_ffmpeg(order.path), order.path, film_rate, order.sound);
+    Film film(find_ffmpeg("'" + order.path + "'"), order.path, film_rate, order.sound);
     const auto append = [&](std::string_view bytes) { film.append(bytes); };
     append(stream_head(".y4m", {view.width, view.height}, film_rate));
     ThreadPool pool(options.threads);
@@ -129,8 +134,12 @@ void FilmRecorder::tell_done() {
 
 std::string FilmRecorder::progress_text() const {
     if (!under_way()) return "";
-    return "A film: " + std::to_string(int(100 * share)) + " %, " + std::filesystem::path(path).filename().string() +
-           "; " + notes.key(finishing ? Action::back : Action::film) + " ends it";
+    const double passed = pace.now() - began;
+    const std::string left =
+        share > .01 && passed > 2 ? ", " + short_duration(passed / share - passed) + " left" : std::string();
+    return "A film: " + std::to_string(int(100 * share)) + " %" + left + ", " +
+           std::filesystem::path(path).filename().string() + "; " + notes.key(finishing ? Action::back : Action::film) +
+           " ends it";
 }
 
 }  // namespace strahl

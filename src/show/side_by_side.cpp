@@ -35,7 +35,9 @@ void SideBySide::toggle(Command command) {
 }
 
 void SideBySide::log_second(const SecondPicture& picture) {
-    const std::string differing = ", " + std::to_string(picture.differing) + " pixels differ by more than 1/255";
+    const std::string differing = ", " + std::to_string(picture.differing) +
+                                  (picture.differing == 1 ? " pixel differs" : " pixels differ") +
+                                  " by more than 1/255";
     notes.log("second picture: " + second_name(line.second) + (line.other_view() ? "" : differing) +
               (picture.finished ? "" : "; smooth edges follow"));
 }

@@ -364,7 +364,8 @@ void Viewer::draw() {
         if (leaving.asking()) answered = leaving.draw(keys.keys);
         if (panels.help_shown()) return draw_help(keys.keys, panels.sought());
         if (panels.gallery) return void(from_gallery = chooser.draw_gallery(keys.keys));
-        done = panels.draw_timeline(session, playback.sound.peaks(), !bodies.editor().read_only());
+        done = panels.draw_timeline(session, playback.sound.peaks(), !bodies.editor().read_only(),
+                                    side.divider().other_view());
         on_body = panels.draw_body(bodies.editor(), bodies.file_name());
         added = panels.draw_add();
         if (!file.waiting())
@@ -465,7 +466,7 @@ Overlay Viewer::overlay() const {
         overlay.path = path_marks(session.editor.path(), session.scene->camera,
                                   session.flight.flying() ? std::optional(session.time) : std::nullopt,
                                   session.view(screen.width(), screen.height()));
-    overlay.share = state.share;
+    overlay.share = state.share, overlay.notes_below = panels.gallery;
     overlay.fault = file.fault(), overlay.fault_title = file.fault_title();
     if (panels.info && !panels.help) overlay.info = info_lines(session, pace, picture);
     if (session.recording()) overlay.notes.push_back({"recording; " + notes.key(Action::record) + " ends it"});

@@ -68,7 +68,7 @@ class Input {
     void show_hold();
     void let_go();
     bool steps() const;
-    bool for_help(int key, int modifiers);
+    bool for_help(int key, int scancode, int modifiers);
 
     Screen& screen;
     const Session& session;

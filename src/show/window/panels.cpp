@@ -45,7 +45,8 @@ void Panels::search(unsigned character) {
     pace.redraw();
 }
 
-TimelineInput Panels::draw_timeline(const Session& session, const std::vector<float>& peaks, bool text_open) {
+TimelineInput Panels::draw_timeline(const Session& session, const std::vector<float>& peaks, bool text_open,
+                                    bool both) {
     if (!timeline_shown()) return {};
     const auto flight = session.path_to_fly();
     return timeline.draw({.editor = session.editor,
@@ -54,6 +55,7 @@ TimelineInput Panels::draw_timeline(const Session& session, const std::vector<fl
                           .duration = flight ? flight->duration : session.editor.path().duration,
                           .running = session.flight.under_way(),
                           .outside = session.outside,
+                          .both = both,
                           .scene = session.scene,
                           .tracks = session.tracks ? *session.tracks : session.track_keys.tracks(),
                           .peaks = peaks,

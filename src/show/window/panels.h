@@ -23,8 +23,9 @@ class Panels {
     void toggle(Action action);
 
     /// Draws the timeline, if it is shown, and returns what the user did on it. To be called while ImGui makes a frame.
-    /// `peaks` are those of the sound, and `text_open` says whether the scene's text can be changed here.
-    TimelineInput draw_timeline(const Session& session, const std::vector<float>& peaks, bool text_open);
+    /// `peaks` are those of the sound, `text_open` says whether the scene's text can be changed here, and `both`
+    /// whether the flight is seen beside the view.
+    TimelineInput draw_timeline(const Session& session, const std::vector<float>& peaks, bool text_open, bool both);
     /// Draws the panel of the body that is chosen, if any, and returns what the user did on it. Likewise. `file` is the
     /// name of the scene.
     BodyInput draw_body(const BodyEditor& editor, const std::string& file);
