@@ -166,7 +166,7 @@ void check_error(const Stats& stats) {
 int render_command(const RenderOptions& asked) {
     RenderOptions options = asked;
     const std::string ending = check(options);
-    const std::string ffmpeg = is_film(options.output) ? find_ffmpeg(options.output) : "";
+    const std::string ffmpeg = is_film(options.output) ? find_ffmpeg("'" + options.output + "'") : "";
     const Lattice part = options.crop.value_or(Lattice{0, 0, options.size.width, options.size.height});
     check_size(part, ending, options.output == "-" || !ffmpeg.empty());
     require_writable(options.numbered() ? numbered(options.output, options.frames->first()) : options.output);
