@@ -1,8 +1,11 @@
 // strahl render: parses, and renders frame by frame.
 #include "main/commands/command_render.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -161,9 +164,18 @@ void check_error(const Stats& stats) {
     std::cerr << said;
 }
 
+/// Tells a person at a terminal what was written: "a.bmp: 640x480, 1.2 s".
+void tell_written(const RenderOptions& options, const Lattice& part, const Stats& stats, double seconds) {
+    if (options.quiet || options.output == "-" || !::isatty(STDERR_FILENO)) return;
+    const std::string frames = options.frames ? std::to_string(stats.frames) + " frames of " : "";
+    std::fprintf(stderr, "%s: %s%dx%d, %.1f s\n", show(options.output).text.c_str(), frames.c_str(), part.columns,
+                 part.rows, seconds);
+}
+
 }  // namespace
 
 int render_command(const RenderOptions& asked) {
+    const auto start = std::chrono::steady_clock::now();
     RenderOptions options = asked;
     const std::string ending = check(options);
     const std::string ffmpeg = is_film(options.output) ? find_ffmpeg(options.output) : "";
@@ -219,6 +231,9 @@ int render_command(const RenderOptions& asked) {
                      : options.frames   ? render_stream(options, part, renderer, ending, ffmpeg, stats, scene_at)
                                         : renderer.render(first, {options.output, ending, {}}, "", options.share);
     if (!options.stats.empty()) write_file(options.stats, to_json(stats)), check_error(stats);
+    if (stats.finished)
+        tell_written(options, part, stats,
+                     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     return stats.finished ? exit_status::done : exit_status::interrupted;
 }
 
