@@ -72,7 +72,10 @@ ThinBodies::ThinBodies(const Scene& scene, const View& view, std::shared_ptr<con
       eye(view.camera.position) {
     right = (2 * frame.tan_x / view.width) * frame.right, down = (2 * frame.tan_y / view.height) * frame.down;
     diagonal = quick_length(right + down);
-    if (!bodies.empty()) end = length(bodies.around().from - eye) + bodies.around().radius;
+    if (!bodies.empty()) {
+        const Capsule& all = bodies.around();
+        end = std::max(length(all.from - eye), length(all.to - eye)) + all.radius;
+    }
     if (starts_apart(projection)) end += std::hypot(frame.tan_x, frame.tan_y);
     first = frame.forward + (view.shift_x - view.width / 2.) * right + (view.shift_y - view.height / 2.) * down;
 }

@@ -60,7 +60,7 @@ class CapsuleTree {
     explicit CapsuleTree(const Scene& scene, bool with_facets = true);
 
     bool empty() const { return nodes.empty(); }
-    /// Return the smallest radius, 0 for facets that are thin, and a ball around all. There must be bodies.
+    /// Return the smallest radius, 0 for facets that are thin, and a capsule around all. There must be bodies.
     double least() const { return nodes[0].least; }
     const Capsule& around() const { return nodes[0].around; }
 

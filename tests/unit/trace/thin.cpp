@@ -217,6 +217,19 @@ TEST_CASE("wires and dust keep their light") {
     }
 }
 
+TEST_CASE("a wire that is the only body keeps its light, whatever end is nearer") {
+    std::mt19937 random(8);
+    std::uniform_real_distribution<double> within(-2, 2);
+    const auto end = [&](double x) { return DVec3(x, within(random), within(random)); };
+    for (int i = 0; i < 6; ++i) {
+        CAPTURE(i);
+        Scene scene = wires();
+        scene.primitives.resize(1);
+        scene.primitives[0].shape = Cylinder{end(-2.7), end(2.7), .004};
+        check_last_body(std::move(scene), 120, .03);
+    }
+}
+
 TEST_CASE("shadows of wires keep their darkness") { check_last_body(parse_scene(shadow_of_wire, "shadow_of_wire")); }
 
 TEST_CASE("wires, their shadows and reflections keep their light in parallel views") {
