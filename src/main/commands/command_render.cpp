@@ -57,13 +57,13 @@ bool render_frames(const RenderOptions& options, const Lattice& part, Renderer& 
                    const SceneAt& scene_at, const Encoder::Append& stream = {}) {
     const Share share = options.share.value_or(Share{});
     if (stream) stream(stream_head(ending, {part.columns, part.rows}, options.rate));
-    int count = 0;
+    int count = 0, all = 0;
+    for (const FrameRange& range : options.frames->ranges) all += (range.last - range.first) / range.step + 1;
     return options.frames->each([&](int frame) {
         if (count++ % share.parts != share.part - 1) return true;
         const Destination destination{stream ? options.output : numbered(options.output, frame), ending, stream};
         if (options.resume && !renderer.interrupted() && is_finished(destination.path, part)) return true;
-        const std::string last = std::to_string(options.frames->last());
-        const std::string label = "frame " + std::to_string(frame) + " of " + last + " ";
+        const std::string label = "frame " + std::to_string(count) + " of " + std::to_string(all) + " ";
         const double time = options.rate.moment(frame);
         if (scene_at && !renderer.interrupted()) try {
                 renderer.replace(scene_at(time, renderer.interrupt_flag()));
@@ -201,6 +201,8 @@ int render_command(const RenderOptions& asked) {
     if (!options.prove.empty() && scene.camera.projection != Projection::perspective)
         throw UsageError("--prove knows the rays of perspective cameras only, and this scene has another one");
     check_aspect(options, scene);
+    if (options.compression != Compression::fast && ending_of(ending) != ".png")
+        std::cerr << "strahl: warning: --compression is for .png files; this picture is written without it\n";
     if (options.time || options.frames || !ffmpeg.empty()) {
         const char* const option = options.time ? "--time" : options.frames ? "--frames" : "a film";
         const Flythrough flight = flight_for(option, scene, options.scene);

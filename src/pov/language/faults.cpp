@@ -203,6 +203,13 @@ std::string Interpreter::State::advice_on_name(const std::string& name, const st
     for (const Foreign& row : foreign)
         if (same_word(row.word, name)) return meant(row.own);
     if (const std::string_view similar = nearest(name, declared); !similar.empty()) return meant(similar);
+    const auto exists = [](const std::string& folder) {
+        std::error_code error;
+        return fs::is_directory(folder, error);
+    };
+    if (name[0] >= 'A' && name[0] <= 'Z' && std::ranges::none_of(options.library, exists))
+        return "; POV-Ray's include files, which declare many names, are not installed; on Debian: apt install "
+               "povray-includes";
     const bool value = what.starts_with("a number") || what == "a value";
     const bool called = cursor->code == '(';
     if (const std::string_view similar = nearest(name, reserved_words); similar.size() > 2 && (!value || called))

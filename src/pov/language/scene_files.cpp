@@ -155,7 +155,7 @@ std::string Interpreter::State::find(const std::string& name, const std::vector<
         return fs::is_directory(folder, error);
     };
     if (std::ranges::none_of(options.library, exists))
-        message += "; POV-Ray's include files and fonts are not installed: sudo apt install povray-includes";
+        message += "; POV-Ray's include files and fonts are not installed; on Debian: apt install povray-includes";
     else
         message += " and in " + listed(options.library);
     if (!similar.empty()) message += "; did you mean " + strahl::quoted(similar) + "?";

@@ -60,6 +60,14 @@ TEST_CASE("POV-Ray: a name that an include file declares") {
     CHECK(!says(mistake_in(front_camera + "sphere { 0, 1 texture { T_Wood } }"), "declares it"));
 }
 
+TEST_CASE("POV-Ray: a name that an include file would declare, if it was installed") {
+    pov::InterpreterOptions options;
+    options.file = "x.pov", options.library = {"/nowhere/include"};
+    const auto told = [&](const std::string& text) { return fault_of([&] { pov::open_pov(text, options, {}); }); };
+    CHECK(says(told("sphere { 0, 1 pigment { White } }"), "on Debian: apt install povray-includes"));
+    CHECK(says(told("sphere { 0, 1 pigment { marbel } }"), "did you mean 'marble'?"));
+}
+
 TEST_CASE("POV-Ray: words of other programs, and misspelt ones") {
     check_mistake("ball { 0, 1 }", "did you mean 'sphere'?");
     check_mistake("cube { 0, 1 }", "did you mean 'box'?");
