@@ -284,22 +284,20 @@ void Interpreter::State::relation(Components& result) {
 }
 
 double Interpreter::State::number() {
-    code();
-    const TextPlace start = next.place;
+    const TextPlace before = last;
     Components value;
     sum(value);
     if (value.count != 1)
-        wrong_size(start, "a number expected, but this has " + std::to_string(value.count) + " components");
+        wrong_size(before, "a number expected, but this has " + std::to_string(value.count) + " components");
     return value.value[0];
 }
 
 DVec3 Interpreter::State::vector() {
-    code();
-    const TextPlace start = next.place;
+    const TextPlace before = last;
     Components value;
     sum(value);
     if (value.count > 3)
-        wrong_size(start, "a vector of three components expected, but this has " + std::to_string(value.count));
+        wrong_size(before, "a vector of three components expected, but this has " + std::to_string(value.count));
     promote(value, 3);
     return {value.value[0], value.value[1], value.value[2]};
 }

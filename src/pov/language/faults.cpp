@@ -287,7 +287,11 @@ void Interpreter::State::tell_open_block(bool at_end_of_block) {
     fail(next.place, message);
 }
 
-void Interpreter::State::wrong_size(TextPlace start, const std::string& message) {
+void Interpreter::State::wrong_size(TextPlace before, const std::string& message) {
+    const std::string_view text = files[before.file]->text;
+    const std::size_t end = before.at + token_of(text_at(before)).size();
+    const std::size_t value = text.find_first_not_of(" \t\r\n,", end);
+    const TextPlace start{before.file, static_cast<std::uint32_t>(value == text.npos ? before.at : value)};
     std::string advice;
     if (has_decimal_commas(text_at(start)))
         advice = "; decimals have a point, as in 0.5";

@@ -208,8 +208,8 @@ struct Interpreter::State {
     [[noreturn]] void wrong_token(const std::string& what);
     /// Fails if the innermost block seems to lack its '}' before `next`.
     void tell_open_block(bool at_end_of_block);
-    /// Fails at a value that has another number of components than it should.
-    [[noreturn]] void wrong_size(TextPlace start, const std::string& message);
+    /// Fails at the value behind the token `before`, which has another number of components than it should.
+    [[noreturn]] void wrong_size(TextPlace before, const std::string& message);
     /// Fails at a vector without '>'.
     [[noreturn]] void open_vector(TextPlace start);
     /// Returns what an unknown name may stand for, or how to declare it.
