@@ -77,9 +77,13 @@ for row in 'Strahl reads them' 'within scope' 'of these open whole' 'agree off t
         fault "the README lacks the figure of pov_corpus.md: $row $figure"
 done
 
-# Every scene of the language's page is one.
-awk '/^```/ { if (inside && text ~ /camera \{/) { ++n; printf "%s", text > ("page" n ".rt") } inside = !inside; text = ""; next }
+# The scenes of the language's page, and its blocks in front of a camera, have no errors; files that they name are not there.
+eye='camera { position <0, -9, 4>  look_at <0, 0, 1>  sky <0, 0, 1>  angle 40 }'
+awk -v eye="$eye" '/^```/ { if (inside && text ~ /^(camera|\/\/|[a-z_]+ +\{|define)/ && text !~ /\.(png|obj)|^material/)
+        printf "%s", (text ~ /camera \{/ ? "" : eye "\n") text > ("page" ++n ".rt")
+    inside = !inside; text = ""; next }
     inside { text = text $0 "\n" }' "$source_folder/src/text/README.md"
+(($(find . -name 'page*.rt' | wc -l) > 15)) || fault "the language's page has few scenes"
 for scene in page*.rt; do expect 0 "no errors" check "$scene"; done
 
 # Figures: the kinds of bodies, the scenes compared with POV-Ray.
