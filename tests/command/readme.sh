@@ -77,6 +77,9 @@ for row in 'Strahl reads them' 'within scope' 'of these open whole' 'agree off t
         fault "the README lacks the figure of pov_corpus.md: $row $figure"
 done
 
+flown=$(grep -oP '^\| article\.rt, 960x720 \| \K[0-9.]+(?= \|)' "$source_folder/tests/bench/window.md" | tail -1)
+grep -q "show $flown pictures" "$readme" || fault "the README's flight is not that of tests/bench/window.md: $flown"
+
 # The scenes of the language's page, and its blocks in front of a camera, have no errors; files that they name are not there.
 eye='camera { position <0, -9, 4>  look_at <0, 0, 1>  sky <0, 0, 1>  angle 40 }'
 awk -v eye="$eye" '/^```/ { if (inside && text ~ /^(camera|\/\/|[a-z_]+ +\{|define)/ && text !~ /\.(png|obj)|^material/)
