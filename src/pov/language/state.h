@@ -70,7 +70,7 @@ struct Interpreter::State {
         NamedValue* value = nullptr;        // of a declared identifier or an element
         Symbol* symbol = nullptr;           // of an identifier
         std::shared_ptr<ArrayThing> array;  // of an element: its array
-        std::size_t index = 0;              // and its number there
+        std::size_t index = 0;              // index of the element in it
     };
 
     std::uint16_t code() {
