@@ -244,8 +244,9 @@ std::optional<FlatPart> CapsuleTree::flat_part(const Tube& tube, const RayBundle
     const glm::dmat3 to_own = bundle.coordinates();
     std::int32_t body = -1;
     FlatPart part;
-    std::vector<glm::dvec2> outline, all;
-    glm::dvec2 weighted(0);
+    double largest = 0;
+    std::vector<std::array<glm::dvec2, 2>> ends;  // corners of the polygons, and their middles
+    std::vector<glm::dvec2> outline;
     for (std::size_t i = 0; i < nodes.size();) {
         const CapsuleNode& node = nodes[i];
         const double radius = radius_at(tube, node.around);
@@ -260,19 +261,20 @@ std::optional<FlatPart> CapsuleTree::flat_part(const Tube& tube, const RayBundle
         if (share == 0) continue;
         if (!facets[node.facet].whole || (body >= 0 && bodies[node.facet] != body)) return std::nullopt;
         body = bodies[node.facet];
+        part.share += share, part.corners |= corners;
         glm::dvec2 middle(0);
         for (const glm::dvec2& point : outline) middle += 1. / static_cast<double>(outline.size()) * point;
-        part.share += share, part.corners |= corners, weighted += share * middle;
-        all.insert(all.end(), outline.begin(), outline.end());
+        for (const glm::dvec2& point : outline) ends.push_back({point, middle});
+        if (share > largest) largest = share, part.places[0] = middle;
     }
     if (body < 0) return std::nullopt;
-    const auto furthest = [&](const glm::dvec2& from) {
-        const auto distance = [&](const glm::dvec2& p) { return std::hypot(p.x - from.x, p.y - from.y); };
-        return *std::ranges::max_element(all, {}, distance);
-    };
-    const glm::dvec2 middle = 1 / part.share * weighted, end = furthest(middle), other = furthest(end);
-    constexpr double inside = .8;  // of the way to an end
-    part.places = {middle, middle + inside * (end - middle), middle + inside * (other - middle)};
+    glm::dvec2 from = part.places[0];
+    for (const int k : {1, 2}) {
+        const auto distance = [&](const auto& end) { return std::hypot(end[0].x - from.x, end[0].y - from.y); };
+        const auto& [end, middle] = *std::ranges::max_element(ends, {}, distance);
+        constexpr double inside = .6;  // of the way to the corner: arcs of rings bend by up to .125 of their width
+        part.places[k] = middle + inside * (end - middle), from = end;
+    }
     return part;
 }
 

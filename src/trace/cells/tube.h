@@ -54,7 +54,7 @@ struct RayBundle {
 struct FlatPart {
     double share = 0;
     unsigned corners = 0;         // of the bundle, that are in it
-    std::array<glm::dvec2, 3> places;  // u and v in it: its middle, and near two ends
+    std::array<glm::dvec2, 3> places;  // u and v in it: in the middle of its largest polygon, and near two ends
 };
 
 /// Says what the corners of a bundle tell about facets that some of them meet.
