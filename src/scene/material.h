@@ -47,6 +47,10 @@ struct Material {
     // c, after a way d inside the body; with powers from 1000 on by exp(-(1 - c) d / fade_distance).
     double fade_distance = 0, fade_power = 1;
     Color fade_color{0};
+    // Scenes of POV-Ray set these, scene text has no words for them. Clear surfaces of one `interior` above 0 bound one
+    // space, whichever bodies they are of: each ends what the one before began. In a hollow body there is fog.
+    int interior = 0;
+    bool hollow = false;
 
     NormalMap normal{};
     Bump bump{};                    // bends the normals that `normal` has bent
@@ -98,7 +102,8 @@ struct Material {
         return blinn == 0 && metallic == 0 && brilliance == 1 && glow == Color(1) && mirror == Color(1) &&
                facing == 1 && fresnel == 0 && gilding == 0 && shadow == 1 && conserve == 0 && old_opacity == 0 &&
                seen == 1 && mirrored == 1 && behind == 0 && both_sides == 0 && clarity == 1 && irid == 0 &&
-               fade_distance == 0 && coats.empty() && !rgb.clear() && !shares() && group == 0 && common == 1;
+               fade_distance == 0 && coats.empty() && !rgb.clear() && !shares() && group == 0 && common == 1 &&
+               pow >= 0;
     }
     /// Does light fade inside the body?
     bool fades() const { return fade_distance > 0 && transmits(); }

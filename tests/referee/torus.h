@@ -7,26 +7,40 @@
 
 namespace strahl::referee {
 
-/// The real roots of c[0] + c[1] t + c[2] t^2 + ... between low and high where the polynomial changes its sign.
+/// Returns the real roots of c[0] + c[1] t + c[2] t^2 + ... between low and high where the polynomial changes its sign,
+/// to an ulp of their own or 1/1024 ulp of high - low. It takes Newton's steps, of which each third halves the bracket.
 template <class R>
 std::vector<R> roots_between(const std::vector<R>& c, R low, R high) {
     if (c.size() < 2) return {};
+    // About the middle it has no root if its first coefficient outweighs what the others can add.
+    std::vector<R> about = c;
+    for (std::size_t i = 1; i < c.size(); ++i)
+        for (std::size_t k = c.size() - 1; k-- > i - 1;) about[k] += (low + high) / 2 * about[k + 1];
+    R others = 0;
+    for (std::size_t i = c.size(); i-- > 1;) others = (high - low) / 2 * (others + std::max(about[i], -about[i]));
+    if (std::max(about[0], -about[0]) > others) return {};
+
     std::vector<R> derivative, ends{low}, found;
     for (std::size_t i = 1; i < c.size(); ++i) derivative.push_back(R(static_cast<int>(i)) * c[i]);
     for (const R t : roots_between(derivative, low, high)) ends.push_back(t);
     ends.push_back(high);
-    const auto at = [&](R t) {
+    const auto value = [](const std::vector<R>& polynomial, R t) {
         R sum = 0;
-        for (std::size_t i = c.size(); i-- > 0;) sum = sum * t + c[i];
+        for (std::size_t i = polynomial.size(); i-- > 0;) sum = sum * t + polynomial[i];
         return sum;
     };
+    const auto tiny = [span = high - low](R width) { return span + width / 1024 == span; };
     for (std::size_t i = 1; i < ends.size(); ++i) {
-        R a = ends[i - 1], b = ends[i];
-        const bool below = at(a) < 0;
-        if (below == (at(b) < 0)) continue;
-        for (R middle = (a + b) / 2; middle != a && middle != b; middle = (a + b) / 2)
-            ((at(middle) < 0) == below ? a : b) = middle;
-        found.push_back((a + b) / 2);
+        R a = ends[i - 1], b = ends[i], t = (a + b) / 2;
+        const bool below = value(c, a) < 0;
+        if (below == (value(c, b) < 0)) continue;
+        for (int step = 1; t != a && t != b && !tiny(b - a); ++step) {
+            const R here = value(c, t), next = t - here / value(derivative, t);
+            ((here < 0) == below ? a : b) = t;
+            if (tiny(next - t)) break;
+            t = step % 3 != 0 && a < next && next < b ? next : (a + b) / 2;
+        }
+        found.push_back(t);
     }
     return found;
 }

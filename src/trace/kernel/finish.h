@@ -176,7 +176,7 @@ template <class S, class P>
         hidden.active = hit.active & FinishCalls<S>::hidden(world, numbers, before.mirrored);
         if (bend == 0 && any(hidden.active) && shading.depth < deepest_ray) {
             Carried<S> on = before;
-            if (world.fog.any) on.tint = on.tint * tint_of_fog(world, S(hit.medium));
+            if (world.fog.any) on.tint = on.tint * tint_of_fog(world, medium_in_fog(shading, S(hit.medium)));
             push_through(shading, hidden, t, on, notes);
         }
         hit.active = hit.active & !hidden.active;
@@ -196,7 +196,7 @@ template <class S, class P>
     add_lights(shading, lit, numbers, layers, notes, light);
     light = select(hit.active, scale(hit.weight, light), splat<S>(Vec3<Element<S>>(0)));
     if (world.fog.any) {
-        light = light * tint_of_fog(world, S(hit.medium));
+        light = light * tint_of_fog(world, medium_in_fog(shading, S(hit.medium)));
         if (bend == 0) light = fma(pick(from.weight) - hit.weight, splat<S>(world.fog.color), light);
     }
     add_light(shading.batch, hit.pixel, pick.lanes, light * before.tint);

@@ -37,7 +37,7 @@ template <class S>
     const S from_axis = dot(off, off) * S(T(.5)), cosine = S(1) - from_axis;
     const S u = min(max((S(light.falloff) - from_axis) * S(light.per), S(0)), S(1));
     S share = select(from_axis > S(light.radius), u * u * fma(S(-2), u, S(3)), S(1));
-    if (light.tightness != 0) share = share * power_of_uniform(max(cosine, S(0)), light.tightness);
+    if (light.tightness != 0) share = share * signed_power(max(cosine, S(0)), light.tightness);
     return select(cosine > S(0), share, S(0));
 }
 
@@ -49,8 +49,9 @@ Vec3<S> soft_share(const Shading<S, P>& shading, const Hit<S>& hit, int number, 
     using T = Element<S>;
     const auto& world = shading.world;
     constexpr T error = T(1) / 510;
+    const S light = hit.weight * strength;
     const LitHits<S> hits{lanes,     outside,     hit.position, normal,     flat,
-                          reflected, hit.surface, hit.weight,   S(1),       S(0),
+                          reflected, hit.surface, light,        S(1),       S(0),
                           S(1),      S(1),        hit.bin,      hit.medium, &mediums(shading.workspace)};
     const AreaMeans<S> means = world.lights[number].columns > 0
                                    ? AreaLightCalls<S>::grid_means(world, number, hits, strength, visibility<S>)

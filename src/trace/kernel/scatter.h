@@ -180,7 +180,7 @@ template <class S, class P>
     carried = carried_by(shading, from, pick);
     on = {hit.active, hit.weight};
     if (world.fog.any) {
-        carried.tint = carried.tint * tint_of_fog(world, S(hit.medium));
+        carried.tint = carried.tint * tint_of_fog(world, medium_in_fog(shading, S(hit.medium)));
         if (world.finishes.bailout > T(0)) {
             // POV-Ray follows rays by their strength before fog dims them.
             on.weight = pick(from.weight);

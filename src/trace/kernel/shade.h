@@ -45,7 +45,7 @@ void shade_misses(const Shading<S, P>& shading) {
         }
         if (world.fog.any) [[unlikely]] {
             const Vec3<S> fog = splat<S>(world.fog.color);
-            const S medium = pick(shading.rays.open.medium);
+            const S medium = medium_in_fog(shading, S(pick(shading.rays.open.medium)));
             if (world.fog.even) {
                 color = world.nested ? select(medium == S(0), fog, color) : fog;
             } else {
@@ -177,8 +177,8 @@ bool shade_bin(const Shading<S, P>& shading, const BinHits<Element<S>>& own) {
         const Element<S>* const t = within ? rays.inside.t : shading.hits.t;
         Hit<S> hit = make_hit(shading, bin, own.finished, from, pick, t, material);
         if (world.fog.any) [[unlikely]]
-            hit.weight = left_by_fog(world, S(hit.weight), S(hit.medium), origins_of(from, pick),
-                                     Vec3<S>(hit.direction), pick(t));
+            hit.weight = left_by_fog(world, S(hit.weight), medium_in_fog(shading, S(hit.medium)),
+                                     origins_of(from, pick), Vec3<S>(hit.direction), pick(t));
         HitNotes<S, P> notes;
         P::meet(shading, hit, from, pick, t, within, material, notes.own);
         if (shading.has_notes) [[unlikely]] {
@@ -232,7 +232,7 @@ bool shade_bin(const Shading<S, P>& shading, const BinHits<Element<S>>& own) {
             hit.active = first_lanes<S>(pick.lanes), hit.weight = weight;
         Vec3<S> light = scale(hit.weight, illumination(shading, hit, dim, notes));
         if (world.finishes.carries) [[unlikely]]
-            light = light * tint_of_fog(world, S(hit.medium));
+            light = light * tint_of_fog(world, medium_in_fog(shading, S(hit.medium)));
         if (world.fog.any) [[unlikely]]
             light = fma(pick(from.weight) - hit.weight, splat<S>(world.fog.color), light);
         if (world.finishes.carries) [[unlikely]]

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include "scene/leaves.h"
@@ -12,6 +13,16 @@ namespace strahl {
 namespace {
 
 double largest(const Color& c) { return std::max({std::abs(c.x), std::abs(c.y), std::abs(c.z)}); }
+
+/// Returns the most that powers of cosines can be, see signed_power; in the cone of a spot these are not below `least`.
+double most_power(double exponent, double least = 0) {
+    return exponent < 0 ? std::min(std::pow(std::max(least, 0.), exponent), 1e9) : 1;
+}
+/// Returns by how much a light is brighter off its axis than on it.
+double off_axis(const Light& light) {
+    if (!light.spot) return most_power(light.tightness);
+    return most_power(light.spot->tightness, std::cos(light.spot->falloff * std::numbers::pi / 180));
+}
 
 /// Returns how often a line crosses a shape at most.
 double most_crossings(const Shape& shape) {
@@ -50,10 +61,18 @@ double sum_of_layers(const Material& m, const Of& of) {
     return sum * m.most_share();
 }
 
+/// Returns the most of facing + (1 - facing) x, see Material; 1 - the cosine is up to 2 where normals are bent.
+double most_facing(const Material& m, bool bends) {
+    if (m.facing == 1 || m.fresnel > 0) return 1;
+    const double most = m.falloff < 0 ? most_power(m.falloff) : bends ? std::pow(2, m.falloff) : 1;
+    return m.facing + (1 - m.facing) * std::min(most, 1e9);
+}
+
 /// Returns the share that a surface sends on at most: reflected, or refracted, or reflected totally.
 double sent_on(const Material& m) {
-    const double reflected = sum_of_layers(m, [](const Material& layer) {
-        return layer.reflection * largest(layer.mirror) * most_tint(layer.gilding, layer.rgb.color) * (1 + layer.irid);
+    const double reflected = sum_of_layers(m, [&](const Material& layer) {
+        return layer.reflection * largest(layer.mirror) * most_tint(layer.gilding, layer.rgb.color) *
+               (1 + layer.irid) * most_facing(layer, m.bends());
     });
     double through = m.clarity * std::max(m.refraction, largest(m.passed(Color(m.refraction))));
     const bool clear = m.transmits() && m.rgb.clear();
@@ -75,9 +94,9 @@ double gain(const Scene& scene) {
     return std::min(product, std::numeric_limits<double>::max());  // infinity times nothing would be no number
 }
 
-/// Returns a light's color, or the most of it: light that fades is stronger near its source.
+/// Returns the most of a light's colour: lights may be brighter near them and off their axes.
 Color most_of(const Light& light) {
-    Color color = light.color * (light.fades() ? 2. : 1.);
+    Color color = light.color * (light.fades() ? 2. : 1.) * off_axis(light);
     for (int c = 0; c < 3; ++c) color[c] = std::abs(color[c]);
     return color;
 }
@@ -87,10 +106,11 @@ double own_light(const Scene& scene, const Material& m, double gain, bool glows)
     return sum_of_layers(m, [&](const Material& layer) {
         const Pigment& rgb = layer.rgb;
         Color sum = glows ? scene.settings.ambient_light * rgb.color * layer.ambient * layer.glow : Color(0);
-        const double shine = (layer.specular + layer.blinn) * most_tint(layer.metallic, rgb.color);
+        const double diffuse = std::max(layer.diffuse, layer.behind) * most_power(layer.brilliance);
+        const double shine = (layer.specular * most_power(layer.pow) + layer.blinn * most_power(layer.roughness)) *
+                             most_tint(layer.metallic, rgb.color);
         for (const Light& light : scene.lights)
-            sum += gain * (1 + layer.irid) * most_of(light) *
-                   (std::max(layer.diffuse, layer.behind) * rgb.color + Color(shine));
+            sum += gain * (1 + layer.irid) * most_of(light) * (diffuse * rgb.color + Color(shine));
         // Where more comes through than there is, POV-Ray scatters less than nothing.
         return largest(sum) * std::max(1., rgb.filter + rgb.transmit - 1);
     });
