@@ -178,7 +178,7 @@ int render_command(const RenderOptions& asked) {
     const auto start = std::chrono::steady_clock::now();
     RenderOptions options = asked;
     const std::string ending = check(options);
-    const std::string ffmpeg = is_film(options.output) ? find_ffmpeg(options.output) : "";
+    const std::string ffmpeg = is_film(options.output) ? find_ffmpeg("'" + options.output + "'") : "";
     const Lattice part = options.crop.value_or(Lattice{0, 0, options.size.width, options.size.height});
     check_size(part, ending, options.output == "-" || !ffmpeg.empty());
     require_writable(options.numbered() ? numbered(options.output, options.frames->first()) : options.output);

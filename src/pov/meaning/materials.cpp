@@ -14,8 +14,10 @@ constexpr std::size_t most_layers = 8;
 
 /// Limits a value to a range that scene text allows.
 double share(double v) { return std::isfinite(v) ? std::clamp(tidy(v), 0., 1.) : 0; }
-double coefficient(double v) { return std::isfinite(v) ? std::clamp(tidy(v), 0., 1e9) : 0; }
-Color coefficients(const Color& c) { return {coefficient(c.x), coefficient(c.y), coefficient(c.z)}; }
+double signed_number(double v) { return std::isfinite(v) ? std::clamp(tidy(v), -1e9, 1e9) : 0; }
+double coefficient(double v) { return std::max(signed_number(v), 0.); }
+Color signed_numbers(const Color& c) { return {signed_number(c.x), signed_number(c.y), signed_number(c.z)}; }
+Color coefficients(const Color& c) { return max(signed_numbers(c), Color(0)); }
 
 /// Returns the index of refraction; one that can't be told from 1 is 1.
 double ior_of(const InteriorThing& interior, const NoteTaker& notes) {
@@ -277,6 +279,15 @@ int MaterialMaker::turned(int number) {
     return materials.number(own);
 }
 
+int MaterialMaker::within(int number, int interior, bool hollow) {
+    const Material& before = (*this)[number];
+    if (!before.transmits()) interior = 0;
+    if (before.interior == interior && before.hollow == hollow) return number;
+    Material own = before;
+    own.interior = interior, own.hollow = hollow;
+    return materials.number(own);
+}
+
 int MaterialMaker::apart(int number) {
     Material own = (*this)[number];
     const auto mark = [](const std::shared_ptr<const Pattern>& pattern) {
@@ -290,7 +301,7 @@ int MaterialMaker::apart(int number) {
     return materials.number(own);
 }
 
-/// Tells which numbers of a finish are below 0, where POV-Ray takes away light or lights more.
+/// Tells which numbers of a finish are below 0, where POV-Ray takes away light or lights more, and scene text cannot.
 void MaterialMaker::tell_negative(const FinishThing& finish) const {
     const auto approximated = [&](double least, const char* text) {
         if (least < 0) notes.approximated(finish.place, text);
@@ -342,14 +353,20 @@ void MaterialMaker::set_finish(Material& material, const FinishThing& finish, co
 
 /// Sets the terms of a layer's finish.
 void MaterialMaker::set_layer(Material& layer, const FinishThing& finish) {
+    const bool as_text = notes.in.options().as_text;
+    const auto exponent = [&](double v) { return as_text ? coefficient(v) : signed_number(v); };
     const Color light = max(contents.ambient_light, Color(1e-9));
     const Color ambient = finish.ambient + finish.emission / light;
-    layer.ambient = coefficient(max_of(ambient));
-    if (!is_grey(ambient)) layer.glow = coefficients(ambient / max_of(ambient));
-    layer.diffuse = coefficient(finish.diffuse), layer.brilliance = coefficient(finish.brilliance);
-    layer.specular = coefficient(finish.phong), layer.pow = coefficient(finish.phong_size);
+    const double strength = as_text ? max_of(ambient) : max_of(max(ambient, -1. * ambient));
+    layer.ambient = coefficient(strength);
+    if (!is_grey(ambient) || ambient.x < 0) layer.glow = (as_text ? coefficients : signed_numbers)(ambient / strength);
+    layer.diffuse = coefficient(finish.diffuse), layer.brilliance = exponent(finish.brilliance);
+    layer.specular = coefficient(finish.phong), layer.pow = exponent(finish.phong_size);
     layer.blinn = coefficient(finish.specular);
-    if (layer.blinn > 0) layer.roughness = std::clamp(tidy(finish.roughness), 1e-9, 1e9);
+    if (layer.blinn > 0) {
+        const double size = std::clamp(std::fabs(tidy(finish.roughness)), 1e-9, 1e9);
+        layer.roughness = finish.roughness < 0 ? as_text ? 1e-9 : -size : size;
+    }
     if (layer.specular > 0 || layer.blinn > 0) layer.metallic = coefficient(finish.metallic);
     const ReflectionValues& reflection = finish.reflection;
     const double most = max_of(reflection.most);
@@ -358,7 +375,8 @@ void MaterialMaker::set_layer(Material& layer, const FinishThing& finish) {
     };
     if (reflection.most != DVec3(0)) {
         layer.reflection = share(most);
-        if (!is_grey(reflection.most) || most > 1) layer.mirror = coefficients(reflection.most / std::min(most, 1.));
+        if (!is_grey(reflection.most) || most > 1)
+            layer.mirror = (as_text ? coefficients : signed_numbers)(reflection.most / std::min(most, 1.));
         layer.fresnel = reflection.fresnel ? 1 : 0;
         if (reflection.least != reflection.most || reflection.fresnel) {
             layer.facing = share(mean(reflection.least) / mean(reflection.most));
@@ -370,7 +388,7 @@ void MaterialMaker::set_layer(Material& layer, const FinishThing& finish) {
         approximated(reflection.exponent != 1, "'exponent' of a reflection is ignored");
     }
     layer.behind = coefficient(finish.diffuse_behind);
-    tell_negative(finish);
+    if (as_text) tell_negative(finish);
     if (finish.crand != 0) notes.left_out(finish.place, "'crand'");
     layer.irid = coefficient(finish.irid), layer.film = coefficient(finish.film);
     if (finish.irid > 0) approximated(finish.swirls, "the film of 'irid' is even");

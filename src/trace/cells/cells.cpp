@@ -53,7 +53,8 @@ void Cells::begin(int x, int y, int new_columns, int new_rows, double new_contra
                   const ThinBodies& bodies) {
     left = x, top = y, columns = new_columns, rows = new_rows;
     contrast = new_contrast, largest = largest_filled * unit, thin = &bodies;
-    samples.clear(), points.clear(), between.clear(), active.clear(), waiting.clear(), searches.clear(), part_searches.clear();
+    samples.clear(), points.clear(), between.clear(), active.clear(), waiting.clear(), searches.clear(),
+        part_searches.clear();
     lattice.assign(side * side, -1);
     sums.assign(std::size_t(3) * columns * rows, 0);
     constexpr int in_tile = tile_pixels / coarsest_cell;

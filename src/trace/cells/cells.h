@@ -3,8 +3,9 @@
 // Cells have their corners between pixels, so that the picture's value in a pixel is the sum over the cells in it. A
 // cell whose corners, and middle, have one signature is smooth: it is filled. Where an edge crosses a cell of a pixel
 // or less its ends are searched on the cell's sides, and it is taken for straight (compare J. Genetti and D. Gordon,
-// "Ray Tracing With Adaptive Supersampling in Object Space", Graphics Interface 1993). Where a flat thin body crosses it
-// alone, what the body takes of it is computed, and samples there say what it looks like. Everything else is divided.
+// "Ray Tracing With Adaptive Supersampling in Object Space", Graphics Interface 1993). Where a flat thin body crosses
+// it alone, what the body takes of it is computed, and samples there say what it looks like. Everything else is
+// divided.
 #pragma once
 #include <array>
 #include <functional>

@@ -95,8 +95,7 @@ ThinBodies::Sights ThinBodies::sights_at(const std::array<CellCorner, 4>& corner
     return sights;
 }
 
-bool ThinBodies::hides_in(const std::array<CellCorner, 4>& corners, double least,
-                          std::optional<FlatPart>* part) const {
+bool ThinBodies::hides_in(const std::array<CellCorner, 4>& corners, double least, std::optional<FlatPart>* part) const {
     if (bodies.empty()) return false;
     double least_distance = std::numeric_limits<double>::infinity(), most_distance = 0, furthest = 0, nearest = end;
     double brightest = 0, reflection = 0, further = 0, reach = 0;

@@ -53,7 +53,7 @@ struct RayBundle {
 /// The part of a bundle that one flat thin body takes.
 struct FlatPart {
     double share = 0;
-    unsigned corners = 0;         // of the bundle, that are in it
+    unsigned corners = 0;              // of the bundle, that are in it
     std::array<glm::dvec2, 3> places;  // u and v in it: in the middle of its largest polygon, and near two ends
 };
 
