@@ -46,6 +46,12 @@ STRAHL_INLINE S power_of_uniform(S x, Element<S> p) {
     return result;
 }
 
+/// Does so for exponents that may be below 0; then it returns 1e9 at most.
+template <class S>
+STRAHL_INLINE S signed_power(const S& x, Element<S> p) {
+    return p < 0 ? S(1) / max(power_of_uniform(x, -p), S(1e-9f)) : power_of_uniform(x, p);
+}
+
 /// The type of the bits of S.
 template <class S>
 struct BitsOf {

@@ -51,7 +51,7 @@ int leaves_of(const Shape& shape) {
 
 template <Operation operation>
 bool Composite<operation>::operator==(const Composite& other) const {
-    return parts == other.parts || *parts == *other.parts;
+    return keeps == other.keeps && (parts == other.parts || *parts == *other.parts);
 }
 
 template <Operation operation>

@@ -61,6 +61,14 @@ struct LeafWay {
     double similarity = 0;                        // of the transformations into the world
     std::vector<Transformation> steps, material;  // into the world: of the leaf, and of its material's patterns
 };
+/// Calls combine(operation), or combine(operation, keeps) if it takes that.
+template <class Combine, class Kind>
+void combine_with(const Combine& combine, const Kind& kind) {
+    if constexpr (requires { combine(Kind::operation, kind.keeps); })
+        combine(Kind::operation, kind.keeps);
+    else
+        combine(Kind::operation);
+}
 /// Calls visit(leaf, way) for the leaves of a composite in the order declared, and combine(operation) where the last
 /// two results become one.
 template <class Visit, class Combine>
@@ -78,7 +86,7 @@ void for_each_leaf_within(const Primitive& composite, const Visit& visit, const 
                         own.steps.insert(own.steps.end(), way.steps.begin(), way.steps.end());
                         own.material = next.material == part.material ? way.material : own.steps;
                         self(self, next, own);
-                        if (i > 0) combine(Kind::operation);
+                        if (i > 0) combine_with(combine, kind);
                     }
                 } else {
                     visit(part, way);

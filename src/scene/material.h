@@ -47,6 +47,10 @@ struct Material {
     // c, after a way d inside the body; with powers from 1000 on by exp(-(1 - c) d / fade_distance).
     double fade_distance = 0, fade_power = 1;
     Color fade_color{0};
+    // Scenes of POV-Ray set these, scene text has no words for them. Clear surfaces of one `interior` above 0 bound one
+    // space, whichever bodies they are of: each ends what the one before began. In a hollow body there is fog.
+    int interior = 0;
+    bool hollow = false;
 
     NormalMap normal{};
     Bump bump{};                    // bends the normals that `normal` has bent

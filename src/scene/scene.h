@@ -26,6 +26,7 @@ struct Settings {
     /// Hides from rays what is nearer than this to their starts, and for shadows 10 times as far: 1e-4 in scenes of
     /// POV-Ray, as there. Scene text has no word for it.
     double passed_over = 0;
+    double farthest = 0;  // rays see nothing that is as far away; 0: they see everything. It has no word either
     bool operator==(const Settings&) const = default;
 };
 

@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "num/thread_pool.h"
+#include "num/vec_math.h"
+#include "scene/leave_faces.h"
 #include "trace/batches.h"
 #include "trace/built_kernels.h"
 #include "trace/cells/cell_picture.h"
@@ -76,7 +78,7 @@ class TracerOf : public AnyTracer {
         const Placement wanted = placement(extent, view.camera.position);
         if (built && wanted == placed && !moved && (proves == view.prove || std::is_same_v<T, float>)) return;
         light_buffers.reset(), traced_pixels = 0;
-        around.reset();
+        known.reset();
         if (moved) capsules.reset();
         built.reset(), slack.reset(), bound.reset();
         built = std::make_unique<BuiltWorld<T>>(scene(), wanted, pool, in_time.moves() ? &moving : nullptr, images,
@@ -90,8 +92,10 @@ class TracerOf : public AnyTracer {
     }
 
   private:
-    /// The transparent bodies that an eye is inside.
-    struct EyeBodies {
+    /// The camera that was last asked for, where it is a hair off the faces that it lies on (leave_faces.h), and the
+    /// transparent bodies that it is inside.
+    struct KnownEye {
+        Camera camera;
         DVec3 eye;
         std::vector<int> bodies;
     };
@@ -199,15 +203,18 @@ class TracerOf : public AnyTracer {
     /// Calls work(batches, i, thread) for 0 <= i < tiles, on all threads. If footprints have a side, patterns are
     /// averaged over them roughly; with `means` as well as is known, over footprints with sides of their own.
     Counts each(const Job& job, int tiles, double noticed, const Work<int>& work, double side = 0, bool means = false) {
-        const View& view = job.view;
         ThreadPool& pool = job.pool;
         while (static_cast<int>(workspaces.size()) < pool.size())
             workspaces.push_back(std::make_unique<Workspace<T>>());
 
         // Kept with the world: to look at thousands of materials takes longer than to trace some pixels.
-        if (!bound || bound->brightest.size() != std::size_t(view.depth) + 1) bound = bound_for(scene(), view.depth);
+        if (!bound || bound->brightest.size() != std::size_t(job.view.depth) + 1)
+            bound = bound_for(scene(), job.view.depth);
         std::vector<T> brightest;
         for (const double most : bound->brightest) brightest.push_back(upper<T>(most));
+        find_eye(job.view.camera);
+        View view = job.view;
+        view.camera.position = known->eye;
         Eye<T> eye = eye_of<T>(view, placed);
         std::optional<CameraRays<T>> rays;
         if (view.camera.projection != Projection::perspective) rays.emplace(scene(), view, *built, placed);
@@ -230,15 +237,13 @@ class TracerOf : public AnyTracer {
                                        .queue = std::min(job.queue, batch_rays),
                                        .stop = job.stop},
                                       view.prove ? slack_for(view, world, bound->gain) : Slack<T>{}};
-        if (!around || around->eye != view.camera.position)
-            around = {view.camera.position, built->bodies_around(view.camera.position)};
         std::atomic<int> next{0};
         std::vector<Counts> counts(pool.size());
         const auto take = [&](int thread) {
             Workspace<T>& workspace = *workspaces[thread];
             Eye<T> own = eye;
             int list = 0;
-            for (const int body : around->bodies) list = push(workspace.mediums, list, body);
+            for (const int body : known->bodies) list = push(workspace.mediums, list, body);
             own.medium = static_cast<T>(list);
             Batches<T> batches(world, view.prove ? proving : kernel, own, limits, workspace, view.prove, filters, side);
             for (int i; !limits.stopped() && (i = next++) < tiles;) work(batches, i, thread);
@@ -255,6 +260,15 @@ class TracerOf : public AnyTracer {
         Counts sum;
         for (const Counts& c : counts) sum += c;
         return sum;
+    }
+
+    void find_eye(const Camera& camera) {
+        if (known && known->camera == camera) return;
+        constexpr std::size_t most = 10'000;  // bodies, among which faces are looked for in each picture
+        const bool looks = scene().primitives.size() <= most;
+        const double reach = 1e-12 * (1 + length(camera.position));
+        const DVec3 eye = looks ? off_faces(scene(), camera, reach) : camera.position;
+        known = {camera, eye, built->bodies_around(eye)};
     }
 
     Slack<T> slack_for(const View& view, const World<T>& world, double gain) {
@@ -288,7 +302,7 @@ class TracerOf : public AnyTracer {
     const std::shared_ptr<Images> images = std::make_shared<Images>();
     Kernel<T> kernel, proving;      // none of float proves
     std::optional<Slack<T>> slack;  // of the world's bodies; made when proofs first need it
-    std::optional<EyeBodies> around;  // of the eye that was last asked for
+    std::optional<KnownEye> known;
     std::optional<Bound> bound;     // of the scene's light, for as many generations as were last asked for
     Placement placed;
     bool proves = false;  // is the world one for proofs?

@@ -25,7 +25,7 @@ struct Mirroring {
     void operator()(Cuboid& own) const { turn(own.corner), turn(own.opposite); }
     void operator()(Disc& own) const { turn(own.centre), turn(own.normal); }
     void operator()(Torus& own) const { turn(own.centre), turn(own.axis); }
-    void operator()(Prism& own) const { own.base = -own.base, own.top = -own.top; }
+    void operator()(Prism& own) const { own.base = -own.base, own.top = -own.top, own.caps = -own.caps; }
     void operator()(Triangle& own) const { turn(own.a), turn(own.b), turn(own.c); }
     void operator()(SmoothTriangle& own) const {
         for (DVec3* const v : {&own.a, &own.b, &own.c, &own.normal_a, &own.normal_b, &own.normal_c}) turn(*v);
@@ -253,6 +253,7 @@ SceneMaker::Around SceneMaker::inside(const ObjectThing& object, const Around& a
     append(own.after, around.after);
     own.moves = transformations_of(own.after, mirrored);
     take_over(object, around, own);
+    if (object.interior || own.space == 0) own.space = ++spaces;
     if (object.global_lights) {
         if (around.group > 0)
             notes.approximated(object.place, "lights of the outer light_group do not shine on the inner one");
@@ -275,14 +276,16 @@ bool SceneMaker::shows_inside(const ObjectThing& object, const Shape& shape, con
     const bool mirrors = glm::determinant(glm::dmat3(matrix_of(steps))) < 0;
     if (std::holds_alternative<Triangle>(shape)) {
         if (!object.steps.empty())
-            notes.approximated(object.place, "which side of a triangle is inside that was moved");
+            notes.approximated(object.place, "the inside of a triangle that is moved: its corners' order decides");
         return !mirrored;
     }
     if (const auto* const own = std::get_if<SmoothTriangle>(&shape))
         return facing(own->a, own->b, own->c, own->normal_a + own->normal_b + own->normal_c) == mirrors;
-    if (std::holds_alternative<Prism>(shape) || std::holds_alternative<SphereSweep>(shape))
+    const bool prism = std::holds_alternative<Prism>(shape);
+    if ((prism && notes.in.options().as_text) || std::holds_alternative<SphereSweep>(shape))
         notes.approximated(object.place, "which sides of its faces are inside");
     const bool turned = around.turned != object.inverse;
+    if (prism) return turned != object.turned_surface;
     const auto* const mesh = std::get_if<Mesh>(&shape);
     if (!mesh) return turned;
     const bool flat_faces_back = mirrored == object.turned_surface;
@@ -314,7 +317,8 @@ int SceneMaker::number_of(const Looks& own, const UvMapping& uv, const Way& way)
                           .both_sides = own.both_sides,
                           .group = own.group,
                           .common = own.common};
-    return materials.number(own.texture, own.interior, use, way);
+    const int number = materials.number(own.texture, own.interior, use, way);
+    return materials.within(number, own.space, own.hollow && !contents.fogs.empty());
 }
 
 /// Returns how a simple body finds places by uv; `mapped` says that it is a mesh with uv_vectors. Its first steps,
@@ -339,6 +343,7 @@ int SceneMaker::material_of(const ObjectThing& object, const Around& around, boo
     if (around.clips) return materials.nothing();
     Looks own = around;
     take_over(object, around, own);
+    if (object.interior && own.space > 0) own.space = ++spaces;
     if (object.lump_textures) {
         const auto& blob = std::get<Blob>(*object.shape);
         const Steps way = inverse(to_owner(object, around));
@@ -426,9 +431,9 @@ std::optional<SceneMaker::Part> SceneMaker::build_turned(const ObjectThing& obje
             Steps to_scene = object.steps;
             append(to_scene, around.after);
             if (shows_inside(object, shape, around, to_scene)) material = materials.turned(material);
+            if (auto* const prism = std::get_if<Prism>(&shape); prism && object.word == word("prism"))
+                prism->caps = object.turned_surface == mirrored ? 1 : -1;
         }
-        if (object.hollow && !contents.fogs.empty() && materials[material].transmits())
-            notes.approximated(object.place, "there is no fog inside a hollow body that light passes");
         part = Part{{std::move(shape), material, transformations_of(steps, mirrored)}, object.inverse};
     } else if (object.kind != ObjectKind::light && object.kind != ObjectKind::nothing) {
         part = build_parts(object, around);
@@ -488,29 +493,21 @@ bool SceneMaker::clear(const Primitive& body, bool bends) const {
     return any;
 }
 
-/// Tells of a union in a composite that has surfaces inside it, where rays could meet these.
-void SceneMaker::tell_of_union(Primitive whole, const Around& around, TextPlace place) const {
+/// Lets a union in a composite keep the surfaces inside it. Tells of them in scene text, which has none, and where the
+/// union is of parts that are turned inside out.
+void SceneMaker::keep_surfaces(Primitive& whole, const Around& around, bool turned, TextPlace place) const {
+    auto* const own = std::get_if<Union>(&whole.shape);
     std::vector<Box> boxes;
     each_part(whole, [&](const Primitive& part) { boxes.push_back(world_bounds(part)); });
     if (!any_meet(boxes)) return;
-    whole.transformations.insert(whole.transformations.end(), around.moves.begin(), around.moves.end());
-    if (clear(whole) || strahl::contains(whole, scene.camera.position))
+    if (own && !turned && !in.options().as_text) {
+        own->keeps = true;
+        return;
+    }
+    Primitive seen = whole;
+    seen.transformations.insert(seen.transformations.end(), around.moves.begin(), around.moves.end());
+    if (clear(whole) || strahl::contains(seen, scene.camera.position))
         notes.approximated(place, "a union in a composite has no surfaces inside it");
-}
-
-/// Tells of bodies of a union, the scene's from number `first` on, that overlap: for POV-Ray a ray that goes from one
-/// into another leaves their common interior.
-void SceneMaker::tell_of_interior(const ObjectThing& object, std::size_t first) const {
-    std::vector<Box> boxes;
-    for (std::size_t i = first; i < scene.primitives.size(); ++i)
-        if (clear(scene.primitives[i], true)) boxes.push_back(world_bounds(scene.primitives[i]));
-    if (any_meet(boxes)) notes.approximated(object.place, "bodies of a union that overlap have an interior each");
-}
-
-/// Tells of a camera in a body, in which POV-Ray has no fog unless the body is hollow.
-void SceneMaker::tell_of_eye(const Primitive& body, const ObjectThing& object, const Looks& own) const {
-    if (!contents.fogs.empty() && !own.hollow && !clear(body) && strahl::contains(body, scene.camera.position))
-        notes.approximated(object.place, "there is fog around a camera that is in a body");
 }
 
 /// Makes a body fit to be a part: a disc becomes the half-space behind it, and an open lathe is closed. Returns false
@@ -558,8 +555,6 @@ std::optional<SceneMaker::Part> SceneMaker::build_parts(const ObjectThing& objec
             if (!each->thin) notes.left_out(object.place, "a body that a part is missing of");
             return std::nullopt;
         }
-        if (part && each->interior && object.parts.size() > 1 && clear(part->primitive, true))
-            notes.approximated(each->place, "a part of a composite has the interior of the whole");
         const bool negated = part && part->negated != (object.kind == ObjectKind::subtract && !first);
         first = false;
         if (part) (negated ? hollow : solid).push_back(std::move(part->primitive));
@@ -574,12 +569,14 @@ std::optional<SceneMaker::Part> SceneMaker::build_parts(const ObjectThing& objec
         only.transformations.insert(only.transformations.end(), more.begin(), more.end());
         return Part{std::move(only), negated};
     }
+    const bool turns = unites && !solid.empty();
     Primitive whole{.shape = share_of(std::move(solid), std::move(hollow)), .material = 0, .transformations = more};
-    if (object.kind == ObjectKind::unite && !within.merges) tell_of_union(whole, around, object.place);
+    if (object.kind == ObjectKind::unite && !within.merges) keep_surfaces(whole, around, turns, object.place);
     if (within.shared->number)
         whole.material = *within.shared->number;
     else  // no part uses it; it is that of the first leaf, but for patterns
-        whole.material = materials.without_patterns(first_leaf(whole).material);
+        whole.material = materials.within(materials.without_patterns(first_leaf(whole).material), within.space,
+                                          within.hollow && !contents.fogs.empty());
     if (const char* const fault = fault_of(whole.shape)) {
         notes.left_out(object.place, std::string("a composite: ") + fault);
         return std::nullopt;
@@ -595,8 +592,6 @@ std::optional<SceneMaker::Part> SceneMaker::clipped(const ObjectThing& object, c
         return part;
     }
     const int material = part.primitive.material;
-    if (object.kind == ObjectKind::unite && object.parts.size() > 1)
-        notes.approximated(object.place, "a clipped union in a composite is a merge");
     tell_of_cuts(materials[material], object.place);
     // The composite has the body's space, in which the patterns of its texture are.
     std::vector<Transformation> own, back;
@@ -626,8 +621,7 @@ void SceneMaker::push(Part part, const ObjectThing& object, const Around& around
     own.insert(own.end(), around.moves.begin(), around.moves.end());
     Looks flags = around;
     take_over(object, around, flags);
-    tell_of_eye(part.primitive, object, flags);
-    if (ends_in_sight(part.primitive, scene.camera.position))
+    if (in.options().as_text && ends_in_sight(part.primitive, scene.camera.position))
         notes.approximated(object.place, "a body is seen further away than 1e7");
     shown.push_back({flags.no_shadow, flags.no_image, flags.no_reflection, object.place});
     scene.primitives.push_back(std::move(part.primitive));
@@ -668,14 +662,52 @@ void SceneMaker::add(const ObjectThing& object, const Around& around) {
     } else if (object.kind == ObjectKind::unite && object.clips.empty()) {
         const Around within = inside(object, around);
         tell_notes(object);
-        const std::size_t first = scene.primitives.size();
         for (const auto& part : object.parts) add(*part, within);
-        if (scene.primitives.size() > first + 1) tell_of_interior(object, first);
     } else if (object.kind == ObjectKind::unite && object.parts.size() > 1) {
         for (const ObjectThing& piece : pieces_of(object)) add(piece, around);
     } else if (std::optional<Part> part = build(object, around)) {
         push(std::move(*part), object, around);
     }
+}
+
+/// Forgets interiors that no two bodies in one place share, and no parts of one body divide.
+void SceneMaker::settle_spaces() {
+    struct Use {
+        std::vector<Box> boxes{};
+        bool matters = false, needed = false;
+        TextPlace place{};
+    };
+    std::unordered_map<int, Use> uses;
+    for (std::size_t i = 0; i < scene.primitives.size(); ++i) {
+        const Primitive& body = scene.primitives[i];
+        std::set<int> own;
+        bool matters = !contents.fogs.empty();
+        for_each_leaf(body, [&](const Primitive& leaf, const glm::dmat4&) {
+            const Material& material = materials[leaf.material];
+            if (!material.transmits()) return;
+            own.insert(material.interior);
+            matters |= material.ior != 1 || material.fades();
+        });
+        for (const int number : own) {
+            if (number == 0) continue;
+            Use& use = uses[number];
+            use.matters |= matters, use.needed |= own.size() > 1;
+            use.boxes.push_back(world_bounds(body)), use.place = shown[i].place;
+        }
+    }
+    for (auto& [number, use] : uses) use.needed = use.matters && (use.needed || any_meet(use.boxes));
+    const auto settle = [&](const auto& self, Primitive& body) -> void {
+        const Material& own = materials[body.material];
+        const auto use = uses.find(own.interior);
+        if (own.interior > 0 && (use == uses.end() || !use->second.needed))
+            body.material = materials.within(body.material, 0, own.hollow);
+        change_parts(body, [&](Primitive& part) { self(self, part); });
+    };
+    if (spaces > 0)
+        for (Primitive& body : scene.primitives) settle(settle, body);
+    for (const auto& [number, use] : uses)
+        if (use.needed && in.options().as_text)
+            notes.approximated(use.place, "bodies that share an interior, or whose parts have their own");
 }
 
 /// Gives a body and its parts materials without a shadow, or that are not seen or not mirrored.

@@ -14,4 +14,8 @@ void keep_faces(Primitive& body);
 /// Moves faces of bodies by a hair away from the eye where a plane is seen in their place, which POV-Ray shows.
 void settle_faces(Scene& scene);
 
+/// Moves slanting faces of boxes and discs by a hair towards the eye that are seen before others in their plane:
+/// POV-Ray shows the one that it finds first, which is that of the body whose box along the axes a ray enters first.
+void settle_slanted_faces(Scene& scene);
+
 }  // namespace strahl::pov

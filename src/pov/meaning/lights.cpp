@@ -1,13 +1,11 @@
 // Makes a scene's lights of POV-Ray's.
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 #include <utility>
 
 #include "num/vec_math.h"
 #include "pov/meaning/scene_maker.h"
 #include "scene/overlap.h"
-#include "scene/ray_hits.h"
 
 namespace strahl::pov {
 namespace {
@@ -61,8 +59,9 @@ void SceneMaker::add_light(const ObjectThing& object, const Around& around) {
         light.fade_distance = own.fade_distance, light.fade_power = own.fade_power;
     light.shadowless = own.shadowless;
     approximated(own.dimmed && !contents.fogs.empty(), "fog does not dim a light");
-    const double tightness = std::clamp(own.tightness.value_or(0), 0., 1e9);
-    approximated(own.sort != LightThing::Sort::point && own.tightness.value_or(0) < 0,
+    const bool as_text = in.options().as_text;
+    const double tightness = std::clamp(own.tightness.value_or(0), as_text ? 0 : -1e9, 1e9);
+    approximated(as_text && own.sort != LightThing::Sort::point && own.tightness.value_or(0) < 0,
                  "a light that is brighter off its axis, of a tightness below 0, is as bright there");
     if (own.parallel && target != light.position) {
         light.direction = target - light.position;
@@ -112,30 +111,28 @@ void SceneMaker::add_light(const ObjectThing& object, const Around& around) {
     light_places.push_back(object.place);
 }
 
-/// Moves the camera off flat surfaces that it lies on, to the side that it looks to: in POV-Ray what is nearer than
-/// 1e-4 to it is not seen.
-void SceneMaker::leave_surfaces() {
-    constexpr double reach = 1e-4;
-    DVec3& eye = scene.camera.position;
-    const DVec3 way = .01 * (scene.camera.look_at - eye);
-    const double away = length(way);
-    if (!(away > 0)) return;
-    const DVec3 towards = way / away;
-    const auto is_flat = []<class Kind>(const Kind&) {
-        return is_composite<Kind> || std::is_same_v<Kind, Cuboid> || std::is_same_v<Kind, Plane> ||
-               std::is_same_v<Kind, Disc> || std::is_same_v<Kind, Cylinder>;
-    };
+/// Tells of lights that lie in the surface of a body: its rounding decides where that hides them in POV-Ray.
+void SceneMaker::tell_of_lights() const {
+    constexpr std::size_t most = 20'000;  // bodies that are looked at
+    if (scene.primitives.size() > most) return;
     for (const Primitive& body : scene.primitives) {
-        if (!std::visit(is_flat, body.shape)) continue;
+        if (!(materials[body.material].shadow > 0)) continue;
         const Box box = world_bounds(body);
-        bool holds = true;
-        for (int i = 0; i < 3; ++i) holds &= eye[i] >= box.low[i] - reach && eye[i] <= box.high[i] + reach;
-        if (!holds) continue;
-        const auto hits = ray_hits(body, {eye - reach * towards, towards, {}}, 0, 2 * reach);
-        if (hits.empty()) continue;
-        const DVec3 normal = hits[0].normal * (dot_product(hits[0].normal, towards) < 0 ? -1. : 1.);
-        const double behind = (hits[0].t - reach) * dot_product(normal, towards);
-        eye = eye + (std::max(behind, 0.) + 1e-7 * (1 + away)) * normal;
+        for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+            const Light& light = scene.lights[i];
+            const DVec3& p = light.position;
+            const double hair = 1e-9 * (1 + length(p));
+            bool holds = !light.direction && !light.area && !light.shadowless;
+            for (int c = 0; c < 3; ++c) holds = holds && p[c] >= box.low[c] - hair && p[c] <= box.high[c] + hair;
+            int inside = 0, looked = 0;
+            for (int c = 0; c < 6 && holds; ++c, ++looked) {
+                DVec3 beside = p;
+                beside[c / 2] += c % 2 ? hair : -hair;
+                inside += strahl::contains(body, beside);
+            }
+            if (inside > 0 && inside < looked)
+                notes.approximated(light_places[i], "a light in the surface of a body is not hidden by it");
+        }
     }
 }
 

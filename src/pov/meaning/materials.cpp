@@ -14,8 +14,10 @@ constexpr std::size_t most_layers = 8;
 
 /// Limits a value to a range that scene text allows.
 double share(double v) { return std::isfinite(v) ? std::clamp(tidy(v), 0., 1.) : 0; }
-double coefficient(double v) { return std::isfinite(v) ? std::clamp(tidy(v), 0., 1e9) : 0; }
-Color coefficients(const Color& c) { return {coefficient(c.x), coefficient(c.y), coefficient(c.z)}; }
+double signed_number(double v) { return std::isfinite(v) ? std::clamp(tidy(v), -1e9, 1e9) : 0; }
+double coefficient(double v) { return std::max(signed_number(v), 0.); }
+Color signed_numbers(const Color& c) { return {signed_number(c.x), signed_number(c.y), signed_number(c.z)}; }
+Color coefficients(const Color& c) { return max(signed_numbers(c), Color(0)); }
 
 /// Returns the index of refraction; one that can't be told from 1 is 1.
 double ior_of(const InteriorThing& interior, const NoteTaker& notes) {
@@ -54,9 +56,9 @@ std::shared_ptr<const LayerValues> without_blend(const LayerValues& layer, const
     if (layer.blend.ignored == word("material_map"))
         notes.left_out(layer.place, "all textures of a material_map but the first");
     if (const FilterColor& own = layer.pigment.color; !layer.pigment.blend && own.filter + own.transmit < 0)
-        notes.approximated(layer.place, "a surface that lets through less than nothing takes no light from behind it");
+        notes.approximated(layer.place, "filter and transmit below 0: such a surface takes no light from behind it");
     if (int left = 4096; holds_more(layer.blend, left)) {
-        notes.approximated(layer.blend.place, "of thousands of textures in a pattern none is shown");
+        notes.approximated(layer.blend.place, "a pattern of thousands of textures is not shown");
         return itself;
     }
     if (!layer.blend || !layer.blend.map || layer.blend.map->entries.empty()) return itself;
@@ -277,6 +279,15 @@ int MaterialMaker::turned(int number) {
     return materials.number(own);
 }
 
+int MaterialMaker::within(int number, int interior, bool hollow) {
+    const Material& before = (*this)[number];
+    if (!before.transmits()) interior = 0;
+    if (before.interior == interior && before.hollow == hollow) return number;
+    Material own = before;
+    own.interior = interior, own.hollow = hollow;
+    return materials.number(own);
+}
+
 int MaterialMaker::apart(int number) {
     Material own = (*this)[number];
     const auto mark = [](const std::shared_ptr<const Pattern>& pattern) {
@@ -290,7 +301,7 @@ int MaterialMaker::apart(int number) {
     return materials.number(own);
 }
 
-/// Tells which numbers of a finish are below 0, where POV-Ray takes away light or lights more.
+/// Tells which numbers of a finish are below 0, where POV-Ray takes away light or lights more, and scene text cannot.
 void MaterialMaker::tell_negative(const FinishThing& finish) const {
     const auto approximated = [&](double least, const char* text) {
         if (least < 0) notes.approximated(finish.place, text);
@@ -327,10 +338,10 @@ void MaterialMaker::set_finish(Material& material, const FinishThing& finish, co
     approximated(mean(reflected) > 1, "reflection above 1 is 1");
     approximated(fresnel, "reflection that depends on the angle is the same at all angles");
     approximated(material.reflection > 0 && !is_grey(reflected), "coloured reflection is grey");
-    approximated(material.reflection > 0 && reflection.exponent != 1, "'exponent' of a reflection is 1");
+    approximated(material.reflection > 0 && reflection.exponent != 1, "'exponent' of a reflection is ignored");
     approximated(finish.metallic != 0 && shines, "highlights of metal have the colour of the light");
     approximated(reflection.metallic != 0 && material.reflection > 0, "reflection of metal is grey");
-    approximated(finish.brilliance != 1 && finish.diffuse > 0, "'brilliance' is 1");
+    approximated(finish.brilliance != 1 && finish.diffuse > 0, "'brilliance' is ignored");
     approximated(finish.diffuse_behind > 0, "light from behind does not shine through");
     approximated(finish.conserve_energy && material.refraction > 0, "'conserve_energy' changes nothing");
     if (use.shadow_only) return;
@@ -342,14 +353,20 @@ void MaterialMaker::set_finish(Material& material, const FinishThing& finish, co
 
 /// Sets the terms of a layer's finish.
 void MaterialMaker::set_layer(Material& layer, const FinishThing& finish) {
+    const bool as_text = notes.in.options().as_text;
+    const auto exponent = [&](double v) { return as_text ? coefficient(v) : signed_number(v); };
     const Color light = max(contents.ambient_light, Color(1e-9));
     const Color ambient = finish.ambient + finish.emission / light;
-    layer.ambient = coefficient(max_of(ambient));
-    if (!is_grey(ambient)) layer.glow = coefficients(ambient / max_of(ambient));
-    layer.diffuse = coefficient(finish.diffuse), layer.brilliance = coefficient(finish.brilliance);
-    layer.specular = coefficient(finish.phong), layer.pow = coefficient(finish.phong_size);
+    const double strength = as_text ? max_of(ambient) : max_of(max(ambient, -1. * ambient));
+    layer.ambient = coefficient(strength);
+    if (!is_grey(ambient) || ambient.x < 0) layer.glow = (as_text ? coefficients : signed_numbers)(ambient / strength);
+    layer.diffuse = coefficient(finish.diffuse), layer.brilliance = exponent(finish.brilliance);
+    layer.specular = coefficient(finish.phong), layer.pow = exponent(finish.phong_size);
     layer.blinn = coefficient(finish.specular);
-    if (layer.blinn > 0) layer.roughness = std::clamp(tidy(finish.roughness), 1e-9, 1e9);
+    if (layer.blinn > 0) {
+        const double size = std::clamp(std::fabs(tidy(finish.roughness)), 1e-9, 1e9);
+        layer.roughness = finish.roughness < 0 ? as_text ? 1e-9 : -size : size;
+    }
     if (layer.specular > 0 || layer.blinn > 0) layer.metallic = coefficient(finish.metallic);
     const ReflectionValues& reflection = finish.reflection;
     const double most = max_of(reflection.most);
@@ -358,7 +375,8 @@ void MaterialMaker::set_layer(Material& layer, const FinishThing& finish) {
     };
     if (reflection.most != DVec3(0)) {
         layer.reflection = share(most);
-        if (!is_grey(reflection.most) || most > 1) layer.mirror = coefficients(reflection.most / std::min(most, 1.));
+        if (!is_grey(reflection.most) || most > 1)
+            layer.mirror = (as_text ? coefficients : signed_numbers)(reflection.most / std::min(most, 1.));
         layer.fresnel = reflection.fresnel ? 1 : 0;
         if (reflection.least != reflection.most || reflection.fresnel) {
             layer.facing = share(mean(reflection.least) / mean(reflection.most));
@@ -367,10 +385,10 @@ void MaterialMaker::set_layer(Material& layer, const FinishThing& finish) {
         layer.gilding = coefficient(reflection.metallic);
         approximated(length(reflection.least - layer.facing * reflection.most) > 1e-6,
                      "the two colours of a reflection are of one colour");
-        approximated(reflection.exponent != 1, "'exponent' of a reflection is 1");
+        approximated(reflection.exponent != 1, "'exponent' of a reflection is ignored");
     }
     layer.behind = coefficient(finish.diffuse_behind);
-    tell_negative(finish);
+    if (as_text) tell_negative(finish);
     if (finish.crand != 0) notes.left_out(finish.place, "'crand'");
     layer.irid = coefficient(finish.irid), layer.film = coefficient(finish.film);
     if (finish.irid > 0) approximated(finish.swirls, "the film of 'irid' is even");
@@ -473,7 +491,7 @@ Material MaterialMaker::layered_material_of(const TextureThing& texture, const I
             whole.fade_power = coefficient(decimal(static_cast<float>(interior->fade_power)));
             whole.fade_color = min(coefficients(interior->fade_color), Color(1));
             if (whole.fade_color != coefficients(interior->fade_color) || interior->fade_power < 0)
-                notes.approximated(interior->place, "light does not grow inside bodies");
+                notes.approximated(interior->place, "light does not become brighter inside a body");
         }
         if (interior->dispersion) notes.left_out(interior->place, "dispersion");
         if (interior->caustics) notes.left_out(interior->place, "caustics");
@@ -616,7 +634,7 @@ Material MaterialMaker::plain_material_of(const TextureThing& texture, const Int
         const TextPlace place = shown.values->place;
         constexpr int deep = 20;  // enough for rays through nine clear bodies
         if ((!interior || interior->ior == 1) && contents.max_trace_level < deep)
-            notes.approximated(place, "rays that pass a clear body count for max_trace_level");
+            notes.approximated(place, "a ray through a clear body counts for max_trace_level; in POV-Ray it does not");
         const Color shadow = material.rgb.color * material.refraction;
         bool coloured = false, shaded = false;
         for (int c = 0; c < 3; ++c) {

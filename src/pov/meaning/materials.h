@@ -60,6 +60,8 @@ class MaterialMaker {
     int without(double Material::*part, int number);
     /// Returns the number of a material whose sides are turned.
     int turned(int number);
+    /// Returns the number of the same material for surfaces of an interior, which counts if light goes through them.
+    int within(int number, int interior, bool hollow);
     /// Returns the number of an equal material whose patterns have a space of their own.
     int apart(int number);
     const Material& operator[](int number) const { return materials.list[static_cast<std::size_t>(number)]; }

@@ -50,6 +50,7 @@ class SceneMaker {
         int group = 0;             // of lights, see Material
         bool common = true;        // lights of no group shine on it
         bool hollow = false;       // there is fog in it
+        int space = 0;             // the number of its interior, see Material::interior
         Shared* shared = nullptr;  // of the outermost composite from which it has its texture
     };
     /// Holds the properties that an object takes over from the objects around it.
@@ -74,11 +75,9 @@ class SceneMaker {
     std::optional<Part> build_turned(const ObjectThing& object, const Around& around);
     void tell_of_cuts(const Material& material, TextPlace place) const;
     bool clear(const Primitive& body, bool bends = false) const;
-    void tell_of_union(Primitive whole, const Around& around, TextPlace place) const;
-    void tell_of_interior(const ObjectThing& object, std::size_t first) const;
-    void tell_of_eye(const Primitive& body, const ObjectThing& object, const Looks& own) const;
     bool close(Primitive& body, TextPlace place);
     std::optional<Part> build_parts(const ObjectThing& object, const Around& around);
+    void keep_surfaces(Primitive& whole, const Around& around, bool turned, TextPlace place) const;
     std::optional<Part> clipped(const ObjectThing& object, const Around& around, Part part);
     int number_of(Shared& shared);
     template <class Way>
@@ -94,9 +93,10 @@ class SceneMaker {
     void set_planes();
     void drop_shadow_copies();
     void settle_materials();
+    void settle_spaces();
     // lights.cpp
     void add_light(const ObjectThing& object, const Around& around);
-    void leave_surfaces();
+    void tell_of_lights() const;
     // view.cpp
     void set_camera();
     void set_background();
@@ -117,6 +117,7 @@ class SceneMaker {
     std::vector<Seen> shown;  // of each primitive
     std::vector<TextPlace> kept_places, light_places;
     int light_groups = 0;   // so far
+    int spaces = 0;         // interiors so far
     int surfaces_made = 0;  // meshes of bodies that functions define
     struct SurfaceUse {
         int count = 0;  // of bodies that are this surface

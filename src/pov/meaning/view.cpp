@@ -8,6 +8,7 @@
 #include "pov/meaning/coincident.h"
 #include "pov/meaning/crowds.h"
 #include "pov/meaning/scene_maker.h"
+#include "scene/leave_faces.h"
 #include "scene/leaves.h"
 #include "scene/tangent.h"
 
@@ -288,6 +289,7 @@ Scene SceneMaker::make() {
         add(*each.object, around);
     }
     drop_shadow_copies();
+    settle_spaces();
     settle_materials();
     for (std::size_t i = 0; i < scene.primitives.size(); ++i)
         if (limit_crowd(scene.primitives[i], scene.materials))
@@ -295,9 +297,10 @@ Scene SceneMaker::make() {
                            "bodies of a composite beyond " + std::to_string(most_leaves) + " that are connected");
     if (!in.options().as_text) {
         for (Primitive& body : scene.primitives) keep_faces(body);
-        settle_faces(scene);
-        scene.settings.passed_over = 1e-4;
-        leave_surfaces();
+        settle_faces(scene), settle_slanted_faces(scene), tell_of_lights();
+        scene.settings.passed_over = 1e-4, scene.settings.farthest = 1e7;
+        // What is nearer to the eye is not seen.
+        scene.camera.position = off_faces(scene, scene.camera, scene.settings.passed_over);
     }
     set_planes();
     set_bailout();

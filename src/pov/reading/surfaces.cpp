@@ -242,6 +242,7 @@ bool PovReader::read_surface(Interpreter& in, std::uint16_t code, ObjectThing& o
                 object.kind = ObjectKind::shape;
                 object.shape = Prism{low, high, std::make_shared<const ContourData>(std::move(contours))};
                 object.steps = {Rotate{{-90, 0, 0}}};
+                object.turned_surface = kind != SplineKind::bezier;
                 return true;
             }
             std::vector<Outline> outlines;

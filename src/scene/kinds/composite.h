@@ -25,6 +25,7 @@ struct CompositeKernel {
 template <Operation own_operation>
 struct Composite {
     std::shared_ptr<const std::vector<Primitive>> parts = usual_parts();
+    bool keeps = false;  // said of a union: surfaces of its parts are there inside others too. Scene text has no word
 
     bool operator==(const Composite& other) const;
 

@@ -70,6 +70,7 @@ struct ContourKernel {
 /// lower cap, face 1 the upper one, and 2 + i is the wall over piece i.
 template <class T>
 struct PrismKernel : ContourKernel<T> {
+    T low = -1, high = 1;           // the z of the normals of its lower and its upper cap
     static constexpr int caps = 2;  // its faces before those of pieces
     using Base = ContourKernel<T>;
     using Base::box, Base::centre, Base::count, Base::row_x, Base::row_y, Base::turn;
@@ -134,13 +135,13 @@ struct PrismKernel : ContourKernel<T> {
     /// Returns the points and the normals of faces at `t`. `piece` is the wall's.
     template <class S>
     STRAHL_INLINE SurfacePoint<S> at(const ContourPiece<S>& piece, const Ray<S>& ray, S t, S face) const {
-        const S zero(0), one(1);
+        const S zero(0);
         const Vec3<S> position = fma(t, ray.direction, ray.origin), p = turn(position - splat<S>(centre));
         const S s = piece.nearest(p.x, p.y);
         const Mask<S> cap = face < S(2);
         const auto [way_x, way_y] = piece.way_at(s);
         const S x = select(cap, zero, way_y), y = select(cap, zero, -way_x);
-        const S z = select(cap, select(face == zero, S(-1), one), zero);
+        const S z = select(cap, select(face == zero, S(low), S(high)), zero);
         return {position, this->normal(x, y, z)};
     }
 
@@ -183,9 +184,12 @@ struct PrismKernel : ContourKernel<T> {
 struct Prism {
     double base = 0, top = 1;
     std::shared_ptr<const ContourData> data = ContourData::usual();
+    /// Where the normals of both caps point, as in POV-Ray: up to z (1) or down (-1). 0: they point outwards.
+    int caps = 0;
 
     bool operator==(const Prism& other) const {
-        return base == other.base && top == other.top && (data == other.data || data->contours == other.data->contours);
+        return base == other.base && top == other.top && caps == other.caps &&
+               (data == other.data || data->contours == other.data->contours);
     }
 
     static constexpr const char* name = "prism";
@@ -208,7 +212,9 @@ struct Prism {
     void emit(const WorldTransform& to_world, const Emit& emit) const {
         const auto& [x, y] = data->centre;
         const DVec3 middle(x, y, base / 2 + top / 2), size(data->unit, data->unit, std::abs(top - base) / 2);
-        emit(PrismKernel<T>{ContourKernel<T>::of(middle, size, bounds(), data->pieces.size(), to_world)});
+        const auto normal = [&](int outwards) { return static_cast<T>(caps == 0 ? outwards : caps); };
+        emit(PrismKernel<T>{ContourKernel<T>::of(middle, size, bounds(), data->pieces.size(), to_world), normal(-1),
+                            normal(1)});
     }
 };
 

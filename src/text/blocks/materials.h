@@ -60,6 +60,7 @@ class MaterialHash {
         std::size_t hash = 0;
         add_fields(hash, material, Material::fields);
         for (const Material& coat : material.coats) add(hash, double((*this)(coat)));
+        add(hash, material.interior);
         return hash;
     }
 

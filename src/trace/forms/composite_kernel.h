@@ -76,6 +76,7 @@ class CompositeWalk {
             };
             show_first([&](int i) { return differ(inside, inside_if(t, i)); });
             show_first([&](int i) { return !differ(inside, inside_if(t, -1, i + 1)); });
+            if (composite.keeps) show_first([&](int i) { return leaf(i).kept ? shows(i, t) : first_lanes<S>(0); });
         }
         return surface;
     }
@@ -104,7 +105,10 @@ class CompositeWalk {
                 });
             t = ahead;
             lanes = lanes & (t < S(inf)) & (t <= whole.high);
-            const Mask<S> after = inside_after(t), changes = lanes & differ(inside, after);
+            const Mask<S> after = inside_after(t);
+            Mask<S> changes = lanes & differ(inside, after);
+            if (composite.keeps) [[unlikely]]
+                changes = changes | (lanes & keeps_at(t));
             inside = after;
             if (any(changes)) lanes = lanes & crossed(t, changes);
         }
@@ -147,6 +151,7 @@ class CompositeWalk {
                     top = second;
                     break;
                 case CompositeStep::unite:
+                case CompositeStep::keep:
                     top = top | second;
                     break;
                 case CompositeStep::intersect:
@@ -158,6 +163,49 @@ class CompositeWalk {
             }
         }
         return top;
+    }
+    /// Returns the lanes in which a leaf whose surfaces a union keeps ends at `t`, and is seen there.
+    [[gnu::noinline]] Mask<S> keeps_at(const S& t) const {
+        Mask<S> seen = first_lanes<S>(0);
+        each_leaf([&](int i) {
+            if (!leaf(i).kept) return;
+            const Mask<S> own = ends_of(i, t);
+            if (any(own)) seen = seen | (own & shows(i, t));
+        });
+        return seen;
+    }
+    /// Returns the lanes in which the surface of leaf `own` is seen at `t` as in POV-Ray: where other parts of its
+    /// intersections are inside, and those of its unions are not, unless they keep surfaces.
+    [[gnu::noinline]] Mask<S> shows(int own, const S& t) const {
+        struct Part {
+            Mask<S> inside;  // or where the surface is seen,
+            bool own;        // if it is of this part
+        };
+        const auto part_of = [&](int i) {
+            return Part{i == own ? first_lanes<S>(width<S>) : inside_leaf(i, t), i == own};
+        };
+        Room<Part, most_leaves> stack;
+        int height = 0;
+        for (int i = 0; i < step_count; ++i) {
+            const auto [step, leaf] = steps[i];
+            if (leaf >= 0) stack[height++] = part_of(leaf);
+            if (step == CompositeStep::leaf || i == 0) continue;
+            const Part second = stack[--height];
+            Part& first = stack[height - 1];
+            const bool either = first.own || second.own;
+            const Mask<S> seen = first.own ? first.inside : second.inside,
+                          other = first.own ? second.inside : first.inside;
+            if (step == CompositeStep::keep)
+                first.inside = either ? seen : first.inside | second.inside;
+            else if (step == CompositeStep::unite)
+                first.inside = either ? seen & !other : first.inside | second.inside;
+            else if (step == CompositeStep::intersect || second.own)
+                first.inside = first.inside & second.inside;
+            else
+                first.inside = first.inside & !second.inside;
+            first.own = either;
+        }
+        return stack[0].inside;
     }
     /// Finds the leaves that matter to any ray within its stretch, and the steps that combine them. What can only cut
     /// is not looked for where there is nothing to be cut.
@@ -199,7 +247,7 @@ class CompositeWalk {
                 else
                     steps[step_count++] = {step, -1};
             };
-            if (step == CompositeStep::unite) {
+            if (unites(step)) {
                 if (nowhere) continue;
                 if (first.steps == second.steps)
                     all = own;
@@ -403,8 +451,8 @@ class CompositeWalk {
         end.far_face = select(lanes, found.triangle, end.far_face);
         end.near[1] = select(lanes, found.t, end.near[1]);
     }
-    /// Passes the end of a mesh's span if it is not beyond `t`, and looks for the next one if it may come before the
-    /// others' next, which is `ahead`. Returns true if it did.
+    /// Steps beyond a mesh's end that `t` has passed already. Fetches the mesh's next end if that may come before
+    /// `ahead`, the next end of the other leaves; returns true if it did.
     bool look_ahead(int i, Mask<S> lanes, const S& t, const S& ahead) {
         const CompositeLeaf& own = leaf(i);
         LeafEnds<S>& end = ends[i];

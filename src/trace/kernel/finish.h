@@ -69,8 +69,9 @@ Vec3<S> soft_share(const Shading<S, P>& shading, const Hit<S>& hit, int number, 
     using T = Element<S>;
     const auto& world = shading.world;
     constexpr T error = T(1) / 510;
+    const S light = hit.weight * strength;
     const LitHits<S> hits{lanes,     outside,     hit.position, normal,     flat,
-                          reflected, hit.surface, hit.weight,   S(1),       S(0),
+                          reflected, hit.surface, light,        S(1),       S(0),
                           S(1),      S(1),        hit.bin,      hit.medium, &mediums(shading.workspace)};
     const AreaMeans<S> means = world.lights[number].columns > 0
                                    ? AreaLightCalls<S>::grid_means(world, number, hits, strength, visible)
@@ -182,7 +183,7 @@ template <class S, class P>
     const S zero(0), one(1);
     constexpr int deepest = 256;  // also of rays that go straight on, whose level stays
     const Vec3<S> before = tint_of(from, pick);
-    Vec3<S> tint = world.fog.any ? before * tint_of_fog(world, S(hit.medium)) : before;
+    Vec3<S> tint = world.fog.any ? before * tint_of_fog(world, medium_in_fog(shading, S(hit.medium))) : before;
     if (world.finishes.hides) {
         const Mask<S> hidden = hit.active & FinishCalls<S>::hidden(world, numbers, pick(from.mirrored));
         if (bend == 0 && any(hidden) && shading.depth < deepest)
@@ -196,7 +197,7 @@ template <class S, class P>
     add_lights(shading, hit, numbers, layers, notes, light);
     light = select(hit.active, scale(hit.weight, light), splat<S>(Vec3<T>(0)));
     if (world.fog.any) {
-        light = light * tint_of_fog(world, S(hit.medium));
+        light = light * tint_of_fog(world, medium_in_fog(shading, S(hit.medium)));
         if (bend == 0) light = fma(pick(from.weight) - hit.weight, splat<S>(world.fog.color), light);
     }
     add_light(shading.batch, hit.pixel, pick.lanes, light * before);

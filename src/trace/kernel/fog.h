@@ -20,6 +20,20 @@ T fog_density(T a, T b) {
     return rise > 0 ? std::atan(rise / (1 + low * high)) / rise : 1 / (1 + low * low);
 }
 
+/// Returns the medium stacks of rays, and 0 for those in hollow bodies only: there is fog in these.
+template <class S, class P>
+STRAHL_INLINE S medium_in_fog(const Shading<S, P>& shading, const S& medium) {
+    using T = Element<S>;
+    const std::uint8_t* const hollow = shading.world.media.hollow;
+    if (!hollow || !shading.world.nested) return medium;
+    alignas(64) T stacks[width<S>];
+    store_lanes(stacks, medium);
+    const MediumStacks& all = mediums(shading.workspace);
+    for (T& stack : stacks)
+        if (all_hollow(all, static_cast<int>(stack), hollow)) stack = 0;
+    return load_lanes<S>(stacks);
+}
+
 /// Returns the weights that fog leaves to rays after a distance `t`: weight * exp(-t * density / the fog's distance).
 /// In nested worlds only rays outside all transparent bodies (medium 0) are dimmed. The fog's own light gets the weight
 /// that they lose.

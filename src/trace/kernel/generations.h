@@ -143,6 +143,12 @@ void intersect(const World<T>& world, const RayQueue<T>& rays, HitList<T>& hits,
                     hit = copy;
                 }
             }
+            if (P::passes_touching && world.farthest < std::numeric_limits<T>::infinity()) [[unlikely]] {
+                const Mask<S> far = hit.t >= S(world.farthest);
+                hit.t = select(far, S(std::numeric_limits<T>::infinity()), hit.t);
+                hit.surface = select(far, S(T(-1)), hit.surface);
+                hit.bin = select(far, S(static_cast<T>(world.bins)), hit.bin);
+            }
             if (P::passes_touching && depth > 1) {
                 const Mask<S> touching = active & (hit.t <= touching_distance(pack_of(i).origin));
                 if (any(touching)) [[unlikely]] {

@@ -47,7 +47,7 @@ template <class S>
     const S from_axis = dot(off, off) * S(T(.5)), cosine = S(1) - from_axis;
     const S u = min(max((S(light.falloff) - from_axis) * S(light.per), S(0)), S(1));
     S share = select(from_axis > S(light.radius), u * u * fma(S(-2), u, S(3)), S(1));
-    if (light.tightness != 0) share = share * power_of_uniform(max(cosine, S(0)), light.tightness);
+    if (light.tightness != 0) share = share * signed_power(max(cosine, S(0)), light.tightness);
     return select(cosine > S(0), share, S(0));
 }
 

@@ -99,6 +99,7 @@ int push(MediumStacks& stacks, int stack, int body);    // returns the stack wit
 int remove(MediumStacks& stacks, int stack, int body);  // returns the stack without it, wherever it is
 bool contains(const MediumStacks& stacks, int stack, int body);
 int top(const MediumStacks& stacks, int stack);  // the body entered last, -1 for none
+bool all_hollow(const MediumStacks& stacks, int stack, const std::uint8_t* hollow);  // by body
 
 /// The memory of one thread, reused from tile to tile.
 template <class T>

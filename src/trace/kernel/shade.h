@@ -45,7 +45,7 @@ void shade_misses(const Shading<S, P>& shading) {
         }
         if (world.fog.any) [[unlikely]] {
             const Vec3<S> fog = splat<S>(world.fog.color);
-            const S medium = pick(shading.rays.open.medium);
+            const S medium = medium_in_fog(shading, S(pick(shading.rays.open.medium)));
             if (world.fog.even) {
                 color = world.nested ? select(medium == S(0), fog, color) : fog;
             } else {
@@ -168,8 +168,8 @@ bool shade_bin(const Shading<S, P>& shading, int bin) {
         const Element<S>* const t = within ? rays.inside.t : shading.hits.t;
         Hit<S> hit = make_hit(shading, bin, from, pick, t, material);
         if (world.fog.any) [[unlikely]]
-            hit.weight = left_by_fog(world, S(hit.weight), S(hit.medium), origins_of(from, pick),
-                                     Vec3<S>(hit.direction), pick(t));
+            hit.weight = left_by_fog(world, S(hit.weight), medium_in_fog(shading, S(hit.medium)),
+                                     origins_of(from, pick), Vec3<S>(hit.direction), pick(t));
         HitNotes<S, P> notes;
         P::meet(shading, hit, from, pick, t, within, material, notes.own);
         if (shading.has_notes) [[unlikely]] {

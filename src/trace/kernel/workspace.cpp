@@ -30,6 +30,11 @@ bool contains(const MediumStacks& all, int list, int body) {
 
 int top(const MediumStacks& all, int list) { return all.lists[list].body; }
 
+bool all_hollow(const MediumStacks& all, int list, const std::uint8_t* hollow) {
+    while (list && hollow[all.lists[list].body]) list = all.lists[list].shorter;
+    return list == 0;
+}
+
 namespace {
 /// Returns zeros on large pages of their own: the arrays of a queue span more small pages than the processor's cache of
 /// page addresses holds.

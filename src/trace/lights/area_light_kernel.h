@@ -89,10 +89,10 @@ class AreaSum {
             for (int x = 0; x < side; x += size) cells.add(x, y);
         for (;; size /= 2) {
             trace_corners(cells, size);
-            split(cells, mixed, size);
+            const T unevenness = split(cells, mixed, size);
             add(cells, size);
             constexpr T off = T(.15);  // measured: error, as a share, of the light of a cell that an edge crosses
-            const T left = off * brightest * std::sqrt(static_cast<T>(mixed.count)) * area(size);
+            const T left = off * brightest * std::sqrt(unevenness) * area(size);
             if (size == 1 || !(left > error)) break;
             divide(mixed, cells, size / 2);
         }
@@ -160,16 +160,20 @@ class AreaSum {
         const int corner = y * row + x;
         return {corner, corner + size, corner + size * row, corner + size * row + size};
     }
-    /// Returns true if all corners that face the surface get the same light.
-    bool is_even(int x, int y, int size) const {
-        int last = -1;
+    /// Returns by how much the light differs that corners get which face the surface; 1 is all light of a channel.
+    T contrast(int x, int y, int size) const {
+        T low[3], high[3], most = 0;
+        bool any = false;
         for (const int corner : corners_of(x, y, size)) {
             if (known[corner] != faced_side) continue;
-            for (int c = 0; c < 3; ++c)
-                if (last >= 0 && shares[c][corner] != shares[c][last]) return false;
-            last = corner;
+            for (int c = 0; c < 3; ++c) {
+                const T own = shares[c][corner];
+                low[c] = any ? std::min(low[c], own) : own, high[c] = any ? std::max(high[c], own) : own;
+                most = std::max(most, high[c] - low[c]);
+            }
+            any = true;
         }
-        return true;
+        return most;
     }
     /// Returns the mean share of light of the corners that face the surface.
     Vec3<T> mean_share(int x, int y, int size) const {
@@ -183,14 +187,18 @@ class AreaSum {
         return count > 1 ? scale(T(1) / T(count), sum) : sum;
     }
 
-    /// Moves cells whose corners do not get the same light to `mixed`.
-    void split(AreaCells& cells, AreaCells& mixed, int size) const {
+    /// Moves cells whose corners do not get the same light to `mixed`. Returns the sum of the squares of their
+    /// contrasts.
+    T split(AreaCells& cells, AreaCells& mixed, int size) const {
         const int all = cells.count;
+        T sum = 0;
         cells.count = mixed.count = 0;
         for (int i = 0; i < all; ++i) {
             const int x = cells.x[i], y = cells.y[i];
-            (is_even(x, y, size) ? cells : mixed).add(x, y);
+            const T own = contrast(x, y, size);
+            (own == T(0) ? cells : mixed).add(x, y), sum += own * own;
         }
+        return sum;
     }
     static void divide(const AreaCells& cells, AreaCells& quarters, int size) {
         quarters.count = 0;

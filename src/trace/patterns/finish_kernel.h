@@ -34,18 +34,19 @@ template <class S>
 STRAHL_INLINE S power_or_zero(const S& x, Element<S> p) {
     const Mask<S> some = x > S(0);
     if (none(some)) return S(0);
-    return select(some, power_of_uniform(select(some, min(x, S(1)), S(1)), p), S(0));
+    return select(some, signed_power(select(some, min(x, S(1)), S(1)), p), S(0));
 }
 
 /// Returns by how much a metal tints light that meets it at an angle with this cosine: 1 if it comes straight, 0 if it
-/// grazes, where F = .014567225 / (a - 1.12)^2 - .011612903 of the angle a in quarter turns is 1.
+/// grazes, and more again from behind a bent normal, where F = .014567225 / (a - 1.12)^2 - .011612903 of the angle a in
+/// quarter turns is 1.
 template <class S>
 [[gnu::noinline]] S metal_share(const S& cosine) {
     using T = Element<S>;
     alignas(64) T values[width<S>];
     store_lanes(values, cosine);
     for (T& value : values) {
-        const T a = std::acos(std::clamp(value, T(0), T(1))) * (2 / std::numbers::pi_v<T>) - T(1.12);
+        const T a = std::acos(std::clamp(value, T(-1), T(1))) * (2 / std::numbers::pi_v<T>)-T(1.12);
         value = 1 - std::clamp(T(.014567225) / (a * a) - T(.011612903), T(0), T(1));
     }
     return load_lanes<S>(values);
@@ -96,7 +97,8 @@ Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, c
     const Vec3<S> none = splat<S>(Vec3<T>(0));
     hit.ambient = hit.through = hit.mirrored = none, hit.total = hit.clear = hit.most_mirrored = S(0);
     for (int i = 0; i < most_layers; ++i) hit.color[i] = hit.above[i] = none, hit.opacity[i] = S(0);
-    const S one(1), zero(0), cosine = min(max(-dot(seen.direction, seen.normal), zero), one);
+    const S one(1), zero(0), least(T(world.patterns.bends ? -1 : 0));  // below 0: behind a bent normal
+    const S cosine = min(max(-dot(seen.direction, seen.normal), least), one);
     each_finish<S>(world, materials, [&](const FinishKernel<T>& finish, Mask<S> lanes) {
         Vec3<S> through = splat<S>(Vec3<T>(1)), factor = through, passed = none, ambient = none, mirrored = none;
         S most(0), side = one;
@@ -145,9 +147,11 @@ Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, c
             if (largest(layer.mirror) > 0 && (!apart || layer.conserves)) {
                 S x = one;
                 if (layer.fresnel)
-                    x = fresnel(select(seen.enters, S(finish.ior) / seen.before, seen.beyond / S(finish.ior)), cosine);
+                    x = min(
+                        fresnel(select(seen.enters, S(finish.ior) / seen.before, seen.beyond / S(finish.ior)), cosine),
+                        one);
                 else if (layer.facing != 1)
-                    x = power_or_zero(one - cosine, layer.falloff);
+                    x = signed_power(one - cosine, layer.falloff);
                 const S share = fma(S(1 - layer.facing), x, S(layer.facing));
                 const S strength = side * weight * S(largest(layer.mirror)) * (layer.fresnel ? share : one);
                 const Mask<S> sends = apart ? first_lanes<S>(0) : open & (strength >= S(bailout));
@@ -155,7 +159,7 @@ Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, c
                 Vec3<S> tint = splat<S>(Vec3<T>(1));
                 if (layer.gilding != 0) tint = tint_of(own.color, layer.gilding, cosine);
                 Vec3<S> film = splat<S>(Vec3<T>(1));
-                if (layer.irid > 0) film = film_colors<S>(layer, S(2) * cosine);
+                if (layer.irid > 0) film = film_colors<S>(layer, S(2) * abs(cosine));
                 for (int c = 0; c < 3; ++c) {
                     const S gray = share * S(layer.mirror[c]);
                     mirrored[c] = select(sends, fma(factor[c] * gray * film[c], tint[c], mirrored[c]), mirrored[c]);

@@ -57,7 +57,7 @@ STRAHL_INLINE std::array<S, 2> place_in_image(const ImageKernel<Element<S>>& ima
         const S latitude = turns(sqrt(fma(p.x, p.x, p.y * p.y)), p.z);
         v = fma(S(2), select(latitude > S(T(.5)), latitude - S(1), latitude), S(T(.5)));
     }
-    return {u, v};
+    return {u + S(image.shift[0]), v + S(image.shift[1])};
 }
 
 /// Returns the colour at a point of the pattern's space; where coordinates are too large for the number type, that of a

@@ -82,6 +82,7 @@ class KnownComposite {
     [[gnu::noinline]] KnownComposite(const World<T>& world, const CompositeInfo& composite, const DoubtfulRay<S>& own,
                                      const Slack<T>& slack)
         : world(world), composite(composite) {
+        known = !composite.keeps;
         for (int i = 0; known && i < composite.leaves; ++i) {
             const CompositeLeaf& leaf = this->leaf(i);
             known = !leaf.nodes && if_known(world, leaf.form, [&](const auto& group) {
@@ -125,7 +126,7 @@ class KnownComposite {
                 Mask<S>((!span.maybe) | (span.near_low > high) | (span.far_high < low))};
     }
     static Side combine(CompositeStep step, const Side& a, const Side& b) {
-        if (step == CompositeStep::unite) return {Mask<S>(a.in | b.in), Mask<S>(a.out & b.out)};
+        if (unites(step)) return {Mask<S>(a.in | b.in), Mask<S>(a.out & b.out)};
         if (step == CompositeStep::intersect) return {Mask<S>(a.in & b.in), Mask<S>(a.out | b.out)};
         return {Mask<S>(a.in & b.out), Mask<S>(a.out | b.in)};
     }

@@ -120,7 +120,7 @@ template <class S>
     if (light.tightness != 0) {
         const S base = S(1) - from_axis, p(max(light.tightness, T(1))), x = p * wrong / base;
         const Mask<S> mild = (base > S(1e-3f)) & (x < S(.5));
-        error = error + select(mild, fma(x, x, x) + S(.51 * u) * (p + S(8)), S(1));
+        error = light.tightness < 0 ? S(1e9f) : error + select(mild, fma(x, x, x) + S(.51 * u) * (p + S(8)), S(1));
     }
     return select(way + wrong < S(0), S(0), select(error < S(1), error, S(1)));
 }

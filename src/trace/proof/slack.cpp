@@ -262,8 +262,11 @@ bool certain_side(const Primitive& body, const DVec3& eye) {
 }  // namespace
 
 bool knows_medium(const Scene& scene, const DVec3& eye) {
-    return std::ranges::all_of(
-        scene.primitives, [&](const Primitive& body) { return !transparent(scene, body) || certain_side(body, eye); });
+    const auto shares = [](const Material& own) { return own.hollow || own.interior > 0; };
+    return std::ranges::none_of(scene.materials, shares) &&
+           std::ranges::all_of(scene.primitives, [&](const Primitive& body) {
+               return !transparent(scene, body) || certain_side(body, eye);
+           });
 }
 
 template Slack<double> slack_of(const Scene&, const Placement&);

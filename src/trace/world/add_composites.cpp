@@ -50,7 +50,10 @@ class CompositeBuilder {
                     },
                     leaf.shape);
             },
-            [&](Operation operation) { tables.steps.push_back(step(operation)); });
+            [&](Operation operation, bool keeps) {
+                info.keeps |= keeps;
+                tables.steps.push_back(keeps ? CompositeStep::keep : step(operation));
+            });
         share_planes();
         info.leaves = static_cast<std::int32_t>(tables.leaves.size()) - info.first_leaf;
         release_planes();
@@ -77,8 +80,10 @@ class CompositeBuilder {
                 continue;
             }
             CompositeLeaf& own = tables.leaves[info.first_leaf + first.back()];
-            if (step != CompositeStep::unite) own.until = i, own.leaves = next - first.back();
+            if (!unites(step)) own.until = i, own.leaves = next - first.back();
             first.pop_back();
+            if (step == CompositeStep::keep)
+                for (std::int32_t n = first.back(); n < next; ++n) tables.leaves[info.first_leaf + n].kept = true;
         }
     }
     template <class Kind>

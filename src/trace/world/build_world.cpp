@@ -6,6 +6,7 @@
 #include <memory>
 #include <numbers>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "num/vec_math.h"
@@ -103,9 +104,15 @@ LightKernel<T> light_kernel(const Light& light, const Placement& placement) {
     return kernel;
 }
 
+/// Is the eye in an opaque body, in which there is no fog unless it is hollow?
+bool encloses_eye(const Scene& scene, const Primitive& body) {
+    const Material& own = scene.materials[static_cast<std::size_t>(body.material)];
+    return scene.settings.passed_over > 0 && !own.hollow && !own.transmits() && contains(body, scene.camera.position);
+}
+
 }  // namespace
 
-/// Gives kernels access to the items, and of few items finds the volumes around them.
+/// Sets the `Group` pointers by which kernels reach the items; in small worlds also makes their volumes.
 template <class T>
 void WorldArrays<T>::fill_groups() {
     int form = 0, bin = 0;
@@ -143,21 +150,42 @@ void WorldArrays<T>::add_materials(const Scene& scene) {
 template <class T>
 void WorldArrays<T>::list_transparent(const Scene& scene) {
     ItemCounts before;
+    std::unordered_map<int, std::int32_t> shared;  // the first surfaces of interiors
+    const bool any_hollow = std::ranges::any_of(scene.materials, &Material::hollow);
     for (const Primitive& primitive : scene.primitives) {
         const Material* medium = &scene.materials[primitive.material];
         for_each_leaf(primitive, [&](const Primitive& leaf, const glm::dmat4&) {
             const Material& own = scene.materials[leaf.material];
             if (!medium->transmits() && own.transmits()) medium = &own;
         });
-        if (medium->transmits())
-            media.transparent.push_back(
-                {static_cast<int>(before.surfaces), primitive.shape, glm::inverse(matrix(primitive.transformations))});
         const auto body = static_cast<std::int32_t>(before.surfaces);
         count_items<T>(primitive, before);
         media.bodies.resize(before.surfaces, body);
         media.iors.resize(before.surfaces, static_cast<T>(medium->ior));
+        if (any_hollow) media.hollow.resize(before.surfaces, medium->hollow);
+        int surface = body;
+        for_each_leaf(primitive, [&](const Primitive& leaf, const glm::dmat4&) {
+            const Material& own = scene.materials[leaf.material];
+            const auto* const mesh = std::get_if<Mesh>(&leaf.shape);
+            const int faces = &leaf == &primitive ? static_cast<int>(before.surfaces) - body
+                              : mesh              ? static_cast<int>(mesh->data->triangles.size())
+                                                  : faces_of(leaf.shape);
+            if (own.interior > 0) {
+                const std::int32_t first = shared.try_emplace(own.interior, surface).first->second;
+                std::fill_n(media.bodies.begin() + surface, faces, first);
+                media.iors[first] = static_cast<T>(own.ior);
+                if (any_hollow) media.hollow[first] = own.hollow;
+            }
+            surface += faces;
+        });
+        const int interior = scene.materials[primitive.material].interior;
+        const auto around = interior > 0 ? shared.find(interior) : shared.end();
+        const bool fills = medium->transmits() || (world.fog.any && encloses_eye(scene, primitive));
+        if (fills)
+            media.transparent.push_back({body, around == shared.end() ? media.bodies[body] : around->second,
+                                         primitive.shape, glm::inverse(matrix(primitive.transformations))});
     }
-    world.media = {media.iors.data(), media.bodies.data()};
+    world.media = {media.iors.data(), media.bodies.data(), any_hollow ? media.hollow.data() : nullptr};
 }
 
 /// Finds balls around all bodies, and which can shadow which, if there is a bin for each.
@@ -261,10 +289,13 @@ WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, Thre
             world.fog.base = -1;  // below all heights
         }
     }
-    const auto bent_glass = [](const Material& m) { return m.transmits() && m.bends(); };
     // With fog rays have to know whether they are in a transparent body.
-    world.nested = world.transparent && (world.fog.any || transparent_bodies_overlap(scene) ||
-                                         std::any_of(scene.materials.begin(), scene.materials.end(), bent_glass));
+    const bool hides_fog = world.fog.any && std::ranges::any_of(scene.primitives, [&](const Primitive& body) {
+                               return encloses_eye(scene, body);
+                           });
+    const auto shares = [](const Material& m) { return m.transmits() && (m.bends() || m.interior > 0); };
+    world.nested = hides_fog || (world.transparent && (world.fog.any || transparent_bodies_overlap(scene) ||
+                                                       std::ranges::any_of(scene.materials, shares)));
     world.background = cast<T>(scene.background.color);
     world.materials = materials.data();
     world.lights = lights.data();
@@ -280,6 +311,8 @@ WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, Thre
         world.passed_over = static_cast<T>(passed_over);
         world.passed_in_shadows = static_cast<T>(10 * passed_over);
     }
+    if (!proves && scene.settings.farthest > 0)
+        world.farthest = static_cast<T>(scene.settings.farthest * placement.scale);
     arrange_items(pool, proves);
     add_composites(scene, placement, pool, proves);
     world.sort_bins = sort_bins.data();
@@ -308,8 +341,9 @@ std::vector<int> BuiltWorld<T>::bodies_around(const DVec3& eye) const {
     for (const auto& body : arrays->media.transparent)
         if (arrays->world.references[body.surface].item >= 0 &&
             std::visit([&](const auto& shape) { return shape.contains(transform_point(body.inverse, eye)); },
-                       body.shape))
-            bodies.push_back(body.surface);
+                       body.shape) &&
+            std::ranges::find(bodies, body.medium) == bodies.end())
+            bodies.push_back(body.medium);
     return bodies;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include "scene/leaves.h"
@@ -12,6 +13,16 @@ namespace strahl {
 namespace {
 
 double largest(const Color& c) { return std::max({std::abs(c.x), std::abs(c.y), std::abs(c.z)}); }
+
+/// Returns the most that powers of cosines can be, see signed_power; in the cone of a spot these are not below `least`.
+double most_power(double exponent, double least = 0) {
+    return exponent < 0 ? std::min(std::pow(std::max(least, 0.), exponent), 1e9) : 1;
+}
+/// Returns by how much a light is brighter off its axis than on it.
+double off_axis(const Light& light) {
+    if (!light.spot) return most_power(light.tightness);
+    return most_power(light.spot->tightness, std::cos(light.spot->falloff * std::numbers::pi / 180));
+}
 
 /// Returns how often a line crosses a shape at most.
 double most_crossings(const Shape& shape) {
@@ -59,10 +70,12 @@ double gain(const Scene& scene) {
 double own_light(const Scene& scene, const Material& m, double gain) {
     Color sum = scene.settings.ambient_light * m.rgb.color * m.ambient * m.glow;
     const double tint = std::max(1., m.metallic * largest(m.rgb.color));
+    const double diffuse = std::max(m.diffuse, m.behind) * most_power(m.brilliance);
+    const double shine = m.specular * most_power(m.pow) + m.blinn * most_power(m.roughness);
     for (const Light& light : scene.lights)
         for (int c = 0; c < 3; ++c)
-            sum[c] += gain * (light.fades() ? 2 : 1) * std::abs(light.color[c]) *
-                      (std::max(m.diffuse, m.behind) * m.rgb.color[c] + (m.specular + m.blinn) * tint);
+            sum[c] += gain * (light.fades() ? 2 : 1) * std::abs(light.color[c]) * off_axis(light) *
+                      (diffuse * m.rgb.color[c] + shine * tint);
     double all = largest(sum);
     for (const Material& coat : m.coats) all += own_light(scene, coat, gain);
     return all * m.most_share() * (1 + m.irid);
@@ -122,7 +135,7 @@ std::vector<double> scattered_light(const Scene& given) {
     const std::optional<Scene> raised = with_raised_pictures(given);
     const Scene& scene = raised ? *raised : given;
     double lights = 0;
-    for (const Light& light : scene.lights) lights += largest(light.color);
+    for (const Light& light : scene.lights) lights += largest(light.color) * off_axis(light);
     const double most_gain = gain(scene);
     std::vector<double> light;
     for (const Material& m : scene.materials)

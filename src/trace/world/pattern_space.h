@@ -59,6 +59,7 @@ struct KernelSpace {
     }
     void operator()(const ImagePattern& image) {
         kernel.form = PatternForm::image;
+        const double shift = image.sharp ? border<T> : 0;
         kernel.image = {nullptr,
                         image.pixels->width,
                         image.pixels->height,
@@ -67,6 +68,7 @@ struct KernelSpace {
                         image.sharp,
                         cast<T>(image.once.value_or(Color(0))),
                         static_cast<T>(border<T>),
+                        {static_cast<T>(shift / image.pixels->width), static_cast<T>(shift / image.pixels->height)},
                         0};
         if (image.once || image.map == ImageMap::spherical) return;
         period = image.map == ImageMap::cylindrical ? DVec3(0, 0, 1) : DVec3(1, 1, 0);

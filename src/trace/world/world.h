@@ -138,16 +138,19 @@ struct CompositeLeaf {
     // how many leaves there are up to it. Where no body comes before that leaf, nothing is left by the step either, so
     // that these leaves are not looked at.
     std::int32_t until = 0, leaves = 0;
+    bool kept = false;  // a union keeps its surfaces
 };
 /// The steps that combine the insides of leaves to that of the whole: take the next leaf, or make one of the last two
 /// results.
-enum class CompositeStep : std::uint8_t { leaf, unite, intersect, subtract };
+enum class CompositeStep : std::uint8_t { leaf, unite, intersect, subtract, keep };  // keep: see Composite::keeps
+inline bool unites(CompositeStep step) { return step == CompositeStep::unite || step == CompositeStep::keep; }
 /// Ranges of the world's arrays. Faces have keys: those below `most_planes` are numbers of planes, which half-spaces
 /// have, and flat faces of parts if a face of another part lies in the same plane.
 struct CompositeInfo {
     std::int32_t first_leaf, leaves, first_step, steps, first_plane;
     std::int32_t first_key, surface, surfaces;
     bool shares_faces;  // some keys are of planes, or of several parts
+    bool keeps;         // a union in it keeps surfaces
 };
 inline constexpr int most_planes = 6 * most_leaves;
 
@@ -254,6 +257,7 @@ template <class T>
 struct MediumTables {
     const T* iors = nullptr;
     const std::int32_t* bodies = nullptr;  // the first surface of the body
+    const std::uint8_t* hollow = nullptr;  // there is fog in it; null if that is so in none
 };
 
 /// Fog of the whole scene. Kernels skip it if there is none.
@@ -301,6 +305,7 @@ struct World {
     Vec3<T> eye{0};  // of the view that is traced
     T rounding = 0;  // what the coordinates of points on bodies may be off
     T passed_over = 0, passed_in_shadows = 0;  // what is nearer to the start of a ray is not there for it
+    T farthest = std::numeric_limits<T>::infinity();  // rays see nothing that is as far away
     T around_lights = 0;  // what is so near to a light, as a share of its distance, is not in its way
     const MaterialKernel<T>* materials = nullptr;
     const LightKernel<T>* lights = nullptr;

@@ -144,12 +144,13 @@ struct FinishArrays {
 template <class T>
 struct MediumArrays {
     struct TransparentShape {
-        int surface;
+        int surface, medium;  // medium: what is on the stacks of rays that start in it
         Shape shape;
         glm::dmat4 inverse;
     };
     std::vector<T> iors;
     std::vector<std::int32_t> bodies;
+    std::vector<std::uint8_t> hollow;
     std::vector<TransparentShape> transparent;
 };
 

@@ -33,6 +33,7 @@ struct ImageKernel {
     bool once, sharp;
     Vec3<T> around;       // the colour outside, if it is there once
     T border;             // and how much before 0 and 1 it begins and ends
+    T shift[2];           // what is this little below a border of a sharp picture's pixels counts as beyond it
     std::int32_t number;  // among the world's mip maps
 };
 /// The uv coordinates of a mesh: its surfaces, the numbers of their corners' coordinates, and these. Null for other

@@ -121,7 +121,7 @@ TEST_CASE("scenes survive the way to POV-Ray's text and back") {
         const auto same_color = [random](const Color& a, const Color& b) {
             return random ? length(a - b) < 1e-6 * (1 + length(a)) : a == b;
         };
-        scene.settings.passed_over = 1e-4;  // of POV-Ray's scenes
+        scene.settings.passed_over = 1e-4, scene.settings.farthest = 1e7;  // of POV-Ray's scenes
         if (!random) CHECK(again.settings == scene.settings);
         CHECK(same_color(again.background.color, scene.background.color));
         CHECK(again.background.pattern == scene.background.pattern);

@@ -322,6 +322,24 @@ TEST_CASE("flat bodies seen edge-on, rings, slivers and what differences leave k
     }
 }
 
+TEST_CASE("rings, slivers and discs seen edge-on, of .06 to .5 pixels, take their area") {
+    std::mt19937 random(21);
+    const auto between = [&](double low, double high) { return std::uniform_real_distribution<>(low, high)(random); };
+    for (int i = 0; i < 12; ++i) {
+        CAPTURE(i);
+        Scene scene = wires();
+        scene.primitives.resize(1);
+        const double width = .06 * std::pow(10., between(-1.2, -.3));  // a pixel has .06
+        const DVec3 across(between(-1, 1), between(-1, 1), between(-1, 1));
+        Shape& shape = scene.primitives[0].shape;
+        if (i % 3 == 0) shape = Disc{{}, {across.x, 1, across.z}, 2.5, 2.5 - width};
+        if (i % 3 == 1)
+            shape = Triangle{{-2.5, across.x, across.y}, {-2.5, across.x, across.y + width}, {2.5, 0, across.z}};
+        if (i % 3 == 2) shape = Disc{{0, 0, .2}, {across.x, width / 8, 1}, 2};
+        check_last_body(std::move(scene), 120, .02, .02);
+    }
+}
+
 TEST_CASE("a gap between two bodies is seen") {
     Scene scene = parse_scene(
         "camera { position <0, 0, 1000>  look_at <0, 0, 0>  sky <0, 1, 0>  fov .5 }  background { color <1, 1, 1> }\n"

@@ -1,0 +1,209 @@
+// Compares scenes of POV-Ray with POV-Ray's own pictures of them: random ones of kinds that once differed.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <iomanip>
+#include <random>
+#include <sstream>
+#include <string>
+
+#include "image/picture.h"
+#include "image/pixels.h"
+#include "pov/open_scene.h"
+#include "povref/compare/run_povray.h"
+#include "tests/unit/scratch.h"
+#include "trace/tracer.h"
+
+using namespace strahl;
+
+namespace {
+
+constexpr int width = 64, height = 48;
+
+/// Makes pieces of scene text with random numbers.
+class Texts {
+  public:
+    explicit Texts(unsigned seed) : random(seed) {}
+    std::string number(double low, double high) {
+        std::ostringstream text;
+        text << std::setprecision(4) << low + (high - low) * std::generate_canonical<double, 53>(random);
+        return text.str();
+    }
+    std::string vector(double low, double high) {
+        const std::string x = number(low, high), y = number(low, high), z = number(low, high);
+        return "<" + x + "," + y + "," + z + ">";
+    }
+    std::string one_of(std::initializer_list<const char*> words) { return std::data(words)[random() % words.size()]; }
+    /// A look of its own colour, through which this share of light comes.
+    std::string clear(const std::string& share) {
+        const std::string color = vector(0, 1);
+        return " pigment { rgb " + color + " transmit " + share + " } finish { ambient 1 diffuse 0 } ";
+    }
+    std::string clear(double least, double most) { return clear(number(least, most)); }
+    std::string camera() {
+        return "camera { location <" + number(-2, 2) + "," + number(-1, 2) + ",-6> look_at <" + number(-.3, .3) + "," +
+               number(-.3, .3) + ",0> angle 45 }\n";
+    }
+
+  private:
+    std::mt19937 random;
+};
+
+const std::string header = "#version 3.7; global_settings { assumed_gamma 1 max_trace_level 8 }\n";
+const std::string lamp = "light_source { <-4,6,-8>, rgb 1 }\n", sky = "background { rgb <.2,.3,.6> }\n";
+const std::string rainbow =
+    "sky_sphere { pigment { gradient y color_map { [0 rgb <1,.5,.2>] [1 rgb <.2,.4,1>] } scale 2 translate -1 } }\n";
+const std::string checks = "plane { y, -1.4 pigment { checker rgb 1, rgb .2 } finish { ambient 1 diffuse 0 } }\n";
+const std::string glass = " pigment { rgbf 1 } finish { ambient 0 diffuse 0 } ";
+
+struct Kind {
+    const char* name;
+    std::function<std::string(Texts&)> text;
+    double share = .006;  // of the pixels that may differ by more than 1/255: those on edges
+};
+
+const Kind kinds[]{
+    {"pictures without interpolation on faces along their borders",
+     [](Texts& t) {
+         const std::string shift = t.one_of({"-1", "0", "<-1,-1,0>", "<-1,0,0>"});
+         return t.camera() + lamp + "box { -1, 1 pigment { image_map { png \"checks.png\" } scale " +
+                t.one_of({"1", "2", "4"}) + " translate " + shift + " } rotate " + t.vector(-40, 40) + " }";
+     }},
+    {"sides of prisms",
+     [](Texts& t) {
+         const std::string spline =
+             t.one_of({"linear_spline -.6, .5, 5, <-1,-1>, <1,-.8>, <.8,1>, <-.7,.9>, <-1,-1>",
+                       "linear_spline .5, -.6, 5, <-1,-1>, <-.7,.9>, <.8,1>, <1,-.8>, <-1,-1>",
+                       "quadratic_spline -.6, .5, 6, <1,-1>, <-1,-1>, <.8,-1>, <1,1>, <-1,.8>, <-1,-1>",
+                       "cubic_spline -.6, .5, 7, <-1,.8>, <-1,-1>, <.8,-1>, <1,1>, <-1,.8>, <-1,-1>, <.8,-1>",
+                       "bezier_spline -.6, .5, 8, <-1,0>, <-1,.6>, <-.4,1>, <0,1>, <0,1>, <.3,.3>, <-.4,-.5>, <-1,0>"});
+         return t.camera() + lamp + "prism { " + spline +
+                " texture { pigment { rgb <.2,.8,.3> } finish { ambient .4 } } interior_texture { pigment { rgb x } "
+                "finish { ambient .4 } } rotate " +
+                t.vector(-180, 180) + " }";
+     }},
+    {"reflection on bent normals",
+     [](Texts& t) {
+         const std::string how = t.one_of({"fresnel", "falloff .6", "falloff 2.5 metallic 1"});
+         return t.camera() + rainbow + "sphere { 0, 1.5 pigment { rgb <.1,.7,.7> } normal { bumps " +
+                t.number(.5, 1.5) + " scale " + t.number(.1, .4) + " } finish { ambient 0 diffuse 0 reflection { " +
+                t.number(0, .3) + ", " + t.number(.4, .9) + " " + how + " } } interior { ior 1.4 } }";
+     },
+     .02},
+    {"numbers below 0",
+     [](Texts& t) {
+         return t.camera() + lamp + "sphere { 0, 1.5 pigment { rgb " + t.vector(.2, 1) + " } finish { ambient " +
+                t.vector(-.2, .1) + " emission " + t.number(-.1, .2) + " diffuse .65 brilliance " + t.number(-1, 2) +
+                " } } sphere { <1.5,1,0>, .7 pigment { rgb .8 } finish { ambient -.1 diffuse .5 phong .6 phong_size " +
+                t.number(-1, 10) + " reflection rgb " + t.vector(-.2, .5) + " } }";
+     }},
+    {"lights that are brighter off their axes",
+     [](Texts& t) {
+         return t.camera() + "light_source { <" + t.number(-1, 1) + ",3,-3> rgb 1 " +
+                t.one_of({"spotlight radius 5 falloff 40", "cylinder radius .5 falloff 1.6"}) + " tightness " +
+                t.number(-9, -.5) + " point_at 0 } plane { z, 1 pigment { rgb .3 } }";
+     }},
+    {"turned faces in one plane",
+     [](Texts& t) {
+         const std::string turn = " rotate " + t.vector(-60, 60) + " translate " + t.vector(-.3, .3);
+         const std::string y = t.number(.3, 1);
+         const auto box = [&](const char* color) {
+             const std::string corner = "<" + t.number(.3, 1.2) + "," + y + "," + t.number(.3, 1.2) + ">";
+             return "box { -" + corner + ", " + corner + " pigment { rgb " + color + " }" + turn + " } ";
+         };
+         const auto disc = [&](const char* color) {
+             return "disc { 0, y, " + t.number(1.2, 2.6) + ", " + t.number(.2, .9) + " pigment { rgb " + color + " }" +
+                    turn + " } ";
+         };
+         const bool round = t.one_of({"", "r"}) == "r";
+         return t.camera() + lamp + "union { " + (round ? disc("x") : box("x")) + (round ? disc("y") : box("y")) + "}";
+     }},
+    {"surfaces inside unions that are parts",
+     [](Texts& t) {
+         const std::string both = "union { sphere { 0, 1" + t.clear(.3, .8) + "} sphere { " + t.vector(-.6, .6) + ", " +
+                                  t.number(.4, .9) + t.clear(t.one_of({"0", ".6"})) + "} torus { .7, .3 rotate " +
+                                  t.vector(0, 90) + t.clear(0, .6) + "} } ";
+         const std::string box = "box { <-2,-3,-3>, <2," + t.number(-.3, .7) + ",3>" + t.clear(0, .6) + "} ";
+         const std::string nested = "union { intersection { " + both + "plane { z, .3 " + t.clear(.2, .5) +
+                                    "} } box { -.8, .5 } } sphere { 0, 1.4 } ";
+         const std::string hole = "box { -1.5, 1.5 } union { sphere { -z*1.5, 1 } sphere { <.5,.3,-1.4>, .8 } } ";
+         const std::string all[]{"intersection { " + both + box, "difference { " + both + box,
+                                 "merge { intersection { " + both + box + "} " + box, "intersection { " + nested,
+                                 "difference { " + hole};
+         return t.camera() + sky + all[std::stoul(t.one_of({"0", "1", "2", "3", "4"}))] + t.clear(.4, .7) + "}";
+     },
+     .02},
+    {"interiors of parts, and of bodies that overlap",
+     [](Texts& t) {
+         const std::string word = t.one_of({"intersection", "difference", "merge", "union"});
+         const std::string own = t.one_of({"", "interior { ior 1.15 }"});
+         return t.camera() + sky + checks + word + " { sphere { 0, 1 } sphere { " +
+                t.one_of({"-.5*z, .8 ", "<.5,.2,-.3>, .9 "}) + own + " }" + glass + "interior { ior " +
+                t.number(1.3, 1.6) + " fade_distance " + t.number(.5, 3) + " fade_power 2 fade_color <1,.5,.2> } }";
+     },
+     .03},
+    {"what is further away than 1e7",
+     [](Texts& t) {
+         return "camera { location <0," + t.number(1e4, 1e6) + ",-24e6> look_at 0 angle 45 }\n" + sky +
+                "light_source { -1e9*z rgb 1 parallel point_at 0 } sphere { x*" + t.number(-4e6, 4e6) + "," +
+                t.number(14.1e6, 15e6) +
+                " pigment { rgb 1 } }\nplane { y, -5e5 pigment { rgb <0,.5,0> } finish { "
+                "ambient 1 diffuse 0 reflection .3 } }";
+     }},
+    {"fog in hollow bodies, and around a camera in a body", [](Texts& t) {
+         const std::string bodies[]{
+             "sphere { " + t.vector(-.5, .5) + ", " + t.number(.8, 1.5) + " pigment { rgbt <1,.8,.6,.6> } " +
+                 t.one_of({"hollow", "", "hollow interior { ior 1.3 }"}) + " }",
+             "plane { y, 2.2 hollow pigment { bozo color_map { [.5 rgbt 1] [1 rgb 1] } } finish { ambient 1 } } "
+             "plane { y, 99 hollow pigment { rgb <.2,.5,.8> } finish { ambient 1 } }",
+             std::string("sphere { 0, 30 ") + t.one_of({"", "hollow "}) +
+                 "pigment { rgb <.3,.4,.9> } finish { ambient 1 } }"};
+         return t.camera() + lamp + bodies[std::stoul(t.one_of({"0", "1", "2"}))] +
+                " plane { y, -2 pigment { checker rgb 1, rgb .1 } } sphere { 0, .4 pigment { rgb x } } fog { "
+                "distance " +
+                t.number(4, 40) + " rgb <.7,.7,.8> }";
+     }}};
+
+/// Returns the share of the pixels that differ by more than 1/255 from POV-Ray's own.
+double differing(const std::string& path, const std::string& text) {
+    std::ofstream(path) << header << text << '\n';
+    const OpenedScene opened = open_scene(bytes_of(path), path, {.width = width, .height = height}, read_pixels);
+    CHECK(opened.summary == "opens whole");
+    const View view{.camera = opened.scene.camera,
+                    .width = width,
+                    .height = height,
+                    .depth = opened.scene.settings.max_trace_level};
+    const Frame ours = render(opened.scene, view);
+    const Picture theirs = run_povray_file({.path = path, .width = width, .height = height, .gamma = 1}, 1).picture;
+    int count = 0;
+    for (std::size_t i = 0; i < ours.rgb.size(); i += 3) {
+        bool differs = false;
+        for (std::size_t c = i; c < i + 3; ++c)
+            differs |= std::fabs(std::clamp(ours.rgb[c], 0., 1.) - theirs.values[c]) > 1. / 255;
+        count += differs;
+    }
+    return double(count) / (width * height);
+}
+
+}  // namespace
+
+TEST_CASE("random scenes of POV-Ray's show what POV-Ray shows") {
+    const Scratch folder;
+    Picture checkered{8, 8, 3, {}};
+    for (int i = 0; i < 64; ++i)
+        for (const double value : {.2, .5, .9})
+            checkered.values.push_back((i % 8 + i / 8) % 2 ? value : .8 - value / 2);
+    write_picture(checkered, folder / "checks.png", {8, 1});
+    for (const Kind& kind : kinds)
+        for (unsigned seed = 1; seed <= 3; ++seed) {
+            Texts texts(seed);
+            const std::string text = kind.text(texts);
+            CAPTURE(kind.name);
+            CAPTURE(text);
+            CHECK(differing(folder / "scene.pov", text) <= kind.share);
+        }
+}
