@@ -11,6 +11,7 @@
 #include "scene/moving_scene.h"
 #include "show/info.h"
 #include "show/welcome/help_panel.h"
+#include "text/camera_text.h"
 #include "text/music_text.h"
 #include "text/reading/tracks_file.h"
 #include "text/write.h"
@@ -64,7 +65,7 @@ Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::unique_ptr<Reload
                      if (key != GLFW_KEY_ESCAPE || file.waiting()) return chooser.key(key);
                      return perform({Action::gallery}), true;
                  },
-             .turn_wheel = [this](double n) { notes.tell(session.turn_wheel(n, pace.now())); },
+             .turn_wheel = [this](double n, bool speed) { notes.tell(session.turn_wheel(n, speed, pace.now())); },
              .drop =
                  [this](std::string path) {
                      const bool sound = !panels.gallery && std::filesystem::path(path).extension() == ".ogg";
@@ -129,6 +130,8 @@ void Viewer::perform(Command command) {
             return chooser.toggle_gallery();
         case Action::write_path:
             return write();
+        case Action::keep_view:
+            return keep_view();
         case Action::save_as:
             if (!file.waiting()) chooser.ask_where_to_save();
             return;
@@ -203,6 +206,17 @@ void Viewer::write() {
     if (of_scene || !of_tracks) file.write(session.editor.path(), bodies.changes());
 }
 
+/// Makes the view the camera of the scene's text.
+void Viewer::keep_view() {
+    if (file.waiting()) return;
+    const Keyframe view = key_of(session.camera, session.scene->camera, 0);
+    const std::string& text = bodies.editor().edited.text();
+    const bool fixed = bodies.editor().read_only() || !session.scene->camera_follows.empty();
+    const auto newer = fixed ? std::nullopt : with_camera(text, view);
+    if (!newer) return notes.note("the camera of this scene is changed in its text");
+    if (bodies.change_text(*newer, "the scene's camera")) notes.note("this view is the scene's camera now");
+}
+
 /// Would changes be lost now?
 bool Viewer::unsaved() const {
     return session.editor.changed() || bodies.editor().edited.changed() || session.track_keys.changed();
@@ -264,6 +278,7 @@ void Viewer::apply(const TimelineInput& done) {
             notes.note("this motion stands in a definition, and is changed in the text");
     }
     if (done.choose_sound) chooser.ask_for_sound();
+    if (!done.refused.empty()) notes.note(done.refused);
     if (const auto& change = done.track)
         session.change_track(change->track, change->merged, pace.now());
     if (done.music || done.track || done.motion) pace.redraw(3);
