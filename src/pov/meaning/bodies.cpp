@@ -697,12 +697,12 @@ void SceneMaker::add(const ObjectThing& object, const Around& around) {
 
 /// Forgets interiors that no two bodies in one place share, and no parts of one body divide.
 void SceneMaker::settle_spaces() {
-    struct Use {
+    struct InteriorUse {
         std::vector<Box> boxes{};
         bool matters = false, needed = false;
         TextPlace place{};
     };
-    std::unordered_map<int, Use> uses;
+    std::unordered_map<int, InteriorUse> uses;
     for (std::size_t i = 0; i < scene.primitives.size(); ++i) {
         const Primitive& body = scene.primitives[i];
         std::set<int> own;
@@ -715,7 +715,7 @@ void SceneMaker::settle_spaces() {
         });
         for (const int number : own) {
             if (number == 0) continue;
-            Use& use = uses[number];
+            InteriorUse& use = uses[number];
             use.matters |= matters, use.needed |= own.size() > 1;
             use.boxes.push_back(world_bounds(body)), use.place = shown[i].place;
         }

@@ -384,7 +384,7 @@ TEST_CASE("POV-Ray: what scenes cannot hold is told with its line, once") {
     told("fog { distance 9 } light_source { 9 rgb 1 media_attenuation on }", "approximated: fog does not dim a light");
     CHECK(notes_of("sphere { 0, 1 pigment { crackle metric 2 form <-1, 1, 0> agate_turb 1 } }") == "");
     told("text { ttf \"no.ttf\" \"A\" 1, 0 }", "left out: a text: cannot find its font 'no.ttf'");
-    told("sphere_sweep { linear_spline 2, 0, 1, 3*x, .5 texture { } interior_texture { } }",
+    told("sphere_sweep { cubic_spline 4, -x, .2, 0, .2, x, .3, 2*x+y, .2 texture { } interior_texture { } }",
          "approximated: which sides of its faces are inside");
     told(
         "light_group { sphere { 0, 1 } light_group { light_source { x rgb 1 } sphere { 0, 1 } } light_source { 0 rgb 1 "
