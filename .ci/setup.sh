@@ -105,7 +105,8 @@ require_release() {
             "src/building.md says how to make a package there that runs here"
 }
 
-# Installs those of the given Debian packages that are not there yet, and says so first.
+# Installs those of the given Debian packages that are not there yet, and says so first. Asks before it uses sudo, if
+# there is a terminal.
 install_packages() {
     local root=$1 missing=() package
     shift
@@ -130,6 +131,12 @@ install_packages() {
     fi
     say "installing the Debian packages that are missing here${su[*]:+ (with sudo)}: ${missing[*]}"
     say "with what they need this is up to 1000 MB on the disk and takes minutes"
+    if ((${#su[@]})) && [[ -t 0 && -t 2 ]]; then
+        local answer=''
+        read -rp 'strahl: install them now? [Y/n] ' answer || answer=n
+        [[ ! $answer || $answer == [yY]* ]] ||
+            die "nothing was installed; by hand: sudo apt-get install --no-install-recommends ${missing[*]}"
+    fi
     mkdir -p "$root/build"
     # A stale package list is no reason to stop: what is missing may still be had.
     logged "$root/build/apt-update.log" "${su[@]}" "${apt[@]}" update || true

@@ -161,6 +161,12 @@ OutputFile::~OutputFile() = default;
 
 std::string OutputFile::name() const { return implementation->temporary->path().string(); }
 
+void OutputFile::take_permissions(const std::string& of) {
+    struct stat status {};
+    if (implementation->temporary && ::stat(of.c_str(), &status) == 0)
+        take_over(implementation->temporary->descriptor(), status);
+}
+
 void OutputFile::append(std::string_view bytes) {
     const auto& [path, target, old, exists, direct, temporary] = *implementation;
     if (const int error = write_all(direct >= 0 ? direct : temporary->descriptor(), bytes))

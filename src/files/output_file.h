@@ -21,6 +21,8 @@ class OutputFile {
     enum class Writer { own, other_program };
     explicit OutputFile(const std::string& path, Writer writer = Writer::own);
     ~OutputFile();
+    /// Gives the file the permissions of another one, and its owner where that is allowed, if that exists.
+    void take_permissions(const std::string& of);
     /// Writes the next bytes.
     void append(std::string_view bytes);
     /// The path of the temporary file.

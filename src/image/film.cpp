@@ -66,8 +66,8 @@ std::string find_ffmpeg(const std::string& film) {
         const std::string program = (folder.empty() ? "." : folder) + "/ffmpeg";
         if (::access(program.c_str(), X_OK) == 0) return program;
     }
-    throw OutputError("cannot make '" + film +
-                      "': there is no ffmpeg in PATH, which films need; on Debian: apt install ffmpeg. Without it, "
+    throw OutputError("cannot make " + film +
+                      ": there is no ffmpeg in PATH, which films need; on Debian: apt install ffmpeg. Without it, "
                       "-o film-%04d.png --frames LIST makes pictures");
 }
 

@@ -14,7 +14,8 @@ namespace strahl {
 /// Returns whether the ending is that of a film: .mp4, .mkv or .webm.
 bool is_film(const std::string& path);
 
-/// Returns the path of the program `ffmpeg` in PATH. Throws OutputError if there is none.
+/// Returns the path of the program `ffmpeg` in PATH. Throws OutputError, which says that `film` cannot be made, if
+/// there is none.
 std::string find_ffmpeg(const std::string& film);
 
 /// The sound of a film: a file, from a moment in seconds on.

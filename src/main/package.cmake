@@ -23,16 +23,25 @@ install(DIRECTORY scenes DESTINATION share/strahl PATTERN *.md EXCLUDE PATTERN *
 install(FILES assets/balls.png DESTINATION share/strahl/assets)  # which scenes show
 install(DIRECTORY assets/farm DESTINATION share/strahl PATTERN README.md EXCLUDE)
 install(FILES LICENSE DESTINATION share/doc/strahl)
-# The pages for users, without their pictures and their links to files. Commands are written as for the installed
-# program, and paths of scenes as from the folder of the pages.
+# The pages for users, without their pictures. Links lead to each other; those to other files are left out. Commands are
+# written as for the installed program, and paths of scenes as from the folder of the pages.
+set(user_pages src/text/README:language src/main/README:films src/main/commands:commands src/main/lsp/README:editors
+    src/import/README:import src/pov/README:povray src/show/README:window scenes/tutorial/README:tutorial assets/FAQ:questions)
 set(pages ${CMAKE_BINARY_DIR}/pages)
-foreach(page src/text:language src/main:films src/main/lsp:editors src/import:import scenes/tutorial:tutorial)
+foreach(page ${user_pages})
   string(REGEX MATCH "(.*):(.*)" page ${page})
   set(name ${CMAKE_MATCH_2})
-  set(source ${CMAKE_SOURCE_DIR}/${CMAKE_MATCH_1}/README.md)
+  set(source ${CMAKE_SOURCE_DIR}/${CMAKE_MATCH_1}.md)
+  get_filename_component(own_folder ${source} DIRECTORY)
   file(READ ${source} content)
   string(REGEX REPLACE "!\\[[^]]*\\]\\([^)]*\\)\n*" "" content "${content}")
+  foreach(other ${user_pages})
+    string(REGEX MATCH "(.*):(.*)" other ${other})
+    file(RELATIVE_PATH path ${own_folder} ${CMAKE_SOURCE_DIR}/${CMAKE_MATCH_1}.md)
+    string(REPLACE "](${path}" "](#page ${CMAKE_MATCH_2}.md" content "${content}")
+  endforeach()
   string(REGEX REPLACE "\\[([^]]*)\\]\\([^#h)][^)]*\\)" "\\1" content "${content}")
+  string(REPLACE "](#page " "](" content "${content}")
   string(REPLACE "./strahl" "strahl" content "${content}")
   string(REGEX REPLACE "strahl (([a-z]+ )?)scenes/" "strahl \\1../../strahl/scenes/" content "${content}")
   file(WRITE ${pages}/${name}.md "${content}")
@@ -73,6 +82,6 @@ set(CPACK_STRAHL_PROGRAM ${CMAKE_BINARY_DIR}/strahl)
 set(CPACK_STRAHL_MODULE ${CMAKE_BINARY_DIR}/lib/strahl/libstrahl_image.so)
 set(CPACK_STRAHL_SYSROOT ${CMAKE_SYSROOT})
 set(CPACK_PROJECT_CONFIG_FILE ${CMAKE_SOURCE_DIR}/src/main/package_libraries.cmake)
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "povray, ffmpeg")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "povray, ffmpeg, zenity")
 set(CPACK_STRIP_FILES ON)
 include(CPack)

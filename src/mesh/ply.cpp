@@ -220,7 +220,7 @@ void PlyReader<Values>::read_vertices() {
     if (!found[0] || !found[1] || !found[2]) source.fail("the vertices of this file lack one of x, y and z");
     smooth = found[3] && found[4] && found[5];
     lose_colours();
-    int place = 6;  // the first of both names of a place
+    int place = 6;  // index in the names of the first of a pair: u, v; s, t
     while (place < others && !(found[place] && found[place + 1])) place += 2;
     source.check_points(element->count);
     mesh.points.resize(element->count);

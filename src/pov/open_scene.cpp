@@ -69,6 +69,7 @@ OpenedScene open_scene_of_povray(const std::string& text, const std::string& pat
     pov::OpenedPov opened = open_pov(text, how, read_pixels);
 
     OpenedScene result{.scene = std::move(opened.scene),
+                       .warnings = std::move(opened.warnings),
                        .summary = opened.summary(),
                        .lines = std::move(opened.lines),
                        .mirrored = opened.mirrored,

@@ -31,6 +31,7 @@ struct OpenedScene {
     // Messages for the user: "scene.pov:12: left out: media" for what a .pov has approximated or left out, and warnings
     // about the meshes and pictures of scene text.
     std::vector<std::string> notes{};
+    std::vector<std::string> warnings{};  // "scene.pov:12: ';' is missing", about the text of a .pov
     std::string summary{};             // of the notes; empty for scene text
     pov::SourceLines lines{};          // of the bodies and lights of a .pov
     bool mirrored = false;             // the scene is the mirror image in z of that of a .pov

@@ -12,6 +12,7 @@ namespace strahl {
 namespace {
 
 constexpr int fewest_sides = 16, most_sides = 256;  // of a circle
+constexpr int disc_sides = 64;                      // they take 99.8 % of a disc's area
 /// Meshes of more triangles have no facets: to make them would take longer than a picture.
 constexpr std::size_t most_triangles = 10000;
 
@@ -55,12 +56,14 @@ std::vector<Facet> own_facets(const Disc& disc) {
     const double width = (disc.radius - disc.hole) / disc.radius;
     const double wanted = std::numbers::pi / std::acos(1 - std::min(width / 8, 1.));
     const int sides = wanted < most_sides ? std::max(static_cast<int>(std::ceil(wanted)), fewest_sides) : most_sides;
-    const std::vector<DVec3> points = circle(normalize(disc.normal), sides);
+    const std::vector<DVec3> points = circle(normalize(disc.normal), disc.hole > 0 ? sides : disc_sides);
     std::vector<Facet> facets;
     if (disc.hole > 0)
         add_strips(points, disc.centre, disc.radius, disc.centre, disc.hole, 0, facets);
     else
         add_circle(points, disc.centre, disc.radius, 0, facets);
+    // The polygons of wider rings have another area than they.
+    for (Facet& facet : facets) facet.whole = disc.hole == 0 || width < .1;
     return facets;
 }
 
@@ -105,8 +108,10 @@ std::vector<Facet> own_facets(const Cuboid& box) {
     return facets;
 }
 
-std::vector<Facet> own_facets(const Triangle& triangle) { return {{{triangle.a, triangle.b, triangle.c}, 0}}; }
-std::vector<Facet> own_facets(const SmoothTriangle& triangle) { return {{{triangle.a, triangle.b, triangle.c}, 0}}; }
+std::vector<Facet> own_facets(const Triangle& triangle) { return {{{triangle.a, triangle.b, triangle.c}, 0, true}}; }
+std::vector<Facet> own_facets(const SmoothTriangle& triangle) {
+    return {{{triangle.a, triangle.b, triangle.c}, 0, true}};
+}
 std::vector<Facet> own_facets(const Mesh& mesh) {
     std::vector<Facet> facets;
     const MeshData& data = *mesh.data;
@@ -149,7 +154,8 @@ std::vector<Facet> facets_of(const Primitive& primitive, const glm::dmat4& outer
                 if (Kind::operation != Operation::unite) break;
             }
             // Cutting may leave a piece of any size.
-            for (Facet& facet : found) facet.least = Kind::operation == Operation::unite ? facet.least : 0;
+            for (Facet& facet : found)
+                facet.least = Kind::operation == Operation::unite ? facet.least : 0, facet.whole = false;
         } else if constexpr (requires { own_facets(kind); }) {
             found = own_facets(kind);
             // A bound from below on how much the matrix lengthens vectors.

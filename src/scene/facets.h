@@ -11,6 +11,7 @@ namespace strahl {
 struct Facet {
     std::vector<DVec3> corners;
     double least;
+    bool whole = false;  // the body is this polygon, or a flat ring of such ones beside each other
 };
 
 /// Returns the flat pieces of a body: of boxes, discs, triangles, meshes of up to 10,000 triangles, and of cylinders

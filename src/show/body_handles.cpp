@@ -86,12 +86,13 @@ void BodyHandles::pull(const glm::dvec2& to, bool steps) {
     if (drag) dragged_to = DragPoint{to, steps};
 }
 
-bool BodyHandles::change_text(std::size_t others) {
+bool BodyHandles::change_text() {
     const auto to = std::exchange(dragged_to, std::nullopt);
     if (!drag || !to) return false;
     const std::string text = drag->text(to->place, to->steps);
     if (text == bodies.edited.text()) return false;
-    bodies.edited.change(text, std::exchange(dragged, true), others);
+    const char* const what = mode == HandleMode::move ? " moved" : mode == HandleMode::turn ? " turned" : " scaled";
+    bodies.edited.change(text, {session.edits, bodies.name() + what, std::exchange(dragged, true)});
     if (bodies.choice()) bodies.move_point(clicked + drag->moved(to->place, to->steps));
     return true;
 }

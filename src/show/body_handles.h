@@ -20,7 +20,7 @@ namespace strahl {
 class BodyHandles {
   public:
     /// `bodies` knows what is chosen and holds the text that drags change.
-    BodyHandles(BodyEditor& bodies, const Session& session, Pace& pace)
+    BodyHandles(BodyEditor& bodies, Session& session, Pace& pace)
         : bodies(bodies), session(session), pace(pace) {}
 
     /// Chooses what the handles do next. Returns what to tell the user.
@@ -37,8 +37,8 @@ class BodyHandles {
     /// Goes on to another point.
     void pull(const glm::dvec2& to, bool steps);
     /// Changes the text by the drag up to the last point; those that came while it was read are skipped. Returns true
-    /// if it changed. `others`: see EditedText::change.
-    bool change_text(std::size_t others);
+    /// if it changed.
+    bool change_text();
     void let_go() { drag.reset(); }
     bool held() const { return drag.has_value(); }
 
@@ -51,7 +51,7 @@ class BodyHandles {
     void find_pointed();
 
     BodyEditor& bodies;
-    const Session& session;
+    Session& session;
     Pace& pace;
     HandleMode mode = HandleMode::move;
     std::optional<Handles> handles;

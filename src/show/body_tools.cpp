@@ -24,14 +24,22 @@ void BodyTools::loaded(const Loaded& scene) {
     if (scene.opened) not_shown.show_all();
     if (scene.opened)
         bodies.open(scene.text, is_pov(scene.path));
-    else if (bodies.edited.reload(scene.text))
-        notes.announce("the file has other numbers now, which replace yours");
+    else
+        reload(scene.text);
     handles.let_go();
     if (!on_its_way) awaited = {};
     good = scene.text;
     bodies.take_lines(scene.lines, scene.text);
     if (bodies.edited.changed()) return show_anew();  // there may be other bodies than in the file
     bodies.look(*session.scene);
+}
+
+/// Takes the text that the file has now. Prints what was changed and is lost by that.
+void BodyTools::reload(const std::string& text) {
+    const std::vector<std::string> yours = bodies.edited.unwritten();
+    if (!bodies.edited.reload(text)) return;
+    notes.announce("the file has other numbers now, which replace yours");
+    for (const std::string& line : yours) log_line("changed and not written, line " + line);
 }
 
 void BodyTools::click(const View& view, const glm::dvec2& point, double reach) {
@@ -66,11 +74,13 @@ void BodyTools::apply(const BodyInput& input) {
     const auto& values = bodies.body().values;
     bool changed = false;
     if (const auto& change = input.change)
-        changed = bodies.change(values[change->value], change->numbers, change->merged, others());
-    if (input.own) changed = bodies.make_own(values[*input.own], others());
+        changed = bodies.change(values[change->value], change->numbers, session.edits, change->merged);
+    if (input.own) changed = bodies.make_own(values[*input.own], session.edits);
     if (changed) show();
     if (input.track) follow_track(*input.track);
-    if (input.free) change_text(without_tracks(bodies.edited.text(), values[*input.free]), false);
+    if (input.free)
+        change_text(without_tracks(bodies.edited.text(), values[*input.free]),
+                    values[*input.free].name + " of " + bodies.name() + " follows no track");
 }
 
 /// Has a number follow a track. One without keys gets the number as its first key. False if the name cannot be one.
@@ -79,17 +89,17 @@ bool BodyTools::follow_track(const BodyInput::NewTrack& track) {
     if (track.name.empty() || track.name.size() > 255 || track.name.find_first_of("\"\n\r") != std::string::npos)
         return notes.fail("the name of a track has 1 to 255 characters, and no quotes"), false;
     const double number = value.numbers[std::size_t(std::max(track.component, 0))];
-    change_text(with_track(bodies.edited.text(), value, track.component, track.name), false);
+    change_text(with_track(bodies.edited.text(), value, track.component, track.name),
+                value.name + " of " + bodies.name() + " follows the track " + track.name);
     if (session.track_keys.track(track.name).keys.empty() && !session.keys_elsewhere)
-        session.change_track({track.name, {{0, number, Interpolation::linear}}}, false,
-                             session.editor.steps() + bodies.edited.steps(), pace.now());
+        session.change_track({track.name, {{0, number, Interpolation::linear}}}, false, pace.now());
     notes.announce("follows the track " + track.name + ", whose keys are on the timeline");
     return true;
 }
 
-bool BodyTools::change_text(const std::string& newer, bool merged) {
+bool BodyTools::change_text(const std::string& newer, const std::string& what, bool merged) {
     if (bodies.read_only()) return notes.note("the text of this scene is changed in an editor"), false;
-    bodies.edited.change(newer, merged, others());
+    bodies.edited.change(newer, {session.edits, what, merged});
     show_anew();
     return true;
 }
@@ -137,10 +147,10 @@ void BodyTools::show_anew() {
     pace.redraw(3);
 }
 
-bool BodyTools::undo(Action action) {
-    const bool done = action == Action::undo ? bodies.edited.undo(others()) : bodies.edited.redo(others());
-    if (!done) return false;
-    notes.note(action == Action::undo ? "undone" : "redone");
+bool BodyTools::undo(bool back) {
+    if (bodies.edited.next_step(back, session.edits) <= session.next_step(back)) return false;
+    const auto what = bodies.edited.undo(back, session.edits);
+    notes.note((back ? "undone: " : "redone: ") + what.value_or(""));
     awaited.next.reset(), awaited.undone = true;
     show_anew();
     return true;
@@ -166,10 +176,11 @@ void BodyTools::add(const View& view, const glm::dvec2& point) {
     const int count = static_cast<int>(light ? session.scene->lights.size() : session.scene->primitives.size());
     bodies.edited.change(
         with_new_block(bodies.edited.text(), block, count, place.point, place.normal, place.size, place.decimals),
-        false, others());
+        {session.edits, std::string(block.name) + " added"});
     awaited.next = {block.what, count, place.point};
     if (light && !marks) marks.emplace();
-    notes.announce(std::string(block.name) + " added: drag its handles; F2 writes it into the file");
+    notes.announce(std::string(block.name) + " added: drag its handles; " + notes.key(Action::write_path) +
+                   " writes it into the file");
     show_anew();
 }
 
@@ -183,26 +194,41 @@ void BodyTools::choose(const NextChoice& chosen) {
     bodies.choose(chosen.number, *chosen.added_at, *session.scene);
 }
 
+void BodyTools::note_editor() {
+    notes.note("the text of this scene is changed in an editor: " + notes.key(Action::open_text) + " opens it");
+}
+
 bool BodyTools::copy() { return change_block(true); }
-bool BodyTools::remove() { return change_block(false); }
+bool BodyTools::remove() {
+    if (bodies.choice() && hidden().contains(bodies.number()))
+        return notes.note("this body is hidden: show it before you remove it"), true;
+    return change_block(false);
+}
+
+bool BodyTools::step_back() {
+    if (end_adding()) return true;
+    if (bodies.any()) return bodies.close(), true;
+    if (marks) return toggle(Action::lights), true;
+    return false;
+}
 
 /// Copies or removes what is chosen. False if nothing is chosen.
 bool BodyTools::change_block(bool copies) {
     if (!bodies.any()) return false;
     if (awaited.scene) return awaited.later = copies, true;
-    if (bodies.read_only()) return notes.note("the text of this scene is changed in an editor: F4 opens it"), true;
+    if (bodies.read_only()) return note_editor(), true;
     const bool light = bodies.light().has_value();
     const std::string name = (light ? "light " : "body ") + std::to_string(bodies.number() + 1);
     const std::string& before = bodies.edited.text();
     const TopBlock what = light ? TopBlock::light : TopBlock::body;
     const std::string text =
         copies ? with_copy(before, what, bodies.number()) : without_block(before, what, bodies.number());
-    if (text == before) return notes.note("the text of this scene is changed in an editor: F4 opens it"), true;
-    bodies.edited.change(text, false, others());
+    if (text == before) return note_editor(), true;
+    bodies.edited.change(text, {session.edits, name + (copies ? " copied" : " removed")});
     awaited.next.reset();
     if (copies) awaited.next = {what, bodies.number() + 1};
     notes.announce(copies ? name + " copied; the copy is in the same place: drag its handles"
-                          : name + " removed; Ctrl+Z brings it back");
+                          : name + " removed; " + notes.key(Action::undo) + " brings it back");
     show_anew();
     return true;
 }
@@ -216,12 +242,13 @@ void BodyTools::toggle(Action action) {
         return notes.note("lights are hidden");
     }
     if (!bodies.any()) return notes.note("click a body first; its handles then move, turn or scale it");
-    if (bodies.read_only()) return notes.note("the text of this scene is changed in an editor: F4 opens it");
+    if (bodies.read_only()) return note_editor();
     notes.note(handles.change_mode());
 }
 
 void BodyTools::approach(const View& view) {
-    if (!bodies.choice() || awaited.scene) return notes.note("click a body first; B then moves the camera to it");
+    if (!bodies.choice() || awaited.scene)
+        return notes.note("click a body first; " + notes.key(Action::approach) + " then moves the camera to it");
     const Box box = world_bounds(scene_seen(view).primitives[std::size_t(bodies.number())]);
     if (!std::isfinite(length(box.high - box.low))) return notes.note("this body has no end");
     notes.tell(session.steer({}, pace.now()));
@@ -233,7 +260,9 @@ std::string BodyTools::file_name() const {
 }
 
 void BodyTools::open_text() {
-    if (!bodies.any()) return notes.note("click a body first; F4 then opens its line in your editor");
+    if (!bodies.any())
+        return notes.note("click a body first; " + notes.key(Action::open_text) +
+                          " then opens its line in your editor");
     if (bodies.body().line == 0 || file.path() == "-") return notes.note("no line of a file is known for it");
     const std::string fault = open_in_editor(bodies.file().empty() ? file.path() : bodies.file(), bodies.body().line);
     if (!fault.empty()) notes.fail(fault);
@@ -265,7 +294,7 @@ void BodyTools::take_shown() {
         }
     } else if (newest) {
         notes.fail(shown->fault.substr(0, shown->fault.find('\n')));
-        bodies.edited.change(good, true, others());
+        bodies.edited.change(good, {session.edits, "change with an error", true});
         handles.let_go(), awaited.next.reset();
     }
     if (newest) {
@@ -305,7 +334,7 @@ void BodyTools::let_go() {
 
 /// Shows what the drag has changed up to now.
 void BodyTools::drag_on() {
-    if (handles.change_text(others())) show();
+    if (handles.change_text()) show();
 }
 
 Overlay::Tools BodyTools::drawn() const {
@@ -314,16 +343,6 @@ Overlay::Tools BodyTools::drawn() const {
     tools.chosen = bodies.light();
     handles.draw(tools);
     return tools;
-}
-
-bool BodyTools::asks() {
-    if (!bodies.edited.changed() || asked_about == bodies.edited.text()) return false;
-    asked_about = bodies.edited.text();
-    return true;
-}
-
-void BodyTools::print_unwritten() const {
-    for (const std::string& line : bodies.edited.unwritten()) log_line("changed and not written, line " + line);
 }
 
 }  // namespace strahl

@@ -52,13 +52,13 @@ class BodyTools {
     void apply(const OutlinerInput& input);
     /// The bodies that are hidden in the picture. Hiding does not change the text.
     const std::set<int>& hidden() const { return not_shown.numbers(); }
-    /// Returns the session's scene without these.
-    std::shared_ptr<const Scene> scene_shown() { return not_shown.scene_without(session.scene); }
-    /// Changes the text elsewhere than in what is chosen. `merged`: see EditedText::change. False if it cannot be
-    /// changed here, as is the case of scenes without a text.
-    bool change_text(const std::string& newer, bool merged);
-    /// Undoes or redoes a change, if that is what comes next. Else returns false.
-    bool undo(Action action);
+    /// Returns the session's scene, as far as the picture shows it, without these.
+    std::shared_ptr<const Scene> scene_shown() { return not_shown.scene_without(session.pictured); }
+    /// Changes the text elsewhere than in what is chosen. `what` and `merged`: see Edit. False if it cannot be changed
+    /// here, as is the case of scenes without a text.
+    bool change_text(const std::string& newer, const std::string& what, bool merged = false);
+    /// Undoes or redoes a change of the text, if that comes next among those of the session. Else returns false.
+    bool undo(bool back);
     /// Moves the camera to where the body chosen fills the picture, if it is bounded.
     void approach(const View& view);
     /// Opens the line of what is chosen, or that which a message names, "FILE:LINE: ...", in the user's editor.
@@ -66,9 +66,13 @@ class BodyTools {
     void open_text(const std::string& message);
     /// Chooses what handles do; or shows or hides the marks of lights.
     void toggle(Action action);
-    /// Copies what is chosen in the text and chooses the copy; or removes it. False if nothing is chosen.
+    /// Copies what is chosen in the text and chooses the copy; or removes it, if it is seen. False if nothing is
+    /// chosen.
     bool copy();
     bool remove();
+    /// Undoes the last of what the tools show: what is to be added, what is chosen, the marks of lights. False if there
+    /// is nothing of that.
+    bool step_back();
     /// Shows the scene with changed numbers once that is read, moves what is being dragged, and orders the silhouette
     /// in this view, if it rests. `scale` is that of the window: 1 at a usual pixel density.
     void follow(const View& view, double scale);
@@ -88,12 +92,8 @@ class BodyTools {
     /// Returns the name of the file in which the body chosen stands.
     std::string file_name() const;
     const ChangedText& changes() const { return bodies.edited.changes(); }
-    /// Returns true if there are changes that are not written and about which the user was not asked yet.
-    bool asks();
     /// To be called after each drawing: logs what the window shows now.
     void log_drawn();
-    /// Prints the lines that would be lost now.
-    void print_unwritten() const;
 
   private:
     /// A body or a light to be chosen once the scene has it.
@@ -109,10 +109,11 @@ class BodyTools {
         std::optional<NextChoice> next;  // is chosen then
         std::optional<bool> later;       // what is chosen is copied (true) or removed then
     };
-    std::size_t others() const { return session.editor.steps() + session.track_keys.steps(); }
     const Scene& scene_seen(const View& view) { return moment.at(session.scene, view); }
     bool changing() const { return awaited.scene || handles.held(); }
     bool follow_track(const BodyInput::NewTrack& track);
+    void reload(const std::string& text);
+    void note_editor();
     void show();
     void show_anew();
     void add(const View& view, const glm::dvec2& point);
@@ -132,8 +133,7 @@ class BodyTools {
     Silhouette silhouette;
     HiddenBodies not_shown;
     SceneMoment moment;
-    std::string good;         // the last text that was shown
-    std::string asked_about;  // a text
+    std::string good;  // the last text that was shown
     Awaited awaited;
     const NewBlock* to_add = nullptr;  // by the next click
     std::optional<LightMarks> marks;   // if lights are shown

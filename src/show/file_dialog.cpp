@@ -14,16 +14,16 @@ extern char** environ;
 namespace strahl {
 namespace {
 
-/// $1 is the folder, with a slash at its end; $2 is not empty if the name of a new file is asked for; $3 is the title,
-/// $4 and $5 say which files are shown.
+/// $1 is the folder, with a slash at its end; $2 is the name of a new file, if one is asked for; $3 is the title, $4
+/// and $5 say which files are shown.
 constexpr const char* script = R"sh(
 if command -v zenity >/dev/null && [ -n "$2" ]; then
-    exec zenity --file-selection --save --title="$3" --filename="$1untitled.rt" 2>/dev/null
+    exec zenity --file-selection --save --confirm-overwrite --title="$3" --filename="$1$2" 2>/dev/null
 elif command -v zenity >/dev/null; then
     exec zenity --file-selection --title="$3" --filename="$1" \
         --file-filter="$4 | $5" --file-filter='All files | *' 2>/dev/null
 elif command -v kdialog >/dev/null && [ -n "$2" ]; then
-    exec kdialog --title "$3" --getsavefilename "$1untitled.rt" "$4 ($5)" 2>/dev/null
+    exec kdialog --title "$3" --getsavefilename "$1$2" "$4 ($5)" 2>/dev/null
 elif command -v kdialog >/dev/null; then
     exec kdialog --title "$3" --getopenfilename "$1" "$4 ($5)" 2>/dev/null
 fi
@@ -48,20 +48,24 @@ std::string FileDialog::open(const std::string& scene, const std::string& made_o
     posix_spawn_file_actions_init(&files);
     posix_spawn_file_actions_adddup2(&files, pipe[1], 1);
     from = made_of;
-    const bool sound = from == for_sound, saves = !sound && !from.empty();
+    const bool sound = from == for_sound, copies = from == for_saving, saves = !sound && !from.empty();
+    const std::string own_name = std::filesystem::path(scene).filename().string();
     std::string words[]{"sh",
                         "-c",
                         script,
                         "sh",
                         folder,
-                        saves ? "save" : "",
-                        sound   ? "Choose the music"
-                        : saves ? "Save the new scene as"
-                                : "Open a scene",
+                        copies && scene != "-" ? own_name
+                        : saves                ? "untitled.rt"
+                                               : "",
+                        sound    ? "Choose the music"
+                        : copies ? "Save the scene as"
+                        : saves  ? "Save the new scene as"
+                                 : "Open a scene",
                         sound ? "Ogg Vorbis" : "Scenes",
-                        sound   ? "*.ogg"
-                        : saves ? "*.rt"
-                                : "*.rt *.pov"};
+                        sound              ? "*.ogg"
+                        : saves && !copies ? "*.rt"
+                                           : "*.rt *.pov"};
     std::array<char*, std::size(words) + 1> arguments{};
     for (std::size_t i = 0; i < std::size(words); ++i) arguments[i] = words[i].data();
     const bool started = posix_spawn(&child, "/bin/sh", &files, nullptr, arguments.data(), environ) == 0;

@@ -19,14 +19,15 @@ class FileDialog {
     FileDialog(const FileDialog&) = delete;
 
     /// Opens the dialog in the folder of this scene, unless it is open. Does not wait for it. Returns the reason if it
-    /// cannot, or "". With a template it asks for the name of a new file, or with `for_sound` for a sound.
+    /// cannot, or "". With a template it asks for the name of a new file, with `for_saving` for that of a copy of the
+    /// scene, with `for_sound` for a sound.
     std::string open(const std::string& scene, const std::string& from = "");
     std::string open_sound(const std::string& scene) { return open(scene, for_sound); }
-    static constexpr const char* for_sound = "sound";
+    static constexpr const char *for_sound = "sound", *for_saving = "saving";
     struct ChosenFile {
         std::string path;   // "" if the user has chosen none
         std::string fault;  // why there is no dialog, or ""
-        std::string from;   // the template of which it is to be made, or `for_sound`, or ""
+        std::string from;   // the template of which it is to be made, or `for_sound`, `for_saving` or ""
     };
     /// Returns the answer, once.
     std::optional<ChosenFile> take();

@@ -22,6 +22,11 @@ namespace {
 
 constexpr FrameRate film_rate{};
 
+/// "40 s", or "5 min" for more than two minutes.
+std::string short_duration(double seconds) {
+    return seconds < 120 ? std::to_string(int(seconds)) + " s" : std::to_string(int(seconds / 60)) + " min";
+}
+
 }  // namespace
 
 std::optional<FilmOrder> film_of(const Session& session, const std::string& scene_path, int width, int height) {
@@ -49,7 +54,8 @@ void FilmRecorder::toggle(const Session& session, const std::string& scene_path,
     if (under_way()) return void(stop = true);
     auto order = film_of(session, scene_path, options.still_size.width > 0 ? options.still_size.width : width,
                          options.still_size.width > 0 ? options.still_size.height : height);
-    if (!order) return notes.note("nothing flies or moves here; P adds keys of a path");
+    if (!order)
+        return notes.note("nothing flies or moves here; " + notes.key(Action::add_key) + " adds keys of a path");
     try {
         const std::string ffmpeg = find_ffmpeg("a film");
         path = order->path =
@@ -58,8 +64,8 @@ void FilmRecorder::toggle(const Session& session, const std::string& scene_path,
         any_failed = true;
         return notes.fail(error.what());
     }
-    notes.announce("a film of the flight is being made: " + path + "; Ctrl+F12 ends it");
-    stop = done = false, share = 0, said.clear(), fault.clear();
+    notes.announce("a film of the flight is being made: " + path + "; " + notes.key(Action::film) + " ends it");
+    stop = done = false, share = 0, began = pace.now(), said.clear(), fault.clear();
     thread = std::thread([this, order = *std::move(order)] {
         // On Linux priority belongs to a thread and is inherited by the threads that it starts.
         static_cast<void>(::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), 10));
@@ -84,7 +90,7 @@ void FilmRecorder::make(const FilmOrder& order) {
     const FileFormat format{.bits = 8, .gamma = order.scene.settings.assumed_gamma, .exposure = order.exposure};
     const SampledRegion picture{{.columns = view.width, .rows = view.height},
                                 {.error = Sampling{}.error / gain_of(order.exposure)}};
-    Film film(find_ffmpeg(order.path), order.path, film_rate, order.sound);
+    Film film(find_ffmpeg("'" + order.path + "'"), order.path, film_rate, order.sound);
     const auto append = [&](std::string_view bytes) { film.append(bytes); };
     append(stream_head(".y4m", {view.width, view.height}, film_rate));
     ThreadPool pool(options.threads);
@@ -114,7 +120,7 @@ void FilmRecorder::make(const FilmOrder& order) {
 void FilmRecorder::finish() {
     if (!under_way()) return;
     if (std::exchange(finishing, true)) return void(stop = true);
-    log_line("waiting for the film; Esc or a signal ends it");
+    log_line("waiting for the film; " + notes.key(Action::back) + " or a signal ends it");
     pace.redraw();
 }
 
@@ -128,8 +134,12 @@ void FilmRecorder::tell_done() {
 
 std::string FilmRecorder::progress_text() const {
     if (!under_way()) return "";
-    return "A film: " + std::to_string(int(100 * share)) + " %, " + std::filesystem::path(path).filename().string() +
-           (finishing ? "; Esc ends it" : "; Ctrl+F12 ends it");
+    const double passed = pace.now() - began;
+    const std::string left =
+        share > .01 && passed > 2 ? ", " + short_duration(passed / share - passed) + " left" : std::string();
+    return "A film: " + std::to_string(int(100 * share)) + " %" + left + ", " +
+           std::filesystem::path(path).filename().string() + "; " + notes.key(finishing ? Action::back : Action::film) +
+           " ends it";
 }
 
 }  // namespace strahl

@@ -63,6 +63,7 @@ class FilmRecorder {
     const std::function<void()> notify;
     std::string path;    // of the film under way
     std::atomic<double> share = 0;
+    double began = 0;  // when the film was asked for
     std::atomic<bool> stop = false, done = false;
     std::string said, fault;  // how it ended; the thread's until `done`
     bool finishing = false, any_failed = false;

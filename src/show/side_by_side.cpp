@@ -27,14 +27,17 @@ void SideBySide::toggle(Command command) {
     pace.redraw();
     const std::string name = second_name(line.second);
     if (!line.shown())
-        notes.note(action == Action::second ? "one picture" : "G chooses what the picture is compared with");
+        notes.note(action == Action::second ? "one picture"
+                                            : notes.key(Action::second) + " chooses what the picture is compared with");
     else
         notes.note(line.difference && !line.other_view() ? "at the right: 16 times the difference from " + name
                                                          : "at the right: " + name + "; the line can be dragged");
 }
 
 void SideBySide::log_second(const SecondPicture& picture) {
-    const std::string differing = ", " + std::to_string(picture.differing) + " pixels differ by more than 1/255";
+    const std::string differing = ", " + std::to_string(picture.differing) +
+                                  (picture.differing == 1 ? " pixel differs" : " pixels differ") +
+                                  " by more than 1/255";
     notes.log("second picture: " + second_name(line.second) + (line.other_view() ? "" : differing) +
               (picture.finished ? "" : "; smooth edges follow"));
 }

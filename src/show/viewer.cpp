@@ -47,7 +47,7 @@ Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::unique_ptr<Reload
                Pace::Clock::time_point began)
     : options(o),
       pace(began, o.fps),
-      notes(pace, o.verbose),
+      notes(pace, o.verbose, keys.keys),
       session(scene_to_show(first), o.depth),
       screen(window_title(first.path, keys.keys), window_size(o, *session.scene), o.size.width == 0, o.full_screen,
              !o.benchmark),
@@ -57,6 +57,10 @@ Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::unique_ptr<Reload
              .draw = [this] { draw(); },
              .browse =
                  [this](int key) {
+                     if (leaving.asking()) {
+                         const Leaving::Answer given = Leaving::answer_of(key);
+                         return answer(given), given != Leaving::Answer::none;
+                     }
                      if (key != GLFW_KEY_ESCAPE || file.waiting()) return chooser.key(key);
                      return perform({Action::gallery}), true;
                  },
@@ -82,11 +86,13 @@ Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::unique_ptr<Reload
       file(first, error_is_final(o), std::move(reload), notes, pace, glfwPostEmptyEvent),
       bodies(session, file, notes, pace, glfwPostEmptyEvent),
       side(o.threads, notes, pace, glfwPostEmptyEvent),
-      chooser(o.threads, file, panels, notes, pace, glfwPostEmptyEvent),
+      chooser(o.threads, file, panels, notes, pace, glfwPostEmptyEvent,
+              [this](std::function<void()> go) { leave(std::move(go)); }),
       playback(options, session, notes, pace, glfwPostEmptyEvent) {
     pace.motion.keeps_all = options.benchmark;
     if (!keys.faults.empty()) notes.fail(keys.faults);
     session.editor.words = first.words, session.exposure = o.exposure;
+    session.keys = keys.keys;
     session.keys_elsewhere = playback.tracks.wanted();
     if (first.scene) session.take_tracks(first.tracks, true);
     if (first.scene) bodies.loaded(first), side.loaded(first), chooser.opened(first.path);
@@ -94,13 +100,18 @@ Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::unique_ptr<Reload
 }
 
 void Viewer::perform(Command command) {
-    const bool playing = command.action == Action::quit || command.action == Action::full_screen ||
+    if (leaving.asking())
+        return answer(command.action == Action::write_path ? Leaving::Answer::write : Leaving::Answer::none);
+    const bool playing = command.action == Action::quit || command.action == Action::back ||
+                         command.action == Action::full_screen ||
                          (command.action == Action::pause && !options.benchmark);
     if (options.play && !playing) return;
     const bool in_gallery = playing || command.action == Action::open_file || command.action == Action::help ||
                             command.action == Action::gallery;
     if (panels.gallery && !in_gallery) return;
     switch (command.action) {
+        case Action::back:
+            return back();
         case Action::quit:
             return quit();
         case Action::still:
@@ -117,14 +128,14 @@ void Viewer::perform(Command command) {
         case Action::gallery:
             return chooser.toggle_gallery();
         case Action::write_path:
-            if (session.track_keys.changed()) file.write(session.track_keys.changes());
-            return file.write(session.editor.path(), bodies.changes());
+            return write();
+        case Action::save_as:
+            if (!file.waiting()) chooser.ask_where_to_save();
+            return;
         case Action::undo:
         case Action::redo:
-            if (bodies.undo(command.action)) return;
-            if (session.undo_track(command.action, steps_beside_tracks(), pace.now()))
-                return notes.note(command.action == Action::undo ? "undone" : "redone");
-            return notes.tell(session.perform(command, pace.now()));
+            if (!bodies.undo(command.action == Action::undo)) notes.tell(session.perform(command, pace.now()));
+            return;
         case Action::open_text:
             return bodies.open_text();
         case Action::handles:
@@ -134,15 +145,12 @@ void Viewer::perform(Command command) {
             if (!bodies.end_adding()) panels.toggle(command.action);
             return;
         case Action::copy_body:
-            if (!bodies.copy()) notes.note("click a body first; Ctrl+D then copies it");
+            if (!bodies.copy()) notes.note("click a body first; " + notes.key(Action::copy_body) + " then copies it");
             return;
         case Action::delete_key:
-            if (!bodies.remove()) notes.tell(session.perform(command, pace.now()));
-            return;
-        case Action::play:
-            if (!bodies.editor().choice() || session.flight.flying() || options.play)
-                return notes.tell(session.perform(command, pace.now()));
-            [[fallthrough]];
+            if (!panels.quiet && bodies.remove()) return;
+            if (panels.timeline_shown()) return notes.tell(session.perform(command, pace.now()));
+            return notes.note("nothing is chosen: click a body, or a key on the timeline");
         case Action::approach:
             if (screen.width() > 0) bodies.approach(session.view(screen.width(), screen.height()));
             return;
@@ -168,6 +176,61 @@ void Viewer::perform(Command command) {
     }
 }
 
+/// Goes one step back: closes what was opened last, ends what is under way, and at last leaves.
+void Viewer::back() {
+    if (options.play || panels.gallery || ending) return quit();
+    if (panels.step_back_from_popup() || bodies.end_adding()) return;
+    if (session.recording()) return notes.tell(session.perform({Action::record}, pace.now()));
+    if (!panels.quiet && (bodies.step_back() || panels.step_back())) return;
+    if (side.divider().shown()) return side.toggle({Action::second, int(side.divider().second)});
+    if (picture.marks().active()) return picture.toggle_marks();
+    if (screen.full_screen()) return perform({Action::full_screen});
+    if (session.outside) return notes.tell(session.perform({Action::outside}, pace.now()));
+    if (session.flight.flying()) return notes.tell(session.end_flight(pace.now()));
+    quit();
+}
+
+/// Writes what has changed into its files; of scenes that have none of the user's own, a copy.
+void Viewer::write() {
+    const bool of_tracks = session.track_keys.changed(), of_program = installed(file.path());
+    if ((of_program || file.path() == "-") && unsaved()) {
+        notes.announce(of_program ? "this scene belongs to the program and stays as it is: a copy is yours"
+                                  : "this scene came from standard input: choose a file for it");
+        return chooser.ask_where_to_save();
+    }
+    if (of_tracks) file.write(session.track_keys.changes());
+    const bool of_scene = session.editor.changed() || bodies.editor().edited.changed();
+    if (of_scene || !of_tracks) file.write(session.editor.path(), bodies.changes());
+}
+
+/// Would changes be lost now?
+bool Viewer::unsaved() const {
+    return session.editor.changed() || bodies.editor().edited.changed() || session.track_keys.changed();
+}
+
+/// Calls the function once the scene may be left: at once, or after a question if changes are not written, or never.
+void Viewer::leave(std::function<void()> go) {
+    notes.tell(session.end_recording(pace.now()));
+    if (options.play || file.waiting() || !unsaved()) return go();
+    std::vector<std::string> list;
+    const std::size_t count = session.editor.path().keys.size();
+    if (session.editor.changed())
+        list.push_back(count == 1 ? "the path's only key; it needs two"
+                                  : "the path, of " + std::to_string(count) + " keys");
+    for (const std::string& line : bodies.editor().edited.unwritten()) list.push_back("line " + line);
+    for (const Track& track : session.track_keys.changes()) list.push_back("keys of the track " + track.name);
+    leaving.ask(file.name(), std::move(list), std::move(go));
+    notes.log(file.name() + " is not written: Enter writes it, D drops it, Esc stays");
+    panels.asking = true;
+    pace.redraw(3);
+}
+
+void Viewer::answer(Leaving::Answer given) {
+    if (leaving.take(given)) write();
+    panels.asking = leaving.asking();
+    pace.redraw(3);
+}
+
 /// Makes a file the music of the scene, by its name relative to the scene's folder.
 void Viewer::take_sound(const std::string& path) {
     Music music = session.scene->music;
@@ -181,7 +244,7 @@ void Viewer::take_sound(const std::string& path) {
 void Viewer::take_music(const Music& music, bool merged) {
     if (music.sound.find_first_of("\"\n\r") != std::string::npos)
         return notes.fail("the name of the music has quotes in it: give the file another one");
-    bodies.change_text(with_music(bodies.editor().edited.text(), music), merged);
+    bodies.change_text(with_music(bodies.editor().edited.text(), music), "music", merged);
 }
 
 void Viewer::apply(const TimelineInput& done) {
@@ -194,7 +257,7 @@ void Viewer::apply(const TimelineInput& done) {
                                   : what == Change::add ? with_motion_key(text, *session.scene, motion, seconds)
                                                         : without_motion_key(text, motion, key);
         if (newer != text)
-            bodies.change_text(newer, merged), session.go_to(seconds, pace.now());
+            bodies.change_text(newer, "keys of the motion of " + motion.name, merged), session.go_to(seconds, pace.now());
         else if (what == Change::remove && motion.times.size() == 2)
             notes.note("a motion has two keys at least");
         else if (what != Change::move)
@@ -202,11 +265,14 @@ void Viewer::apply(const TimelineInput& done) {
     }
     if (done.choose_sound) chooser.ask_for_sound();
     if (const auto& change = done.track)
-        session.change_track(change->track, change->merged, steps_beside_tracks(), pace.now());
+        session.change_track(change->track, change->merged, pace.now());
     if (done.music || done.track || done.motion) pace.redraw(3);
-    if (done.path) session.change_path(done.path->path, done.path->merged, pace.now());
+    if (done.path) session.change_path(done.path->path, done.path->what, done.path->merged, pace.now());
     if (!done.command && !done.go_to && !done.change && !done.path) return;
-    if (done.command) perform(*done.command);
+    if (done.command && done.command->action == Action::delete_key)
+        notes.tell(session.perform(*done.command, pace.now()));  // and no body
+    else if (done.command)
+        perform(*done.command);
     if (done.go_to) session.go_to(*done.go_to, pace.now());
     if (const auto& change = done.change)
         notes.tell(session.change_key(change->number, change->key, change->merged, pace.now()));
@@ -292,11 +358,14 @@ void Viewer::draw() {
     const NewBlock* added = nullptr;
     OutlinerInput on_outline;
     std::optional<GalleryItem> from_gallery;
+    Leaving::Answer answered = Leaving::Answer::none;
     screen.draw([&] {
         draw_overlay(over);
+        if (leaving.asking()) answered = leaving.draw(keys.keys);
         if (panels.help_shown()) return draw_help(keys.keys, panels.sought());
         if (panels.gallery) return void(from_gallery = chooser.draw_gallery(keys.keys));
-        done = panels.draw_timeline(session, playback.sound.peaks(), !bodies.editor().read_only());
+        done = panels.draw_timeline(session, playback.sound.peaks(), !bodies.editor().read_only(),
+                                    side.divider().other_view());
         on_body = panels.draw_body(bodies.editor(), bodies.file_name());
         added = panels.draw_add();
         if (!file.waiting())
@@ -313,7 +382,8 @@ void Viewer::draw() {
     if (state.number > 0) playback.picture_shown();
     apply(done), apply(on_body), apply(on_outline);
     if (added) bodies.begin_adding(*added);
-    if (from_gallery) chooser.take(*from_gallery);
+    if (from_gallery && !leaving.asking()) chooser.take(*from_gallery);
+    if (answered != Leaving::Answer::none) answer(answered);
     if (update && picture.newest()) playback.tracks.shown();
     if (!update || before > 0) return;
     char text[80];
@@ -339,17 +409,17 @@ void Viewer::take_scene() {
     const bool first = file.waiting();
     const auto loaded = file.take();
     if (!loaded) return;
-    if (first || loaded->opened) chooser.opened(loaded->path);
+    if (first || loaded->opened || loaded->renamed) chooser.opened(loaded->path);
     if (loaded->moved) {
-        session.replace_reread(loaded->scene);
+        session.replace_reread(loaded->scene, loaded->picture);
         return bodies.loaded(*loaded), side.loaded(*loaded);
     }
     if (loaded->opened && !first) print_paths();
     const std::vector<std::string> unfollowed = first ? std::vector<std::string>() : unfollowed_tracks(*session.scene);
-    if (session.replace(loaded->scene, loaded->opened || first))
-        notes.announce("the file has another path now, which replaces yours; Ctrl+Z brings yours back");
-    if (session.take_tracks(loaded->tracks, loaded->opened || first))
-        notes.announce("the file has other keys of tracks now, which replace yours");
+    if (session.replace(loaded->scene, loaded->opened || first, loaded->picture))
+        notes.announce("the file has another path now, which replaces yours; " + notes.key(Action::undo) +
+                       " brings yours back");
+    take_tracks(loaded->tracks, loaded->opened || first);
     session.editor.words = loaded->words;
     bodies.loaded(*loaded), side.loaded(*loaded);
     if (first || (options.play && loaded->opened))
@@ -357,7 +427,16 @@ void Viewer::take_scene() {
     else
         playback.scene_changed(unfollowed);
     if (session.flight.paused()) session.follow(pace.now());
-    if (loaded->opened) glfwSetWindowTitle(screen.window(), window_title(file.path(), keys.keys).c_str());
+    if (loaded->opened || loaded->renamed)
+        glfwSetWindowTitle(screen.window(), window_title(file.path(), keys.keys).c_str());
+}
+
+/// Takes the text that the file of tracks has now.
+void Viewer::take_tracks(const std::string& text, bool opened) {
+    const std::vector<std::string> yours = session.track_keys.unwritten();
+    if (!session.take_tracks(text, opened)) return;
+    notes.announce("the file has other keys of tracks now, which replace yours");
+    for (const std::string& line : yours) log_line("keys of tracks that were not written, line " + line);
 }
 
 /// Says what the user waits for, if that takes long; else "".
@@ -387,12 +466,13 @@ Overlay Viewer::overlay() const {
         overlay.path = path_marks(session.editor.path(), session.scene->camera,
                                   session.flight.flying() ? std::optional(session.time) : std::nullopt,
                                   session.view(screen.width(), screen.height()));
-    overlay.share = state.share;
+    overlay.share = state.share, overlay.notes_below = panels.gallery;
     overlay.fault = file.fault(), overlay.fault_title = file.fault_title();
     if (panels.info && !panels.help) overlay.info = info_lines(session, pace, picture);
-    if (session.recording()) overlay.notes.push_back({"recording; K ends it"});
+    if (session.recording()) overlay.notes.push_back({"recording; " + notes.key(Action::record) + " ends it"});
     if (bodies.adding())
-        overlay.notes.push_back({std::string("click where the ") + bodies.adding() + " is to stand; Ctrl+A ends this"});
+        overlay.notes.push_back({std::string("click where the ") + bodies.adding() + " is to stand; " +
+                                 notes.key(Action::back) + " ends this"});
     overlay.notes.insert(overlay.notes.end(), notes.shown().begin(), notes.shown().end());
     overlay.bars = recordings.bars();
     if (check.under_way()) overlay.bars.push_back({"checking rounding", check.progress()});
@@ -415,11 +495,17 @@ int Viewer::run(const std::atomic<bool>& interrupted) {
         picture.log_finished();
         input.hide_pointer();
         wait();
-        file.tell_written();  // before the scene is taken that the file has now
+        while (const auto written = file.tell_written())  // before the scene is taken that the file has now
+            if (written->tracks) take_tracks(*written->tracks, false);
         take_scene();
+        leaving.follow(unsaved());
+        panels.asking = leaving.asking();
         picture.tell_marks();
-        if (const std::string music = chooser.take(screen); !music.empty()) take_sound(music);
-        if (playback.tracks.follow()) file.write(*session.tracks);
+        const auto [music, copy] = chooser.take(screen);
+        if (!music.empty()) take_sound(music);
+        if (!copy.empty())
+            file.write_as(copy, bodies.editor().edited.text(), session.editor.path(), session.track_keys.changes());
+        if (playback.tracks.follow()) save_editors_tracks();
         // A signal ends the window as Esc does; the next one ends the program at once.
         if (interrupted && !std::exchange(signalled, true)) {
             log_line("interrupted");
@@ -431,15 +517,20 @@ int Viewer::run(const std::atomic<bool>& interrupted) {
     return recordings.failed() ? 1 : 0;
 }
 
-/// Ends the program as soon as all stills and the film are done. Asks first, once, if the path is not written.
+/// Ends the program as soon as all stills and the film are done. Asks first if something is not written.
 void Viewer::quit() {
-    notes.tell(session.end_recording(pace.now()));
-    if (!options.play && session.editor.asks())
-        return notes.announce("the path is not written: " + file.way_to_keep() + "; Esc again quits");
-    if (!options.play && (bodies.asks() || session.track_keys.asks()))
-        return notes.announce("changes of the text are not written: F2 writes them into " + file.name() +
-                              "; Esc again quits");
-    recordings.finish();
+    leave([this] {
+        ending = true;
+        recordings.finish();
+    });
+}
+
+/// Saves the tracks of the GNU Rocket editor, which asks for it.
+void Viewer::save_editors_tracks() {
+    if (installed(file.path()))
+        return notes.fail("this scene belongs to the program and stays as it is; " + notes.key(Action::save_as) +
+                          " makes a copy that is yours");
+    file.write(*session.tracks);
 }
 
 /// Prints the paths that would be lost now.
@@ -449,7 +540,8 @@ void Viewer::print_paths() {
         log_line("a path that was not written into the file:");
         std::fputs(write_flythrough(path, session.editor.words).c_str(), stdout), std::fflush(stdout);
     }
-    bodies.print_unwritten();
+    for (const std::string& line : bodies.editor().edited.unwritten())
+        log_line("changed and not written, line " + line);
     for (const std::string& line : session.track_keys.unwritten())
         log_line("keys of tracks that were not written, line " + line);
 }

@@ -1,12 +1,14 @@
 // The window: passes the user's commands to the session, its views to the tracing thread, and pictures to the screen.
 #pragma once
 #include <atomic>
+#include <functional>
 #include <glm/vec2.hpp>
 #include <memory>
 #include <string>
 
 #include "show/body_tools.h"
 #include "show/keys/key_file.h"
+#include "show/leaving.h"
 #include "show/playback.h"
 #include "show/recordings.h"
 #include "show/scene_chooser.h"
@@ -40,10 +42,13 @@ class Viewer {
 
   private:
     void perform(Command command);
+    void back();
+    void write();
+    bool unsaved() const;
+    void leave(std::function<void()> go);
+    void answer(Leaving::Answer given);
     void take_sound(const std::string& path);
     void take_music(const Music& music, bool merged);
-    /// How many changes can be undone, without those of keys of tracks.
-    std::size_t steps_beside_tracks() const { return session.editor.steps() + bodies.editor().edited.steps(); }
     void apply(const TimelineInput& input);
     void apply(const BodyInput& input);
     void apply(const OutlinerInput& input);
@@ -63,6 +68,8 @@ class Viewer {
     std::string work_under_way() const;
     Overlay overlay() const;
     void quit();
+    void save_editors_tracks();
+    void take_tracks(const std::string& text, bool opened);
     void print_paths();
     void end(const std::atomic<bool>& interrupted);
 
@@ -81,6 +88,8 @@ class Viewer {
     SideBySide side;
     SceneChooser chooser;
     Playback playback;
+    Leaving leaving;
+    bool ending = false;  // the program ends as soon as stills and the film are done
 };
 
 }  // namespace strahl

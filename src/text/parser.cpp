@@ -199,7 +199,10 @@ void Parser::define(std::string_view) {
     Block block{word};
     if (!body(word, own, block, 0) && !use(word, own, block, 0)) {
         constexpr auto known = joined(std::array<std::string_view, 1>{"material"}, body_words);
-        if (word.empty()) reader.lexer.fail("'material' or a body expected after " + quoted(name));
+        if (word.empty()) {
+            const std::string form = ", as in define " + std::string(name) + " material { ... }";
+            reader.lexer.fail("'material' or a body expected after " + quoted(name) + (name == "material" ? "" : form));
+        }
         const std::string where = " after 'define " + std::string(name) + "'";
         diagnostics.add(word, unknown_word(word, definitions.with_bodies(known), where));
         throw ParseAbort{};

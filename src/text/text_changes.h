@@ -25,8 +25,8 @@ struct TextChange {
     TextSlice at;
     std::string text;
 };
-/// Returns the text with all changes. Of those that begin at the same place the first comes first; what two of them
-/// have in common is replaced once.
+/// Returns the text with all changes. Changes at one place keep their order; where two overlap, the text is replaced
+/// once.
 std::string with_changes(const std::string& text, std::vector<TextChange> changes);
 
 /// Returns the white space at the beginning of the line with this place.

@@ -16,11 +16,14 @@ for package in libcli11-dev libglm-dev libimgui-dev nlohmann-json3-dev; do
 done
 # Pages and help name nothing that is not installed.
 for page in moved/share/doc/strahl/*.md; do
-    ! grep -nE '\]\([^#h)]|(^|[ `/])(src|tests|povref|assets)/|(^|[ `])\./strahl' "$page" >dead ||
+    ! grep -nE '(^|[ `/])(src|tests|povref|assets)/|(^|[ `])\./strahl' "$page" >dead ||
         fault "$page names what is not installed: $(<dead)"
-    grep -oE '[./a-z]*scenes/[a-z_/]*\.rt' "$page" | while read -r scene; do
+    while read -r link; do
+        [[ -e ${page%/*}/$link ]] || fault "$page points to $link, which is not installed"
+    done < <(grep -oP '\]\(\K[^#h)][^)#]*' "$page")
+    while read -r scene; do
         [[ -e ${page%/*}/$scene ]] || fault "$page names $scene, which is not installed"
-    done
+    done < <(grep -oE '[./a-z]*scenes/[a-z_/]*\.rt' "$page")
 done
 expect_file moved/share/doc/strahl/language.md
 for command in '' render view play join check compare bundle import pov crosscheck stability lsp; do
@@ -89,6 +92,8 @@ if command -v dpkg-shlibdeps >/dev/null; then
         fault "the package depends on $(dpkg-deb -f package/*.deb Depends), not only recommends OpenImageIO"
     [[ $(dpkg-deb -f package/*.deb Recommends) == *povray-includes* ]] ||
         fault "the package does not recommend POV-Ray's include files"
+    [[ $(dpkg-deb -f package/*.deb Suggests) == "povray, ffmpeg, zenity" ]] ||
+        fault "the package suggests $(dpkg-deb -f package/*.deb Suggests)"
     [[ $(dpkg-deb -f package/*.deb Recommends) != *libc6* ]] || fault "the package recommends what it depends on"
     rm -rf package
 fi

@@ -210,6 +210,22 @@ rm -r "$root/build"
 FAILING=install launch 1 "*install --no-install-recommends cmake libimgui-dev"
 warns "could not install them; try it by hand"
 
+# Who is not root is asked first, at a terminal.
+rm -rf "$root/build"
+as_user=()
+if ((EUID == 0)); then
+    chmod -R a+rwX "$work"
+    as_user=(setpriv --reuid=65534 --regid=65534 --clear-groups)
+fi
+for answer in n y; do
+    rm -f "$LOG"
+    "${as_user[@]}" script -qec "'$root/strahl' said" "$work/terminal" <<<"$answer" >/dev/null
+    grep -qF "install them now?" "$work/terminal" || fault "does not ask before sudo: $(<"$work/terminal")"
+    [[ $answer == y || ! -e $LOG ]] || fault "installs in spite of 'n': $(<"$LOG")"
+    [[ $answer == n || $(<"$LOG") == *sudo*install* ]] || fault "does not install after 'y': $(<"$LOG")"
+done
+grep -qF "said" "$work/terminal" || fault "does not go on after 'y': $(<"$work/terminal")"
+
 # On a release whose compiler is too old it says so and installs nothing.
 rm -r "$root/build"
 for release in "debian 11" "ubuntu 22.04"; do
@@ -229,11 +245,6 @@ mkdir "$work/bin"
 for program in bash cat chmod dirname env find flock grep mkdir mv readlink rm sed setpriv sleep stat sync tail touch; do
     ln -s "$(command -v "$program")" "$work/bin/$program"
 done
-as_user=()
-if ((EUID == 0)); then
-    chmod -R a+rwX "$work"
-    as_user=(setpriv --reuid=65534 --regid=65534 --clear-groups)
-fi
 PATH="$tools:$work/bin"
 "${as_user[@]}" "$root/strahl" 2>"$work/stderr" && fault "went on without the packages"
 warns "only root (or sudo) can install them: apt-get install --no-install-recommends cmake libimgui-dev"

@@ -27,24 +27,69 @@ while read -r scene; do
     [[ -e $source_folder/$scene ]] || fault "the README names $scene, which is not there"
 done < <(grep -oP '\./strahl ([a-z]+ )?\Kscenes/[a-z_]+\.rt' "$source_folder/README.md")
 
-# The tables of commands and options, and the defaults that they state, agree with --help.
-readme=$source_folder/README.md
-documented() { grep -oP '^\| `strahl \K[a-z]+' "$readme" | sort -u; }
+# The page of commands lists the commands and the options of render, and the defaults that it states are theirs.
+readme=$source_folder/README.md commands=$source_folder/src/main/commands.md
+documented() { grep -oP '^\| `strahl \K[a-z]+' "$commands" | sort -u; }
 offered() { "$strahl" --help | sed '1,/^Subcommands/d' | grep -oP '^  \K[a-z]+' | sort -u; }
-[[ $(documented) == "$(offered | grep -vx view)" ]] || fault "the README has the commands: $(documented | xargs)"
+[[ $(documented) == "$(offered | grep -vx view)" ]] || fault "$commands has the commands: $(documented | xargs)"
 "$strahl" render --help >help
 while read -r option; do
-    meaning=$(grep -m 1 -e "^  \(-o,\)\?$option " help) || fault "the README has $option, which render does not know"
-    default=$(grep -e "^| \`$option" "$readme" | grep -oP '[^ ;]+(?= by default)')
+    meaning=$(grep -m 1 -e "^  \(-o,\)\?$option " help) || fault "$commands has $option, which render does not know"
+    default=$(grep -e "^| \`$option" "$commands" | grep -oP '[^ ;]+(?= by default)')
     [[ $meaning == *"$default by default"* || -z $default ]] || fault "by default $option is not $default: $meaning"
-done < <(grep -oP '^\| `\K--[a-z]+' "$readme")
-statuses=$(grep -o 'Exit status: 0 done.*interrupted' "$readme")
-[[ -n $statuses && $("$strahl" --help) == *"$statuses"* ]] || fault "the README has other exit statuses: $statuses"
+done < <(grep -oP '^\| `\K--[a-z]+' "$commands")
+while read -r option; do
+    grep -q "^| \`$option[ \`]" "$commands" || fault "$commands lacks $option of render"
+done < <(grep -oP '^  (-[a-z],)?\K--[a-z]+' help | grep -vx -e --help)
+statuses=$(grep -o 'Exit status: 0 done.*interrupted' "$commands")
+[[ -n $statuses && $("$strahl" --help) == *"$statuses"* ]] || fault "$commands has other exit statuses: $statuses"
 
-# Figures: the frames of the film, the kinds of bodies, the scenes compared with POV-Ray.
-frames=$(grep -oP 'its \K[0-9]+(?= pictures)' "$readme")
-seconds=$("$strahl" check "$source_folder/scenes/demo.rt" | grep -oP 'flythrough +\K[0-9]+(?= s)')
-((frames == 25 * seconds)) || fault "the README says $frames pictures, and scenes/demo.rt has $seconds s at 25 a second"
+# The window's page has the keys of all commands.
+while read -r keys; do
+    grep -qF "| \`$keys\` |" "$source_folder/src/show/README.md" || fault "the window's page lacks the keys $keys"
+done < <(XDG_CONFIG_HOME=$work "$strahl" view --list-keys | grep -oP ' = \K.*?(?= +//)')
+
+# Pages list the formats of pictures that are read and written.
+endings() { grep -oE '\.[a-z]{3}\b' | sort -u | xargs; }
+echo text >text.png
+read_formats=$("$strahl" compare text.png text.png 2>&1 | grep -o 'is not a \..*' | endings)
+written=$("$strahl" render balls.rt -o x.nothing 2>&1 | grep -oP 'are written as \K.*(?=; give)' | endings)
+[[ $read_formats == *.exr* && $written == *.exr* ]] || fault "no formats: $read_formats; $written"
+listed() { # NAME PAGE FIRST LAST: the endings in the page from one word to another one
+    local own
+    own=$(tr '\n' ' ' <"$source_folder/$2" | grep -oP "$3.*?$4" | head -1 | endings)
+    [[ $own == "$1" ]] || fault "$2 lists $own; the program has $1"
+}
+listed "$read_formats" tests/attack/promises.md 'Pictures are read by' 'recognised by'
+listed "$read_formats" src/text/README.md 'An `image` is a picture file' 'With the map'
+listed "$read_formats" assets/FAQ.md 'It reads' 'files'
+listed "$written" assets/FAQ.md 'Can it write JPEG' 'convert'
+listed "$written" src/main/commands.md 'renders a picture' 'or a \[film'
+
+# The README's figures are those of the measured tables.
+comparison=$source_folder/tests/bench/scenes/table.md
+read -r count float < <(grep -oP '^[0-9]+ scenes; POV-Ray over float: median [0-9.]+' "$comparison" | head -1 | tr -cd '0-9. \n')
+grep -q "the $count scenes" "$readme" && grep -q "is $(printf %.0f "$float") times as fast as POV-Ray" "$readme" ||
+    fault "the README's speed is not that of $comparison: $count scenes, $float"
+for row in 'Strahl reads them' 'within scope' 'of these open whole' 'agree off the edges'; do
+    figure=$(grep -oP "^\| $row[^|]*\| \K[0-9]+" "$source_folder/tests/bench/pov_corpus.md" | head -1)
+    tr '\n' ' ' <"$readme" | grep -q "scenes as they are.*[^0-9]$figure[^0-9].*as fast as" ||
+        fault "the README lacks the figure of pov_corpus.md: $row $figure"
+done
+
+flown=$(grep -oP '^\| article\.rt, 960x720 \| \K[0-9.]+(?= \|)' "$source_folder/tests/bench/window.md" | tail -1)
+grep -q "show $flown pictures" "$readme" || fault "the README's flight is not that of tests/bench/window.md: $flown"
+
+# The scenes of the language's page, and its blocks in front of a camera, have no errors; files that they name are not there.
+eye='camera { position <0, -9, 4>  look_at <0, 0, 1>  sky <0, 0, 1>  angle 40 }'
+awk -v eye="$eye" '/^```/ { if (inside && text ~ /^(camera|\/\/|[a-z_]+ +\{|define)/ && text !~ /\.(png|obj)|^material/)
+        printf "%s", (text ~ /camera \{/ ? "" : eye "\n") text > ("page" ++n ".rt")
+    inside = !inside; text = ""; next }
+    inside { text = text $0 "\n" }' "$source_folder/src/text/README.md"
+(($(find . -name 'page*.rt' | wc -l) > 15)) || fault "the language's page has few scenes"
+for scene in page*.rt; do expect 0 "no errors" check "$scene"; done
+
+# Figures: the kinds of bodies, the scenes compared with POV-Ray.
 bodies=$(tr '\n[:upper:]' ' [:lower:]' <"$readme" | grep -oP 'bodies are \K[^.]*')
 for kind in "$source_folder"/scenes/kinds/*.rt; do
     kind=$(basename "$kind" .rt | tr _ ' ' | sed 's/us$/i/')

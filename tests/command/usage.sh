@@ -96,6 +96,17 @@ sed 's/^camera/fog { distance 99  color <0, 0, track "sky"> }\n&/' still.rt >tra
 expect 2 "cannot follow the tracks of tracks.rt" pov tracks.rt -o x.pov --animation
 rm tracks.rt
 
+expect 0 "--compression is for .png files" render still.rt -o x.bmp --size 8x6 --compression small
+rm x.bmp
+
+# A line says at a terminal what was written.
+script -qec "'$strahl' render still.rt -o x.bmp --size 8x6" said </dev/null >/dev/null
+grep -q '^x.bmp: 8x6, [0-9.]* s' said || fault "does not say what was written: $(<said)"
+script -qec "'$strahl' render still.rt -o x.bmp --size 8x6 --quiet" said </dev/null >/dev/null
+! grep -q '8x6, ' said || fault "--quiet says: $(<said)"
+[[ -z $("$strahl" render still.rt -o x.bmp --size 8x6 2>&1) ]] || fault "says something without a terminal"
+rm said x.bmp
+
 rm still.rt
 expect_only scene.rt
 finish

@@ -30,7 +30,7 @@ start() {
     await 'first picture' 1
     xdotool mousemove --window "$(xdotool search --pid "$pid" | tail -n 1)" 100 100
 }
-quit() { xdotool key Escape && wait "$pid" && pid=; }
+quit() { xdotool key ctrl+q && wait "$pid" && pid=; }
 # ticks PATTERN: prints the hundredths of a second that threads with matching names have used.
 ticks() { cat /proc/"$pid"/task/*/stat | awk -v name="$1" '$2 ~ name { sum += $14 + $15 } END { print sum + 0 }'; }
 main_ticks() { awk '{ print $14 + $15 }' "/proc/$pid/task/$pid/stat"; }

@@ -9,7 +9,7 @@ source "$(dirname -- "$0")/window.sh"
 seconds=$2 seed=${3-1}
 own_display 800x600 cc "$@"
 trap '[[ -n $pid ]] && kill -9 "$pid" 2>/dev/null; rm -rf "$work"' EXIT
-# The gallery opens installed scenes, into which F2 writes.
+# The gallery opens installed scenes, of which F2 makes copies.
 mkdir -p bin share/strahl
 cp "$strahl" bin/strahl && cp -r "$here/../../scenes" share/strahl/ || exit 1
 cp "$here/../../scenes/flythrough.rt" good.rt
@@ -35,7 +35,7 @@ id=$(xdotool search --pid "$pid" | tail -n 1)
 RANDOM=$seed
 keys=(m m l o o ctrl+a ctrl+a ctrl+d ctrl+d ctrl+z w a s d q e f space p r c h i Tab comma period bracketleft bracketright 1 2 3 shift+1 shift+2 shift+3 F11 F12 ctrl+s
     shift+w shift+c n v t t x F2 Home End Left Right Prior Next Insert Delete ctrl+z ctrl+y ctrl+n shift+Right Return F4
-    g g shift+g plus minus 0 BackSpace F1 Down Up b KP_1 KP_3 KP_7 KP_9 shift+t)
+    g g shift+g ctrl+shift+s plus minus 0 BackSpace F1 Down Up b KP_1 KP_3 KP_7 KP_9 shift+t)
 change_file() {
     case $((RANDOM % 8)) in
         0) cp broken.rt new && mv new scene.rt ;;
@@ -71,7 +71,7 @@ done
 xdotool mouseup 1 mouseup 2 mousemove --window "$id" 0 0
 # For a path that is not written, for stills that are not done, and to drop those.
 for ((i = 0; i < 8; ++i)); do
-    kill -0 "$pid" 2>/dev/null && xdotool key Escape
+    kill -0 "$pid" 2>/dev/null && xdotool key Escape ctrl+q d
     sleep 0.5
 done
 wait "$pid"

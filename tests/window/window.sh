@@ -96,8 +96,9 @@ shows_other() {
 # still FILE ARGUMENT...: renders what the window should show.
 still() { "$strahl" render scene.rt -o "$1" --precision float --quiet "${@:2}" || fault "render $*"; }
 
+# quit [KEY]: closes the window by this key and waits until the program has ended.
 quit() {
-    xdotool key Escape
+    xdotool key "${1-ctrl+q}"
     wait "$pid"
     local status=$?
     ((status == 0)) || fault "the window ended with status $status"

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <iostream>
 #include <numeric>
 #include <utility>
@@ -26,6 +27,7 @@ namespace strahl {
 namespace {
 
 std::string counted(std::size_t count, const std::string& noun) {
+    if (noun == "body") return std::to_string(count) + (count == 1 ? " body" : " bodies");
     const bool hisses = noun.ends_with('s') || noun.ends_with('x') || noun.ends_with("sh");
     return std::to_string(count) + " " + noun + (count == 1 ? "" : hisses ? "es" : "s");
 }
@@ -87,7 +89,8 @@ std::string values_in_words(double gamma) {
     return "to the power of " + text_of(gamma) + " linear light, shown sRGB-encoded";
 }
 
-std::string summary(const Scene& scene) {
+/// `path` is that of the scene.
+std::string summary(const Scene& scene, const std::string& path) {
     const auto transparent = std::ranges::count_if(
         scene.primitives, [&](const Primitive& primitive) { return strahl::transparent(scene, primitive); });
     const Camera& camera = scene.camera;
@@ -108,15 +111,14 @@ std::string summary(const Scene& scene) {
          << '\n'
          << "  values       " << values_in_words(scene.settings.assumed_gamma) << '\n'
          << "  flythrough   ";
-    if (const auto& path = scene.flythrough)
-        text << path->duration << " s, "
-             << (path->keys.empty() ? "by the clock of POV-Ray" : counted(path->keys.size(), "key"))
-             << (path->loop ? ", looping" : "") << '\n';
+    if (const auto& flight = scene.flythrough)
+        text << flight->duration << " s, "
+             << (flight->keys.empty() ? "by the clock of POV-Ray" : counted(flight->keys.size(), "key"))
+             << (flight->loop ? ", looping" : "") << '\n';
     else
         text << "none\n";
     if (const Movers movers(scene); movers.any())
-        text << "  motion       " << movers.last_key << " s: "
-             << counted(movers.bodies.size(), movers.bodies.size() == 1 ? "body" : "bodie") << ", "
+        text << "  motion       " << movers.last_key << " s: " << counted(movers.bodies.size(), "body") << ", "
              << counted(movers.lights.size(), "light") << '\n';
     if (const std::vector<std::string> names = followed_tracks(scene); !names.empty()) {
         const auto saved = std::ranges::count_if(scene.tracks, [&](const Track& track) {
@@ -124,6 +126,8 @@ std::string summary(const Scene& scene) {
         });
         text << "  tracks       " << names.size() << ", " << saved << " with keys; " << scene.music.bpm
              << " beats a minute of " << scene.music.rows << " rows";
+        if (const std::string file = tracks_path(path); scene.tracks.empty() && !std::filesystem::exists(file))
+            text << "; there is no " << show(file).text;
         if (scene.music.offset > 0) text << ", the first at " << scene.music.offset << " s";
         text << '\n';
         for (const std::string& message : unfollowed_tracks(scene))
@@ -142,12 +146,13 @@ int check_command(const CheckOptions& options) {
     if (options.print) {
         text = write_scene(opened.scene);
     } else {
-        text = show(shown_name(options.scene)).text + ": no errors\n" + summary(opened.scene);
+        text = show(shown_name(options.scene)).text + ": no errors\n" + summary(opened.scene, options.scene);
         if (!opened.summary.empty()) text += "  as POV-Ray   " + opened.summary + '\n';
         for (const std::string& note : opened.notes) text += show(note).text + '\n';
     }
     write_file("-", text);
     if (options.print) return exit_status::done;
+    print_warnings(opened.warnings);
     for (const std::string& warning : scene_warnings(opened.scene))
         std::cerr << "strahl: warning: " << warning << '\n';
     return exit_status::done;

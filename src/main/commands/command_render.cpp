@@ -1,8 +1,11 @@
 // strahl render: parses, and renders frame by frame.
 #include "main/commands/command_render.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -54,13 +57,13 @@ bool render_frames(const RenderOptions& options, const Lattice& part, Renderer& 
                    const SceneAt& scene_at, const Encoder::Append& stream = {}) {
     const Share share = options.share.value_or(Share{});
     if (stream) stream(stream_head(ending, {part.columns, part.rows}, options.rate));
-    int count = 0;
+    int count = 0, all = 0;
+    for (const FrameRange& range : options.frames->ranges) all += (range.last - range.first) / range.step + 1;
     return options.frames->each([&](int frame) {
         if (count++ % share.parts != share.part - 1) return true;
         const Destination destination{stream ? options.output : numbered(options.output, frame), ending, stream};
         if (options.resume && !renderer.interrupted() && is_finished(destination.path, part)) return true;
-        const std::string last = std::to_string(options.frames->last());
-        const std::string label = "frame " + std::to_string(frame) + " of " + last + " ";
+        const std::string label = "frame " + std::to_string(count) + " of " + std::to_string(all) + " ";
         const double time = options.rate.moment(frame);
         if (scene_at && !renderer.interrupted()) try {
                 renderer.replace(scene_at(time, renderer.interrupt_flag()));
@@ -161,12 +164,21 @@ void check_error(const Stats& stats) {
     std::cerr << said;
 }
 
+/// Tells a person at a terminal what was written: "a.bmp: 640x480, 1.2 s".
+void tell_written(const RenderOptions& options, const Lattice& part, const Stats& stats, double seconds) {
+    if (options.quiet || options.output == "-" || !::isatty(STDERR_FILENO)) return;
+    const std::string frames = options.frames ? std::to_string(stats.frames) + " frames of " : "";
+    std::fprintf(stderr, "%s: %s%dx%d, %.1f s\n", show(options.output).text.c_str(), frames.c_str(), part.columns,
+                 part.rows, seconds);
+}
+
 }  // namespace
 
 int render_command(const RenderOptions& asked) {
+    const auto start = std::chrono::steady_clock::now();
     RenderOptions options = asked;
     const std::string ending = check(options);
-    const std::string ffmpeg = is_film(options.output) ? find_ffmpeg(options.output) : "";
+    const std::string ffmpeg = is_film(options.output) ? find_ffmpeg("'" + options.output + "'") : "";
     const Lattice part = options.crop.value_or(Lattice{0, 0, options.size.width, options.size.height});
     check_size(part, ending, options.output == "-" || !ffmpeg.empty());
     require_writable(options.numbered() ? numbered(options.output, options.frames->first()) : options.output);
@@ -189,6 +201,8 @@ int render_command(const RenderOptions& asked) {
     if (!options.prove.empty() && scene.camera.projection != Projection::perspective)
         throw UsageError("--prove knows the rays of perspective cameras only, and this scene has another one");
     check_aspect(options, scene);
+    if (options.compression != Compression::fast && ending_of(ending) != ".png")
+        std::cerr << "strahl: warning: --compression is for .png files; this picture is written without it\n";
     if (options.time || options.frames || !ffmpeg.empty()) {
         const char* const option = options.time ? "--time" : options.frames ? "--frames" : "a film";
         const Flythrough flight = flight_for(option, scene, options.scene);
@@ -219,6 +233,9 @@ int render_command(const RenderOptions& asked) {
                      : options.frames   ? render_stream(options, part, renderer, ending, ffmpeg, stats, scene_at)
                                         : renderer.render(first, {options.output, ending, {}}, "", options.share);
     if (!options.stats.empty()) write_file(options.stats, to_json(stats)), check_error(stats);
+    if (stats.finished)
+        tell_written(options, part, stats,
+                     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     return stats.finished ? exit_status::done : exit_status::interrupted;
 }
 

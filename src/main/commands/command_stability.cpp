@@ -77,7 +77,8 @@ int stability_command(const StabilityOptions& options) {
                     percent * static_cast<double>(count[double_differs]));
     };
     std::printf(
-        "Pixels (of %zu) whose 8-bit colour differs from long double, rounding ties excluded, by the first generation "
+        "Pixels (of %zu) whose 8-bit colour differs from long double (exact halves not counted), by the first "
+        "generation "
         "of rays with which it does.\n\n"
         "| depth | float only |            | double too |            |\n"
         "|------:|----------:|-----------:|-----------:|-----------:|\n",

@@ -68,6 +68,8 @@ std::vector<Problem> check_scene(const std::string& text, const std::string& pat
         std::vector<Problem> problems;
         for (const std::string& note : opened.notes)
             for (Problem& problem : problems_in(note, path, true)) problems.push_back(std::move(problem));
+        for (const std::string& warning : opened.warnings)
+            for (Problem& problem : problems_in(warning, path, true)) problems.push_back(std::move(problem));
         for (std::string& warning : scene_warnings(opened.scene))
             problems.push_back({true, "", 0, 0, 0, std::move(warning)});
         files = std::move(opened.files);

@@ -14,7 +14,7 @@ namespace strahl {
 namespace {
 
 constexpr const char* no_length =
-    "standard input is no message of an editor: 'Content-Length: N' expected, with N at most 268435456";
+    "standard input is not a message of an editor: 'Content-Length: N' expected, with N at most 268435456";
 constexpr std::size_t most_bytes = std::size_t(256) << 20, longest_header = 4096;
 
 /// Reads a line of a header without its end. Returns whether there was one.

@@ -171,6 +171,8 @@ int run_command_line(int argc, char** argv) {
     ChosenCommand chosen;
     add_commands(app, chosen);
     app.footer(
+        "strahl SCENE  opens a scene in a window\n"
+        "strahl        shows a gallery of scenes\n\n"
         "Exit status: 0 done, 1 failed, 2 wrong usage, 3 error in a file, 130 interrupted.\n"
         "Example: strahl render SCENE.rt -o picture.png");
     if (argc < 2 && !window_possible()) throw UsageError("no command given\n" + app.help());

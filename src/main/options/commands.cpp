@@ -94,7 +94,7 @@ void add_render(CLI::App& app, ChosenCommand& chosen) {
              "exact arithmetic, .png or .bmp. Traces one ray per pixel, in double, and prunes a hundredth of the light "
              "that it would prune otherwise");
     add_file(command, "--stats", o->stats, "Write times, rays and errors to this JSON file");
-    command->add_flag("--quiet", o->quiet, "Show no progress");
+    command->add_flag("--quiet", o->quiet, "Show no progress, and not what was written");
     command->footer(
         "Still:   strahl render SCENE -o picture.png --size 1920x1080\n"
         "Film:    strahl render SCENE -o film.mp4 --size 1280x720\n"
@@ -310,7 +310,7 @@ void add_stability(CLI::App& app, ChosenCommand& chosen) {
     add_depth(command, o->depth);
     add_threads(command, o->threads);
     command->footer(
-        "Counts pixels whose 8-bit colours differ for another reason than a rounding tie. Long double has no SIMD,\n"
+        "Counts pixels whose 8-bit colours differ; exact halves are not counted. Long double has no SIMD,\n"
         "so this takes a while.");
 }
 

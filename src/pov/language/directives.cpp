@@ -211,7 +211,7 @@ void Interpreter::State::end_block(const RawToken& raw) {
     } else if (control.type == Control::ControlType::loop_for) {
         Symbol* symbol = symbols.find(control.variable);
         if (!symbol || value_of(*symbol).kind != ValueKind::number)
-            fail(place_of(raw), "the variable of #for is no number any more");
+            fail(place_of(raw), "the variable of #for is not a number any more");
         double& value = value_of(*symbol).number[0];
         value += control.step;
         if (within(control, value))

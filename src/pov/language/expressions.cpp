@@ -175,15 +175,16 @@ void Interpreter::State::component(Components& result) {
 
 void Interpreter::State::vector_literal(Components& result) {
     const Depth guard(*this);
+    const TextPlace start = next.place;
     take();
     int count = 0;
     std::array<double, 5> value{};
     do {
-        if (count == 5) expected("'>'");
+        if (count == 5) open_vector(start);
         value[count++] = number();
         accept(',');
     } while (count < 2 || at_value());
-    expect('>');
+    if (!accept('>')) open_vector(start);
     result.value = value;
     result.count = count;
 }
@@ -283,18 +284,20 @@ void Interpreter::State::relation(Components& result) {
 }
 
 double Interpreter::State::number() {
+    const TextPlace before = last;
     Components value;
     sum(value);
     if (value.count != 1)
-        fail(last, "a number expected, but found a value of " + std::to_string(value.count) + " components");
+        wrong_size(before, "a number expected, but this has " + std::to_string(value.count) + " components");
     return value.value[0];
 }
 
 DVec3 Interpreter::State::vector() {
+    const TextPlace before = last;
     Components value;
     sum(value);
     if (value.count > 3)
-        fail(last, "a vector of three components expected, but this has " + std::to_string(value.count));
+        wrong_size(before, "a vector of three components expected, but this has " + std::to_string(value.count));
     promote(value, 3);
     return {value.value[0], value.value[1], value.value[2]};
 }

@@ -2,11 +2,8 @@
 
 #include <algorithm>
 
-#include "files/utf8.h"
-#include "files/words.h"
 #include "pov/language/state.h"
 #include "scene/error.h"
-#include "text/reading/messages.h"
 
 namespace strahl::pov {
 
@@ -183,12 +180,16 @@ void Interpreter::expect(TokenCode wanted) { state->expect(wanted.value); }
 void Interpreter::skip() { state->take(); }
 
 void Interpreter::begin_block() {
+    const TextPlace word = last_place();
     expect('{');
+    state->blocks.push_back({word, last_place()});
     if (++state->depth > state->options.limits.nesting) fail("blocks are nested too deeply");
 }
 void Interpreter::end_block() {
     expect('}');
     --state->depth;
+    state->closed = state->blocks.back().brace;
+    state->blocks.pop_back();
 }
 void Interpreter::count_bytes(std::size_t bytes, TextPlace at) {
     *state->bytes += bytes;
@@ -266,9 +267,8 @@ void Interpreter::remark(Remark::Kind kind, TextPlace at, const std::string& tex
 const std::vector<Remark>& Interpreter::remarks() const { return state->remarks; }
 void Interpreter::fail(TextPlace at, const std::string& text) { state->fail(at, text); }
 void Interpreter::expected(const std::string& what) { state->expected(what); }
-std::string_view Interpreter::text_at(TextPlace at) const {
-    return std::string_view(state->files[at.file]->text).substr(at.at);
-}
+void Interpreter::misplaced() { state->wrong_token(""); }
+std::string_view Interpreter::text_at(TextPlace at) const { return state->text_at(at); }
 const std::string& Interpreter::path_of(TextPlace at) const { return state->files[at.file]->path; }
 std::string Interpreter::name_of(TextPlace at) const { return state->where(at); }
 
@@ -277,61 +277,5 @@ bool Interpreter::version_given() const { return state->version_given; }
 bool Interpreter::clock_used() const { return state->clock_used; }
 bool Interpreter::size_used() const { return state->size_used; }
 const InterpreterOptions& Interpreter::options() const { return state->options; }
-
-std::string Interpreter::State::where(TextPlace at) const {
-    const TextFile& file = *files[at.file];
-    return file.path + ":" + std::to_string(line_number(file.text, at.at));
-}
-
-void Interpreter::State::fail(TextPlace at, const std::string& message) {
-    const TextFile& file = *files[at.file];
-    const std::string_view text = file.text;
-    const std::size_t start = text.substr(0, at.at).find_last_of("\r\n") + 1;
-    const Shown before = show(text.substr(start, std::min<std::size_t>(at.at - start, 90)));
-    const std::string_view rest =
-        text.substr(at.at, std::min<std::size_t>(text.find_first_of("\r\n", at.at), text.size()) - at.at);
-    const auto column =
-        1 + std::count_if(text.begin() + start, text.begin() + at.at, [](char c) { return !continues(c); });
-    std::string full = where(at) + ":" + std::to_string(column) + ": " + message;
-    if (at.at - start <= 90)
-        full += "\n    " + before.text + show(rest.substr(0, 110 - std::min<std::size_t>(before.width, 90))).text +
-                "\n    " + std::string(before.width, ' ') + "^";
-    std::size_t told = 0;
-    for (std::size_t i = readings.size(); i-- > 1;) {
-        const Reading& reading = readings[i];
-        if (++told > 8) {
-            full += "\n  and so on, " + std::to_string(i) + " levels more";
-            break;
-        }
-        full += reading.macro ? "\n  in the macro " + strahl::quoted(names.text(reading.macro->name)) + ", called from "
-                              : "\n  included from ";
-        full += where(reading.called);
-    }
-    throw FileError(full);
-}
-
-void Interpreter::State::expected(const std::string& what) {
-    const std::uint16_t found = code();
-    std::string message = what + " expected, but found ";
-    if (found == new_name_code) {
-        if (Symbol* symbol = symbols.find(next.raw->index); symbol && value_of(*symbol).kind == ValueKind::array)
-            fail(next.place, "this element of the array has no value yet");
-        const std::string& name = names.text(next.raw->index);
-        message = "unknown name " + strahl::quoted(name) + "; " + what + " expected";
-        std::vector<std::string_view> known;
-        for (std::uint32_t i = 0; i < names.size(); ++i)
-            if (i != next.raw->index && symbols.find(i)) known.push_back(names.text(i));
-        std::string_view similar = nearest(name, known);
-        if (similar.empty()) similar = nearest(name, reserved_words);
-        if (!similar.empty()) message += "; did you mean " + strahl::quoted(similar) + "?";
-    } else if (found == value_code) {
-        message += strahl::quoted(names.text(next.raw->index)) + ", which is " + strahl::pov::name_of(next.value->kind);
-    } else if (found == '#' && next.raw->directive != end_code) {
-        message += strahl::quoted("#" + std::string(reserved_words[next.raw->directive - first_word_code]));
-    } else {
-        message += name_of_code(found);
-    }
-    fail(next.place, message);
-}
 
 }  // namespace strahl::pov

@@ -128,6 +128,10 @@ class Interpreter {
     [[noreturn]] void fail(const std::string& text) { fail(last_place(), text); }
     /// Fails at the next token: "`what` expected, but found 'x'; did you mean 'y'?".
     [[noreturn]] void expected(const std::string& what);
+    /// Fails at the token that was asked for last, also if it is taken: it does not belong here.
+    [[noreturn]] void misplaced();
+    /// How the arguments are written that are read now, as in "sphere { <centre>, radius }", for messages; "" for none.
+    const char* form = "";
     /// Returns the text of a file from a place on, and the file's path.
     std::string_view text_at(TextPlace at) const;
     const std::string& path_of(TextPlace at) const;

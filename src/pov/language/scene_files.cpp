@@ -11,6 +11,7 @@
 #include "files/words.h"
 #include "pov/language/state.h"
 #include "scene/error.h"
+#include "text/reading/messages.h"
 
 namespace strahl::pov {
 namespace {
@@ -44,6 +45,21 @@ fs::path regardless_of_case(fs::path folder, const fs::path& name) {
         folder = found;
     }
     return folder;
+}
+
+/// Returns the file in these folders, or in the folder below one that a path names, whose name is most like the path's;
+/// or nothing.
+std::string similar_file(const std::vector<fs::path>& folders, const fs::path& path) {
+    const std::string ending = path.extension().string();
+    std::vector<std::string> files;
+    for (const fs::path& folder : folders)
+        for (const fs::path& below : {folder / path.parent_path(), folder}) {
+            std::error_code error;
+            for (const auto& entry : fs::directory_iterator(below, error))
+                if (entry.path().extension() == ending) files.push_back(entry.path().filename().string());
+        }
+    std::ranges::sort(files);
+    return std::string(nearest(path.filename().string(), std::vector<std::string_view>(files.begin(), files.end())));
 }
 
 }  // namespace
@@ -133,6 +149,7 @@ std::string Interpreter::State::find(const std::string& name, const std::vector<
                 return accepted(path);
             }
     std::string message = "cannot find " + strahl::quoted(name) + " in the scene's folder";
+    const std::string similar = similar_file(folders, plain);
     const auto exists = [](const std::string& folder) {
         std::error_code error;
         return fs::is_directory(folder, error);
@@ -141,6 +158,7 @@ std::string Interpreter::State::find(const std::string& name, const std::vector<
         message += "; POV-Ray's include files and fonts are not installed; on Debian: apt install povray-includes";
     else
         message += " and in " + listed(options.library);
+    if (!similar.empty()) message += "; did you mean " + strahl::quoted(similar) + "?";
     return fault(message);
 }
 
@@ -171,7 +189,7 @@ void Interpreter::State::open_file() {
             file->path = (fs::path(options.write_folder) / name_only).string();
             std::error_code error;
             if (fs::exists(file->path, error) && !is_file(file->path))
-                fail(at, strahl::quoted(file->path) + " is no regular file");
+                fail(at, strahl::quoted(file->path) + " is not a regular file");
             file->writing = std::make_shared<std::ofstream>(
                 file->path, append ? std::ios::binary | std::ios::app : std::ios::binary);
             if (!*file->writing) throw OutputError("cannot write " + strahl::quoted(file->path));
@@ -188,7 +206,7 @@ void Interpreter::State::read_file() {
     const TextPlace at = last;
     Symbol* handle = symbols.find(name.index);
     if (!handle || value_of(*handle).kind != ValueKind::file)
-        fail(at, strahl::quoted(names.text(name.index)) + " is no open file");
+        fail(at, strahl::quoted(names.text(name.index)) + " is not an open file");
     const auto file = std::static_pointer_cast<const FileThing>(value_of(*handle).thing);
     if (!file->reading) fail(at, "the file is open for writing");
     const TextFile& from = *file->reading;
@@ -260,7 +278,7 @@ void Interpreter::State::write_file() {
     const RawToken& name = raw_name("a file's identifier");
     const Symbol* handle = symbols.find(name.index);
     if (!handle || handle->value.kind != ValueKind::file)
-        fail(last, strahl::quoted(names.text(name.index)) + " is no open file");
+        fail(last, strahl::quoted(names.text(name.index)) + " is not an open file");
     const auto file = std::static_pointer_cast<const FileThing>(handle->value.thing);
     if (file->reading) fail(last, "the file is open for reading");
     accept(',');

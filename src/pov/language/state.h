@@ -3,6 +3,7 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <set>
 #include <sstream>
@@ -56,6 +57,10 @@ struct Interpreter::State {
         std::uint32_t variable = 0;        // of #for
         double end = 0, step = 0;          // of #for; `end` is the value of a #switch
     };
+    /// A block of the scene that is open: the token before its '{', and its '{'.
+    struct Block {
+        TextPlace word, brace;
+    };
     /// The next token.
     struct NextToken {
         std::uint16_t code = end_code;
@@ -65,7 +70,7 @@ struct Interpreter::State {
         NamedValue* value = nullptr;        // of a declared identifier or an element
         Symbol* symbol = nullptr;           // of an identifier
         std::shared_ptr<ArrayThing> array;  // of an element: its array
-        std::size_t index = 0;              // and its number there
+        std::size_t index = 0;              // index of the element in it
     };
 
     std::uint16_t code() {
@@ -196,8 +201,19 @@ struct Interpreter::State {
     std::string find(const std::string& name, const std::vector<std::string>& extensions, bool must);
 
     // Messages.
+    std::string_view text_at(TextPlace at) const;
     [[noreturn]] void fail(TextPlace at, const std::string& text);
     [[noreturn]] void expected(const std::string& what);
+    /// Fails at the token `next`, also if it is taken already. `what` is expected, or with "" the end of a block.
+    [[noreturn]] void wrong_token(const std::string& what);
+    /// Fails if the innermost block seems to lack its '}' before `next`.
+    void tell_open_block(bool at_end_of_block);
+    /// Fails at the value behind the token `before`, which has another number of components than it should.
+    [[noreturn]] void wrong_size(TextPlace before, const std::string& message);
+    /// Fails at a vector without '>'.
+    [[noreturn]] void open_vector(TextPlace start);
+    /// Returns what an unknown name may stand for, or how to declare it.
+    std::string advice_on_name(const std::string& name, const std::string& what);
     void warn(TextPlace at, const std::string& text) { in.remark(Remark::Kind::warning, at, text); }
     std::string where(TextPlace at) const;
 
@@ -223,6 +239,8 @@ struct Interpreter::State {
     std::vector<std::string> paths;  // of all files that were read or found
     std::vector<Reading> readings;
     std::vector<Control> controls;
+    std::vector<Block> blocks;
+    std::optional<TextPlace> closed;   // '{' of the block that was closed last
     const RawToken* cursor = nullptr;  // of the text that is being read
     NextToken next;
     TextPlace last;  // of the token taken last

@@ -277,7 +277,7 @@ bool SceneMaker::shows_inside(const ObjectThing& object, const Shape& shape, con
     const bool mirrors = glm::determinant(glm::dmat3(matrix_of(steps))) < 0;
     if (std::holds_alternative<Triangle>(shape)) {
         if (!object.steps.empty())
-            notes.approximated(object.place, "which side of a triangle is inside that was moved");
+            notes.approximated(object.place, "the inside of a triangle that is moved: its corners' order decides");
         return !mirrored;
     }
     if (const auto* const own = std::get_if<SmoothTriangle>(&shape))

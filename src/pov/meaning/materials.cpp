@@ -56,9 +56,9 @@ std::shared_ptr<const LayerValues> without_blend(const LayerValues& layer, const
     if (layer.blend.ignored == word("material_map"))
         notes.left_out(layer.place, "all textures of a material_map but the first");
     if (const FilterColor& own = layer.pigment.color; !layer.pigment.blend && own.filter + own.transmit < 0)
-        notes.approximated(layer.place, "a surface that lets through less than nothing takes no light from behind it");
+        notes.approximated(layer.place, "filter and transmit below 0: such a surface takes no light from behind it");
     if (int left = 4096; holds_more(layer.blend, left)) {
-        notes.approximated(layer.blend.place, "of thousands of textures in a pattern none is shown");
+        notes.approximated(layer.blend.place, "a pattern of thousands of textures is not shown");
         return itself;
     }
     if (!layer.blend || !layer.blend.map || layer.blend.map->entries.empty()) return itself;
@@ -346,10 +346,10 @@ void MaterialMaker::set_finish(Material& material, const FinishThing& finish, co
     approximated(mean(reflected) > 1, "reflection above 1 is 1");
     approximated(fresnel, "reflection that depends on the angle is the same at all angles");
     approximated(material.reflection > 0 && !is_grey(reflected), "coloured reflection is grey");
-    approximated(material.reflection > 0 && reflection.exponent != 1, "'exponent' of a reflection is 1");
+    approximated(material.reflection > 0 && reflection.exponent != 1, "'exponent' of a reflection is ignored");
     approximated(finish.metallic != 0 && shines, "highlights of metal have the colour of the light");
     approximated(reflection.metallic != 0 && material.reflection > 0, "reflection of metal is grey");
-    approximated(finish.brilliance != 1 && finish.diffuse > 0, "'brilliance' is 1");
+    approximated(finish.brilliance != 1 && finish.diffuse > 0, "'brilliance' is ignored");
     approximated(finish.diffuse_behind > 0, "light from behind does not shine through");
     approximated(finish.conserve_energy && material.refraction > 0, "'conserve_energy' changes nothing");
     if (use.shadow_only) return;
@@ -395,7 +395,7 @@ void MaterialMaker::set_layer(Material& layer, const FinishThing& finish) {
         layer.gilding = coefficient(reflection.metallic);
         approximated(length(reflection.least - layer.facing * reflection.most) > 1e-6,
                      "the two colours of a reflection are of one colour");
-        approximated(reflection.exponent != 1, "'exponent' of a reflection is 1");
+        approximated(reflection.exponent != 1, "'exponent' of a reflection is ignored");
     }
     layer.behind = coefficient(finish.diffuse_behind);
     if (as_text) tell_negative(finish);
@@ -501,7 +501,7 @@ Material MaterialMaker::layered_material_of(const TextureThing& texture, const I
             whole.fade_power = coefficient(decimal(static_cast<float>(interior->fade_power)));
             whole.fade_color = min(coefficients(interior->fade_color), Color(1));
             if (whole.fade_color != coefficients(interior->fade_color) || interior->fade_power < 0)
-                notes.approximated(interior->place, "light does not grow inside bodies");
+                notes.approximated(interior->place, "light does not become brighter inside a body");
         }
         if (interior->dispersion) notes.left_out(interior->place, "dispersion");
         if (interior->caustics) notes.left_out(interior->place, "caustics");
@@ -644,7 +644,7 @@ Material MaterialMaker::plain_material_of(const TextureThing& texture, const Int
         const TextPlace place = shown.values->place;
         constexpr int deep = 20;  // enough for rays through nine clear bodies
         if ((!interior || interior->ior == 1) && contents.max_trace_level < deep)
-            notes.approximated(place, "rays that pass a clear body count for max_trace_level");
+            notes.approximated(place, "a ray through a clear body counts for max_trace_level; in POV-Ray it does not");
         const Color shadow = material.rgb.color * material.refraction;
         bool coloured = false, shaded = false;
         for (int c = 0; c < 3; ++c) {

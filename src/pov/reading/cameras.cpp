@@ -8,6 +8,7 @@ CameraThing PovReader::read_camera(Interpreter& in) {
     CameraThing camera = default_camera;
     in.begin_block();
     camera.place = in.last_place();
+    TextPlace aim = camera.place;
     if (const auto known = in.accept_thing<CameraThing>(ValueKind::camera)) camera = *known;
     while (!in.at('}')) {
         if (read_step(in, camera.steps)) continue;
@@ -30,6 +31,7 @@ CameraThing PovReader::read_camera(Interpreter& in) {
                 camera.sky = in.read_vector();
                 break;
             case word("look_at"):
+                aim = in.last_place();
                 camera.look_at = in.read_vector(), camera.has_look_at = true;
                 break;
             case word("angle"):
@@ -72,11 +74,13 @@ CameraThing PovReader::read_camera(Interpreter& in) {
                 in.skip_block();
                 break;
             default:
-                in.fail("this word does not belong to a camera");
+                in.misplaced();
         }
         in.skip_comma();
     }
     in.end_block();
+    if (camera.has_look_at && camera.look_at == camera.location)
+        in.fail(aim, "the camera looks at the place where it is: 'look_at' and 'location' must differ");
     return camera;
 }
 
@@ -130,7 +134,7 @@ FogThing PovReader::read_fog(Interpreter& in) {
                 fog.lambda = in.read_number();
                 break;
             default:
-                in.fail("this word does not belong to fog");
+                in.misplaced();
         }
         in.skip_comma();
     }

@@ -17,10 +17,12 @@ std::shared_ptr<const ObjectThing> PovReader::read_light(Interpreter& in) {
     if (const auto known = in.accept_thing<ObjectThing>(ValueKind::object)) {
         *object = *known;
     } else {
+        in.form = "light_source { <place>, colour }";
         LightThing light;
         light.location = in.read_vector();
         in.skip_comma();
         light.color = color_of(in.read_color());
+        in.form = "";
         object->light = std::make_shared<LightThing>(light);
     }
     LightThing light = *object->light;
@@ -115,7 +117,7 @@ std::shared_ptr<const ObjectThing> PovReader::read_light(Interpreter& in) {
                 in.skip_block();
                 break;
             default:
-                in.fail("this word does not belong to a light");
+                in.misplaced();
         }
         in.skip_comma();
     }

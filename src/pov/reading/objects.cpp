@@ -120,7 +120,10 @@ bool PovReader::read_object_modifier(Interpreter& in, ObjectThing& object) {
     if (Steps steps; read_step(in, steps)) return transform_object(object, steps), true;
     if (in.kind() == ValueKind::texture)
         return add_texture(object, in.accept_thing<TextureThing>(ValueKind::texture)), true;
-    if (in.at_color()) return in.read_color(), true;  // an old form without effect
+    if (in.at_color()) {  // an old form without effect
+        in.read_color(), in.warn("a colour outside of a pigment has no effect: pigment { color ... }");
+        return true;
+    }
     const std::uint16_t code = in.code();
     const auto change = [&](const auto& read) {
         auto kept = kept_texture(object);

@@ -388,7 +388,7 @@ std::shared_ptr<const ImageThing> PovReader::read_image(Interpreter& in, bool of
                 in.skip_block();
                 break;
             default:
-                if (!is_one_of(code, picture_words)) in.fail("this word does not belong to a picture");
+                if (!is_one_of(code, picture_words)) in.misplaced();
                 if (code != word("use_color") && code != word("use_index") && code != word("sys"))
                     image->file_kind = code;
         }

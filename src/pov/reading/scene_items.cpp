@@ -67,7 +67,7 @@ void PovReader::read_settings(Interpreter& in) {
                 in.skip_block();
                 break;
             default:
-                in.fail("this word does not belong to global_settings");
+                in.misplaced();
         }
         in.skip_comma();
     }
@@ -85,7 +85,10 @@ static Color read_background(Interpreter& in) {
 
 /// Reads an item of the scene; reads nothing and returns false if none comes.
 bool PovReader::read_item(Interpreter& in) {
-    if (auto known = in.accept_thing<ObjectThing>(ValueKind::object)) return place(std::move(known)), true;
+    if (auto known = in.accept_thing<ObjectThing>(ValueKind::object)) {
+        if (in.at('{')) in.fail("a declared body is placed by object { NAME ... }");
+        return place(std::move(known)), true;
+    }
     switch (in.code()) {
         case word("camera"):
             in.skip();
@@ -93,9 +96,11 @@ bool PovReader::read_item(Interpreter& in) {
             return true;
         case word("background"):
             in.skip();
+            in.form = "background { rgb <red, green, blue> }";
             in.begin_block();
             contents.background = read_background(in);
             in.end_block();
+            in.form = "";
             return true;
         case word("global_settings"):
             in.skip();
@@ -132,6 +137,8 @@ bool PovReader::read_item(Interpreter& in) {
 void PovReader::read_all(Interpreter& in) {
     while (!in.at_end())
         if (!read_item(in)) in.expected("a body, a light or a declaration");
+    if (!contents.camera)
+        in.remark(Remark::Kind::warning, {}, "no camera: POV-Ray's is used, at <0, 0, 0> and looking along z");
 }
 
 void PovReader::tell_constants(Interpreter& in) const {

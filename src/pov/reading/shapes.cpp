@@ -31,6 +31,30 @@ void skip_arguments(Interpreter& in) {
     }
 }
 
+/// Returns how the arguments of a simple body are written; "" for other bodies.
+const char* form_of(std::uint16_t code) {
+    switch (code) {
+        case word("sphere"):
+            return "sphere { <centre>, radius }";
+        case word("box"):
+            return "box { <corner>, <opposite corner> }";
+        case word("cylinder"):
+            return "cylinder { <one end>, <other end>, radius }";
+        case word("cone"):
+            return "cone { <one end>, its radius, <other end>, its radius }";
+        case word("torus"):
+            return "torus { major radius, minor radius }";
+        case word("plane"):
+            return "plane { <normal>, distance }";
+        case word("disc"):
+            return "disc { <centre>, <normal>, radius }";
+        case word("triangle"):
+            return "triangle { <corner>, <corner>, <corner> }";
+        default:
+            return "";
+    }
+}
+
 /// The plane normal . p = |normal| * distance, behind its normal.
 Plane plane_of(const DVec3& normal, double distance) {
     const DVec3 n = normalize(normal), size = abs(n);
@@ -513,6 +537,7 @@ static bool is_thin(const Shape& shape) {
 
 /// Reads the arguments of a body after '{'.
 void PovReader::read_shape(Interpreter& in, std::uint16_t code, ObjectThing& object) {
+    in.form = form_of(code);
     const auto set = [&](const Shape& shape) {
         object.kind = ObjectKind::shape;
         object.shape = shape;
@@ -585,6 +610,8 @@ void PovReader::read_shape(Interpreter& in, std::uint16_t code, ObjectThing& obj
             object.left_out("the body '" + std::string(reserved_words[code - first_word_code]) + "'");
             skip_arguments(in);
     }
+    if (in.at(',')) in.misplaced();
+    in.form = "";
     if (!object.shape || object.surface) return;
     const char* const fault = std::visit([](const auto& kind) { return kind.fault(); }, *object.shape);
     const bool thin = is_thin(*object.shape) || (fault && code == word("lathe"));

@@ -194,7 +194,7 @@ void read_finish_word(Interpreter& in, std::uint16_t code, FinishThing& finish, 
             in.read_flag();
             break;
         default:
-            in.fail("this word does not belong to a finish");
+            in.misplaced();
     }
 }
 
@@ -301,7 +301,7 @@ void PovReader::read_interior(Interpreter& in, InteriorThing& interior) {
                 in.skip_block();
                 break;
             default:
-                in.fail("this word does not belong to an interior");
+                in.misplaced();
         }
     }
     in.end_block();

@@ -12,8 +12,8 @@ using Outline = std::vector<Point2>;  // a closed line; the last point is not th
 /// to the right. Drops points on straight lines, and outlines without area. Returns the outlines.
 std::vector<Outline>& turned_as_faces(std::vector<Outline>& outlines);
 
-/// Returns the faces that turned outlines enclose: each is one outline, which runs to its holes and back along edges
-/// that it uses twice.
+/// Returns the faces that turned outlines enclose. Each is one outline; its holes are joined to it by edges that are
+/// used twice, to the hole and back.
 std::vector<Outline> faces_of(const std::vector<Outline>& outlines);
 
 }  // namespace strahl::pov

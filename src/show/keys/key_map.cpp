@@ -142,6 +142,13 @@ std::string KeyMap::first_key(Action action) const {
     return "";
 }
 
+std::string KeyMap::name(Action action, int digit) const {
+    std::string key = first_key(action);
+    if (digit > 0 && key.ends_with("1-9")) key.replace(key.size() - 3, 3, std::to_string(digit));
+    const auto help = std::ranges::find(command_helps, action, [](const CommandHelp& h) { return h.command.action; });
+    return !key.empty() || help == command_helps.end() ? key : std::string("'") + help->word + "'";
+}
+
 std::optional<Command> command_of_button(int button) {
     constexpr std::pair<int, Command> buttons[] = {
         {GLFW_GAMEPAD_BUTTON_A, {Action::pause}},

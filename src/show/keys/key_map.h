@@ -40,6 +40,9 @@ class KeyMap {
 
     /// Returns the first key of a command, for texts; "" if it has none.
     std::string first_key(Action action) const;
+    /// Returns this key, or, if there is none, the command's word, for sentences. `digit` is that of a key for all of 1
+    /// to 9.
+    std::string name(Action action, int digit = 0) const;
 
     /// The keys of each of command_helps.
     std::array<std::vector<KeyPress>, command_helps.size()> keys;

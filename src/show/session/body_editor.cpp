@@ -146,22 +146,26 @@ bool BodyEditor::open_to_change(const BodyValue& value) const {
     return value.slices.empty() ? value.own_at > 0 : value.source.empty() || allowed.contains(value.source);
 }
 
-bool BodyEditor::change(const BodyValue& value, std::span<const double> numbers, bool merged, std::size_t others) {
+std::string BodyEditor::name() const {
+    return description.kind.substr(0, description.kind.find_first_of(" ,(")) + " " + std::to_string(number() + 1);
+}
+
+bool BodyEditor::change(const BodyValue& value, std::span<const double> numbers, EditOrder& order, bool merged) {
     if (!open_to_change(value)) return false;
     std::vector<double> within(numbers.begin(), numbers.end());
     for (double& number : within) {
         if (!(number == number)) return false;
         number = std::clamp(number, value.range.low, value.range.high);
     }
-    const std::string before = edited.text();
-    edited.change(value.slices.empty() ? with_own_value(before, value, within) : with_numbers(before, value, within),
-                  merged, others);
-    return edited.text() != before;
+    const std::string& before = edited.text();
+    return edited.change(
+        value.slices.empty() ? with_own_value(before, value, within) : with_numbers(before, value, within),
+        {order, value.name + " of " + name(), merged});
 }
 
-bool BodyEditor::make_own(const BodyValue& value, std::size_t others) {
+bool BodyEditor::make_own(const BodyValue& value, EditOrder& order) {
     if (value.own_at == 0 || !value.fixed.empty()) return false;
-    edited.change(with_own_value(edited.text(), value, value.numbers), false, others);
+    edited.change(with_own_value(edited.text(), value, value.numbers), {order, "own " + value.name + " of " + name()});
     return true;
 }
 

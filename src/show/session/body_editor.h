@@ -90,9 +90,11 @@ class BodyEditor {
     void allow(const std::string& source) { allowed.insert(source); }
     /// Changes a value where it stands, or else gives the body a value of its own. Numbers out of range become the
     /// nearest ones within. Returns whether the text has changed.
-    bool change(const BodyValue& value, std::span<const double> numbers, bool merged, std::size_t others);
+    bool change(const BodyValue& value, std::span<const double> numbers, EditOrder& order, bool merged = false);
     /// Gives the body a value of its own, equal to the one that comes from elsewhere.
-    bool make_own(const BodyValue& value, std::size_t others);
+    bool make_own(const BodyValue& value, EditOrder& order);
+    /// Returns the name of what is chosen, for the user: "sphere 1".
+    std::string name() const;
 
     EditedText edited;
 

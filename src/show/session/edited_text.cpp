@@ -97,7 +97,7 @@ void EditedText::open(const std::string& text) {
 }
 
 /// Makes this the present text. Returns the slots that have changed.
-std::vector<EditedText::ChangedSlot> EditedText::replace(const std::string& newer) {
+EditedText::Change EditedText::replace(const std::string& newer) {
     if (lines.in_file.empty()) lines.in_file = lines.changed = slots_of(lines_of(saved));
     const std::vector<std::string_view> old = lines_of(present), now = lines_of(newer);
     const std::size_t shorter = std::min(old.size(), now.size());
@@ -132,14 +132,14 @@ std::vector<EditedText::ChangedSlot> EditedText::replace(const std::string& newe
         slot.insert(slot.begin() + std::ptrdiff_t(to.line), now.begin() + std::ptrdiff_t(first),
                     now.begin() + std::ptrdiff_t(first + added));
     }
-    std::vector<ChangedSlot> changes;
+    Change changes;
     for (auto& [slot, lines_before] : before) changes.push_back({slot, std::move(lines_before), lines.changed[slot]});
     present = newer;
     return changes;
 }
 
-void EditedText::apply(const Step& step, Lines ChangedSlot::*to) {
-    for (const ChangedSlot& slot : step.slots) lines.changed[slot.number] = slot.*to;
+void EditedText::apply(const Change& change, Lines ChangedSlot::*to) {
+    for (const ChangedSlot& slot : change) lines.changed[slot.number] = slot.*to;
     present = text_of(lines.changed);
 }
 
@@ -160,51 +160,42 @@ std::vector<std::string> EditedText::unwritten() const {
     return list;
 }
 
-void EditedText::change(const std::string& newer, bool merged, std::size_t others) {
-    constexpr std::size_t most_steps = 500;
-    if (newer == present) return;
-    if (merged && !past.empty()) {
-        apply(past.back(), &ChangedSlot::before);
-        past.pop_back();
+bool EditedText::change(const std::string& newer, const Edit& edit) {
+    if (newer == present) return false;
+    if (edit.merged && !steps.past.empty()) {
+        apply(steps.past.back().change, &ChangedSlot::before);
+        steps.past.pop_back();
+        if (newer == present) return true;
     }
-    past.push_back({replace(newer), others});
-    if (past.size() > most_steps) past.erase(past.begin());
-    future.clear();
+    steps.add(replace(newer), edit);
+    return true;
 }
 
-bool EditedText::undo(std::size_t others) { return move_step(past, future, &ChangedSlot::before, others); }
-
-bool EditedText::redo(std::size_t others) { return move_step(future, past, &ChangedSlot::after, others); }
-
-/// Applies the last step of `from` and moves it to the end of `into`. False if there is none with this many others.
-bool EditedText::move_step(std::vector<Step>& from, std::vector<Step>& into, Lines ChangedSlot::*to,
-                           std::size_t others) {
-    if (from.empty() || from.back().others != others) return false;
-    apply(from.back(), to);
-    into.push_back(std::move(from.back()));
-    from.pop_back();
-    return true;
+std::optional<std::string> EditedText::undo(bool back, EditOrder& order) {
+    return steps.move(back, order, [&](const Change& change) {
+        apply(change, back ? &ChangedSlot::before : &ChangedSlot::after);
+    });
 }
 
 bool EditedText::reload(const std::string& theirs) {
     if (theirs == saved) return false;
-    if (past.empty() && future.empty()) return open(theirs), false;
+    if (steps.past.empty() && steps.future.empty()) return open(theirs), false;
     saved = theirs;
     if (theirs == present) return lines.in_file = lines.changed, false;  // these changes were written
     RebasedText rebased = strahl::rebased(lines, theirs);
     // Steps before one that cannot be found again would not lead to it.
-    const auto keep = [&](std::vector<Step>& steps) {
-        std::size_t kept = steps.size();
+    const auto keep = [&](auto& list) {
+        std::size_t kept = list.size();
         for (bool found = true; found && kept > 0;) {
-            for (ChangedSlot& slot : steps[kept - 1].slots) {
+            for (ChangedSlot& slot : list[kept - 1].change) {
                 slot.number = rebased.moved(slot.number);
                 found &= slot.number < rebased.text.changed.size();
             }
             if (found) --kept;
         }
-        steps.erase(steps.begin(), steps.begin() + std::ptrdiff_t(kept));
+        list.erase(list.begin(), list.begin() + std::ptrdiff_t(kept));
     };
-    keep(past), keep(future);
+    keep(steps.past), keep(steps.future);
     lines = std::move(rebased.text), present = text_of(lines.changed);
     return rebased.lost;
 }

@@ -1,8 +1,11 @@
 // The text of the scene file while it is changed in the window, with undo and redo.
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "show/session/edits.h"
 
 namespace strahl {
 
@@ -39,15 +42,12 @@ class EditedText {
     /// Lines that would be lost now, with their numbers: "6: sphere { ... }", and those that were removed.
     std::vector<std::string> unwritten() const;
 
-    /// Replaces the text. If `merged`, undo takes back this change and the one before together. `others` is how many
-    /// changes of another kind there are, which the user undoes in turn with these.
-    void change(const std::string& newer, bool merged, std::size_t others);
-    /// Take the last change back, or make it again. False if there is none, or if one of the other kind, of which there
-    /// are `others`, came after it or comes first.
-    bool undo(std::size_t others);
-    bool redo(std::size_t others);
-    /// How many changes can be undone.
-    std::size_t steps() const { return past.size(); }
+    /// Replaces the text. Returns whether it has changed.
+    bool change(const std::string& newer, const Edit& edit);
+    /// Takes the last change back, or makes it again. Returns what it was; nothing if there is none.
+    std::optional<std::string> undo(bool back, EditOrder& order);
+    /// See EditSteps::next.
+    std::size_t next_step(bool back, const EditOrder& order) const { return steps.next(back, order); }
 
     /// To be called when the file was read, with its text. The changes stay as in `rebased`. Returns whether one was
     /// lost.
@@ -58,18 +58,13 @@ class EditedText {
         std::size_t number;
         std::vector<std::string> before, after;
     };
-    struct Step {
-        std::vector<ChangedSlot> slots;
-        std::size_t others;
-    };
-    std::vector<ChangedSlot> replace(const std::string& newer);
-    void apply(const Step& step, std::vector<std::string> ChangedSlot::*to);
-    bool move_step(std::vector<Step>& from, std::vector<Step>& into, std::vector<std::string> ChangedSlot::*to,
-                   std::size_t others);
+    using Change = std::vector<ChangedSlot>;
+    Change replace(const std::string& newer);
+    void apply(const Change& change, std::vector<std::string> ChangedSlot::*to);
 
     ChangedText lines;           // empty until something is changed
     std::string saved, present;  // the same as texts
-    std::vector<Step> past, future;
+    EditSteps<Change> steps;
 };
 
 }  // namespace strahl

@@ -11,7 +11,6 @@ namespace strahl {
 namespace {
 
 constexpr double least_gap = 0.001;  // seconds between keys
-constexpr std::size_t most_steps = 500;
 
 /// Makes the path valid in the scene language: the duration reaches to the last key, and a key at the end of a path
 /// that loops equals the first.
@@ -106,25 +105,24 @@ std::optional<std::size_t> key_at(const Flythrough& path, double time) {
     return std::nullopt;
 }
 
-bool PathEditor::reload(const std::optional<Flythrough>& in_file) {
+bool PathEditor::reload(const std::optional<Flythrough>& in_file, EditOrder& order) {
     Flythrough newer = in_file.value_or(Flythrough{});
     const bool other = newer != saved && newer != present, lost = other && changed();
-    if (other) replace(newer);
+    if (other) replace(newer, {order, "the file's path"});
     saved = std::move(newer);
     return lost;
 }
 
-void PathEditor::change(Flythrough newer, bool merged) {
+void PathEditor::change(Flythrough newer, const Edit& edit) {
     if (newer == present) return;
-    if (!merged) past.push_back(present);
-    if (past.size() > most_steps) past.erase(past.begin());
-    future.clear();
-    present = std::move(newer);
+    Flythrough before = std::exchange(present, std::move(newer));
+    if (edit.merged && !steps.past.empty()) before = std::move(steps.past.back().change), steps.past.pop_back();
+    steps.add(std::move(before), edit);
 }
 
-void PathEditor::replace(Flythrough newer) {
+void PathEditor::replace(Flythrough newer, const Edit& edit) {
     if (changed() && newer != present && !present.keys.empty()) replaced.push_back(present);
-    change(std::move(newer));
+    change(std::move(newer), edit);
 }
 
 std::vector<Flythrough> PathEditor::unwritten() const {
@@ -134,24 +132,8 @@ std::vector<Flythrough> PathEditor::unwritten() const {
     return paths;
 }
 
-bool PathEditor::asks() {
-    if (!changed() || asked_about == present) return false;
-    asked_about = present;
-    return true;
-}
-
-bool PathEditor::undo() {
-    if (past.empty()) return false;
-    future.push_back(std::exchange(present, past.back()));
-    past.pop_back();
-    return true;
-}
-
-bool PathEditor::redo() {
-    if (future.empty()) return false;
-    past.push_back(std::exchange(present, future.back()));
-    future.pop_back();
-    return true;
+std::optional<std::string> PathEditor::undo(bool back, EditOrder& order) {
+    return steps.move(back, order, [this](Flythrough& path) { std::swap(present, path); });
 }
 
 }  // namespace strahl

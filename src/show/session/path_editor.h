@@ -1,9 +1,11 @@
 // The camera's path while it is edited, with undo and redo.
 #pragma once
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "scene/camera.h"
+#include "show/session/edits.h"
 #include "text/write.h"
 
 namespace strahl {
@@ -34,38 +36,35 @@ double rounded_time(double seconds);
 
 class PathEditor {
   public:
-    explicit PathEditor(const std::optional<Flythrough>& in_file) { reload(in_file), past.clear(); }
+    explicit PathEditor(const std::optional<Flythrough>& in_file)
+        : present(in_file.value_or(Flythrough{})), saved(present) {}
 
     /// May have one key or none: then it cannot be flown yet.
     const Flythrough& path() const { return present; }
     bool changed() const { return present != saved; }
-    /// How many changes can be undone.
-    std::size_t steps() const { return past.size(); }
 
     /// To be called when the scene file was read, with its path. If that has changed it replaces the edited one, which
     /// undo brings back. Returns whether the edited one had changes that were not written.
-    bool reload(const std::optional<Flythrough>& in_file);
+    bool reload(const std::optional<Flythrough>& in_file, EditOrder& order);
 
-    /// Replaces the path. If `merged`, undo takes back this change and the one before together, as for steps of a drag.
-    void change(Flythrough newer, bool merged = false);
+    void change(Flythrough newer, const Edit& edit);
     /// Replaces the path by one that is not made from it.
-    void replace(Flythrough newer);
-    bool undo();
-    bool redo();
+    void replace(Flythrough newer, const Edit& edit);
+    /// Takes the last change back, or makes it again. Returns what it was; nothing if there is none.
+    std::optional<std::string> undo(bool back, EditOrder& order);
+    /// See EditSteps::next.
+    std::size_t next_step(bool back, const EditOrder& order) const { return steps.next(back, order); }
 
     EyeWords words;  // in which the scene says directions up and angles of view
 
     /// Returns the paths that would be lost now: those that were replaced before they were written, the oldest first,
     /// and the present one.
     std::vector<Flythrough> unwritten() const;
-    /// Is the present path not written, and was this not asked about it before?
-    bool asks();
 
   private:
     Flythrough present, saved;
-    std::vector<Flythrough> past, future;
+    EditSteps<Flythrough> steps;       // with the path before or after each
     std::vector<Flythrough> replaced;  // before they were written
-    std::optional<Flythrough> asked_about;
 };
 
 }  // namespace strahl

@@ -35,34 +35,37 @@ std::optional<double> motion_end_of(const Scene& scene) {
 
 Session::Session(std::shared_ptr<const Scene> first_scene, std::optional<int> depth)
     : scene(std::move(first_scene)),
+      pictured(scene),
       editor(path_in(*scene)),
       camera(scene->camera),
       speed(default_speed(camera)),
       own_depth(depth),
       motion_end(motion_end_of(*scene)) {}
 
-bool Session::replace(std::shared_ptr<const Scene> newer, bool opened) {
+bool Session::replace(std::shared_ptr<const Scene> newer, bool opened, std::shared_ptr<const Scene> picture) {
     const bool moved = opened || newer->camera != scene->camera;
     scene = std::move(newer);
+    const bool same = picture && !opened && (tracks || picture->tracks == scene->tracks);
+    pictured = same ? std::move(picture) : scene;
     motion_end = motion_end_of(*scene);
     bool lost = false;
     if (opened)
         tracks.reset(), flight.reset(), outside = false, recorded.reset(), editor = PathEditor(path_in(*scene)),
                                         cameras = {}, time = 0;
     else
-        lost = editor.reload(path_in(*scene));
+        lost = editor.reload(path_in(*scene), edits);
     flight.change(path_to_fly());
     if (moved && !bound()) camera = scene->camera, speed = default_speed(camera);
     return lost;
 }
 
-void Session::replace_reread(std::shared_ptr<const Scene> newer) {
+void Session::replace_reread(std::shared_ptr<const Scene> newer, std::shared_ptr<const Scene> picture) {
     Camera same = scene->camera;
     same.fov = newer->camera.fov, same.aspectratio = newer->camera.aspectratio;
     const bool reshaped = newer->camera == same && same != scene->camera && !bound();
     Camera kept = camera;
     const double kept_speed = speed;
-    replace(std::move(newer), false);
+    replace(std::move(newer), false, std::move(picture));
     if (reshaped) kept.fov = same.fov, kept.aspectratio = same.aspectratio, camera = kept, speed = kept_speed;
 }
 
@@ -99,9 +102,10 @@ Answer Session::perform(Command command, double now) {
         case Action::set_key:
         case Action::delete_key:
         case Action::clear_path:
+            return edit(command.action, now);
         case Action::undo:
         case Action::redo:
-            return edit(command.action, now);
+            return undo(command.action == Action::undo, now);
         case Action::record:
             return record(now);
         case Action::copy_path:
@@ -151,13 +155,24 @@ Answer Session::perform(Command command, double now) {
 }
 
 Answer Session::play(double now) {
-    if (flight.flying()) return flight.stop(now), Answer{"flight ended", ""};
-    if (auto path = path_to_fly())
+    if (flight.under_way())
+        return {
+            "the flight is played; " + keys.name(Action::pause) + " pauses it, " + keys.name(Action::back) + " ends it",
+            ""};
+    if (flight.circling())
+        flight.run(now);
+    else if (auto path = path_to_fly())
         flight.begin(*std::move(path), now);
     else
         flight.circle(orbit_path(camera, scene->camera), now);
     follow(now);
     return {"flying from " + text_of(std::round(100 * flight.time(now)) / 100) + " s", ""};
+}
+
+Answer Session::end_flight(double now) {
+    if (!flight.flying()) return {};
+    flight.stop(now);
+    return {"flight ended at " + seconds_text(time), ""};
 }
 
 Answer Session::pause(double now) {
@@ -174,7 +189,9 @@ Answer Session::pause(double now) {
 Answer Session::see_outside(double now) {
     outside = !outside;
     follow(now);
-    return {outside ? "the flight is seen from outside; Shift+T goes back" : "the camera of the flight", ""};
+    return {outside ? "the flight is seen from outside; " + keys.name(Action::outside) + " goes back"
+                    : "the camera of the flight",
+            ""};
 }
 
 Answer Session::step_to(double seconds, double now) {
@@ -200,15 +217,15 @@ Answer Session::to_key(int step, double now) {
 Answer Session::expose(int step) {
     if (step == 0) return exposure.reset(), Answer{"light as it is", ""};
     exposure = std::clamp(exposure.value_or(0) + step / 2., -most_exposure, most_exposure);
-    return {"exposure " + exposure_text(exposure) + "; 0 shows light as it is", ""};
+    return {"exposure " + exposure_text(exposure) + "; " + keys.name(Action::expose) + " shows light as it is", ""};
 }
 
 Answer Session::recall(int number) {
     const auto& stored = cameras[number - 1];
     if (!stored)
-        return {
-            "no camera is stored as " + std::to_string(number) + "; Shift+" + std::to_string(number) + " stores one",
-            ""};
+        return {"no camera is stored as " + std::to_string(number) + "; " + keys.name(Action::store, number) +
+                    " stores one",
+                ""};
     camera = *stored;
     return {"camera " + std::to_string(number), ""};
 }
@@ -218,24 +235,20 @@ Answer Session::edit(Action action, double now) {
     const auto there = key_at(editor.path(), moment);
     std::string note;
     switch (action) {
-        case Action::undo:
-            note = editor.undo() ? "undone" : "nothing to undo";
-            break;
-        case Action::redo:
-            note = editor.redo() ? "redone" : "nothing to redo";
-            break;
         case Action::clear_path:
-            editor.replace({}), flight.set(0, now);
             note = "new path";
+            editor.replace({}, {edits, note}), flight.set(0, now);
             break;
         case Action::set_key:
-            editor.change(with_key(editor.path(), key_of(camera, scene->camera, moment)));
             note = "key at " + seconds_text(moment) + (there ? " changed" : " set");
+            editor.change(with_key(editor.path(), key_of(camera, scene->camera, moment)), {edits, note});
             break;
         case Action::delete_key:
-            if (!there) return {"no key at " + seconds_text(moment) + "; PgUp and PgDn go to keys", ""};
-            editor.change(without_key(editor.path(), *there));
+            if (!there)
+                return {"no key at " + seconds_text(moment) + "; the nearest are found by " + keys.name(Action::to_key),
+                        ""};
             note = "key at " + seconds_text(moment) + " deleted";
+            editor.change(without_key(editor.path(), *there), {edits, note});
             break;
         default:
             return add_key(now);
@@ -245,12 +258,26 @@ Answer Session::edit(Action action, double now) {
 }
 
 Answer Session::add_key(double now) {
-    editor.change(continued(editor.path(), key_of(camera, scene->camera, 0), seconds_per_key));
-    const std::vector<Keyframe>& keys = editor.path().keys;
-    flight.stop(now), flight.set(keys.back().time, now);
-    return {"key " + std::to_string(keys.size()) + " added at " + seconds_text(keys.back().time) +
-                (keys.size() < 2 ? "; a path needs two keys" : ""),
-            ""};
+    Flythrough longer = continued(editor.path(), key_of(camera, scene->camera, 0), seconds_per_key);
+    const std::size_t count = longer.keys.size();
+    const double time = longer.keys.back().time;
+    const std::string note = "key " + std::to_string(count) + " added at " + seconds_text(time);
+    editor.change(std::move(longer), {edits, note});
+    flight.stop(now), flight.set(time, now);
+    return {note + (count < 2 ? "; a path needs two keys" : ""), ""};
+}
+
+std::size_t Session::next_step(bool back) const {
+    return std::max(editor.next_step(back, edits), track_keys.next_step(back, edits));
+}
+
+/// Takes back the last change of the path or of tracks, or makes it again.
+Answer Session::undo(bool back, double now) {
+    const bool of_tracks = track_keys.next_step(back, edits) > editor.next_step(back, edits);
+    const auto what = of_tracks ? track_keys.undo(back, edits) : editor.undo(back, edits);
+    if (!what) return {back ? "nothing to undo" : "nothing to redo", ""};
+    of_tracks ? show_tracks(now) : path_changed(now);
+    return {(back ? "undone: " : "redone: ") + *what, ""};
 }
 
 Answer Session::change_key(std::size_t number, const Keyframe& key, bool merged, double now) {
@@ -266,7 +293,7 @@ Answer Session::change_key(std::size_t number, const Keyframe& key, bool merged,
     newer.keys[number] = key, newer.keys[number].time = time;
     newer = retimed(std::move(newer), number, key.time);
     const double moment = newer.keys[number].time;
-    editor.change(std::move(newer), merged);
+    editor.change(std::move(newer), {edits, "key " + std::to_string(number + 1) + " of the path", merged});
     go_to(moment, now);
     return {};
 }
@@ -277,20 +304,18 @@ bool Session::take_tracks(const std::string& text, bool opened) {
         track_keys.open(text);
     else
         lost = track_keys.reload(text);
-    if (!keys_elsewhere)
-        tracks = track_keys.changed() ? std::make_shared<const std::vector<Track>>(track_keys.tracks()) : nullptr;
+    if (keys_elsewhere) return lost;
+    // Once changed they stay instead of the scene's, though these may be the same: what is traced goes on.
+    if (opened)
+        tracks.reset();
+    else if ((tracks || track_keys.changed()) && (!tracks || *tracks != track_keys.tracks()))
+        tracks = std::make_shared<const std::vector<Track>>(track_keys.tracks());
     return lost;
 }
 
-void Session::change_track(const Track& track, bool merged, std::size_t others, double now) {
-    track_keys.change(track, merged, others);
+void Session::change_track(const Track& track, bool merged, double now) {
+    track_keys.change(track, {edits, "keys of the track " + track.name, merged});
     show_tracks(now);
-}
-
-bool Session::undo_track(Action action, std::size_t others, double now) {
-    if (!(action == Action::undo ? track_keys.undo(others) : track_keys.redo(others))) return false;
-    show_tracks(now);
-    return true;
 }
 
 /// Shows the tracks as they are edited.
@@ -312,13 +337,13 @@ Answer Session::record(double now) {
     if (!recorded) {
         recorded.emplace();
         observe(now);
-        return {"recording: fly by hand, K ends it", ""};
+        return {"recording: fly by hand, " + keys.name(Action::record) + " ends it", ""};
     }
     const auto moments = *std::exchange(recorded, std::nullopt);
     if (moments.size() < 2) return {"nothing was recorded, because nothing moved", ""};
     const double tolerance = length(scene->camera.look_at - scene->camera.position) / 100;
     const Thinned flown = thinned(moments, scene->camera, tolerance);
-    editor.replace(flown.path);
+    editor.replace(flown.path, {edits, "recorded flight"});
     flight.stop(now), flight.set(0, now);
     char text[120];
     std::snprintf(text, sizeof text, "recorded %.1f s as %zu keys, at most %.2g from the flight", flown.path.duration,
@@ -326,8 +351,8 @@ Answer Session::record(double now) {
     return {text, ""};
 }
 
-void Session::change_path(Flythrough path, bool merged, double now) {
-    editor.change(std::move(path), merged);
+void Session::change_path(Flythrough path, const std::string& what, bool merged, double now) {
+    editor.change(std::move(path), {edits, what, merged});
     path_changed(now);
 }
 
@@ -357,7 +382,8 @@ bool Session::go_to(double seconds, double now) {
 Answer Session::steer(const CameraInput& input, double now) {
     std::string note;
     if (bound()) {
-        if (flight.under_way()) note = "flight ended at " + seconds_text(time) + "; F continues";
+        if (flight.under_way())
+            note = "flight ended at " + seconds_text(time) + "; " + keys.name(Action::play) + " continues";
         flight.stop(now);
     }
     CameraInput scaled = input;

@@ -8,7 +8,7 @@
 
 #include "image/transfer.h"
 #include "scene/scene.h"
-#include "show/keys/commands.h"
+#include "show/keys/key_map.h"
 #include "show/session/camera_control.h"
 #include "show/session/flight.h"
 #include "show/session/path_editor.h"
@@ -30,15 +30,17 @@ class Session {
     explicit Session(std::shared_ptr<const Scene> scene, std::optional<int> depth = {});
 
     /// To be called when the file has changed or, if `opened`, is another one. The camera stays unless it changed in
-    /// the file. Returns whether the file's path replaced one that was not written.
-    bool replace(std::shared_ptr<const Scene> scene, bool opened);
+    /// the file. `picture`: see Loaded. Returns whether the file's path replaced one that was not written.
+    bool replace(std::shared_ptr<const Scene> scene, bool opened, std::shared_ptr<const Scene> picture = {});
     /// To be called when the file was read again for another moment or another size of the picture. Where only the
     /// proportions or the angle of the file's camera differ, the camera stays where it is and takes these.
-    void replace_reread(std::shared_ptr<const Scene> scene);
+    void replace_reread(std::shared_ptr<const Scene> scene, std::shared_ptr<const Scene> picture = {});
 
     /// Commands that concern only the window (quit, still, full screen, panels) have no effect here.
     Answer perform(Command command, double now);
 
+    /// Ends the flight, if there is one; the camera stays where it is.
+    Answer end_flight(double now);
     /// Moves to a moment of the flight and pauses there. False if nothing moves; then only the moment is kept, for
     /// keys.
     bool go_to(double seconds, double now);
@@ -58,16 +60,16 @@ class Session {
     Answer end_recording(double now) { return recorded ? record(now) : Answer{}; }
 
     /// Gives a key of the path other values, if they make a camera that sees something, and goes to the key's time.
-    /// `merged`: see PathEditor::change.
+    /// `merged`: see Edit.
     Answer change_key(std::size_t number, const Keyframe& key, bool merged, double now);
     /// Takes the text of the file of tracks, which was read with the scene. Returns whether a change was lost.
     bool take_tracks(const std::string& text, bool opened);
-    /// Gives a track other keys; or takes the last such change back, or makes it again: false if that is not what comes
-    /// next. `merged` and `others`: see EditedText::change.
-    void change_track(const Track& track, bool merged, std::size_t others, double now);
-    bool undo_track(Action action, std::size_t others, double now);
-    /// Replaces the path. `merged`: see PathEditor::change.
-    void change_path(Flythrough path, bool merged, double now);
+    /// Gives a track other keys.
+    void change_track(const Track& track, bool merged, double now);
+    /// Replaces the path. `what`: see Edit.
+    void change_path(Flythrough path, const std::string& what, bool merged, double now);
+    /// Returns the number of the next change of the path or of tracks to be undone, or redone; see EditSteps::next.
+    std::size_t next_step(bool back) const;
     /// Applies a change of the path to the flight that is under way.
     void path_changed(double now);
     /// Moves the camera along the flight to this moment. Returns an answer if the flight has ended.
@@ -84,6 +86,8 @@ class Session {
     std::optional<Flythrough> path_to_fly() const;
 
     std::shared_ptr<const Scene> scene;
+    std::shared_ptr<const Scene> pictured;  // gives the same picture as `scene`: what is traced goes on if it stays
+    EditOrder edits;  // of the path, the tracks and the text
     PathEditor editor;
     Flight flight;
     Camera camera;
@@ -94,6 +98,7 @@ class Session {
     /// If not null, instead of the scene's.
     std::shared_ptr<const std::vector<Track>> tracks;
     TrackKeys track_keys;
+    KeyMap keys;                  // that messages name
     bool keys_elsewhere = false;  // an editor of tracks has the keys, and they cannot be changed here
     double speed = 1;           // units of the scene per second
     int finest = sharpened_level;  // level in motion
@@ -108,6 +113,7 @@ class Session {
     Answer see_outside(double now);
     Answer step_to(double seconds, double now);
     Answer to_key(int step, double now);
+    Answer undo(bool back, double now);
     Answer edit(Action action, double now);
     Answer add_key(double now);
     Answer record(double now);

@@ -18,13 +18,14 @@ std::vector<Track> tracks_of(const std::string& text) try { return parse_tracks(
 
 void TrackKeys::open(const std::string& text) {
     edited.open(text);
-    saved = present = tracks_of(text), asked_about.clear();
+    saved = present = tracks_of(text);
 }
 
 bool TrackKeys::reload(const std::string& text) {
+    const std::vector<Track> before = present;
     const bool lost = edited.reload(text);
     saved = tracks_of(text), present = tracks_of(edited.text());
-    return lost;
+    return lost && present != before;
 }
 
 Track TrackKeys::track(const std::string& name) const {
@@ -41,25 +42,13 @@ std::vector<Track> TrackKeys::changes() const {
     return list;
 }
 
-bool TrackKeys::asks() {
-    if (!changed() || asked_about == edited.text()) return false;
-    asked_about = edited.text();
-    return true;
-}
-
-void TrackKeys::change(const Track& track, bool merged, std::size_t others) {
-    edited.change(with_keys(edited.text(), track), merged, others);
+void TrackKeys::change(const Track& track, const Edit& edit) {
+    edited.change(with_keys(edited.text(), track), edit);
     present = tracks_of(edited.text());
 }
 
-bool TrackKeys::undo(std::size_t others) {
-    const bool done = edited.undo(others);
-    if (done) present = tracks_of(edited.text());
-    return done;
-}
-
-bool TrackKeys::redo(std::size_t others) {
-    const bool done = edited.redo(others);
+std::optional<std::string> TrackKeys::undo(bool back, EditOrder& order) {
+    const auto done = edited.undo(back, order);
     if (done) present = tracks_of(edited.text());
     return done;
 }

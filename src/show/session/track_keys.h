@@ -1,6 +1,7 @@
 // The keys of the scene's tracks while they are edited, as the text of the file beside the scene.
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,20 +24,16 @@ class TrackKeys {
     /// Returns those that are not written yet; tracks that were removed have no keys.
     std::vector<Track> changes() const;
     std::vector<std::string> unwritten() const { return edited.unwritten(); }
-    /// Returns true if there are changes that are not written and about which the user was not asked yet.
-    bool asks();
 
-    /// Gives a track these keys. `merged` and `others`: see EditedText::change.
-    void change(const Track& track, bool merged, std::size_t others);
-    bool undo(std::size_t others);
-    bool redo(std::size_t others);
-    /// How many changes can be undone.
-    std::size_t steps() const { return edited.steps(); }
+    /// Gives a track these keys.
+    void change(const Track& track, const Edit& edit);
+    /// See EditedText.
+    std::optional<std::string> undo(bool back, EditOrder& order);
+    std::size_t next_step(bool back, const EditOrder& order) const { return edited.next_step(back, order); }
 
   private:
     EditedText edited;
     std::vector<Track> saved, present;
-    std::string asked_about;
 };
 
 /// Returns a track in which the keys of the first beat, of so many rows, are repeated in each beat before `end`.

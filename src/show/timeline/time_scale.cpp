@@ -11,10 +11,10 @@ constexpr ImU32 sound_color = IM_COL32(120, 160, 120, 120);
 
 }  // namespace
 
-void TimeScale::show(const TimelineView& view) {
+void TimeScale::show(const TimelineView& view, float names) {
     const float font = ImGui::GetFontSize();
-    left = ImGui::GetCursorScreenPos().x + font;
-    length = std::max(ImGui::GetContentRegionAvail().x - 2 * font, 1.f);
+    left = ImGui::GetCursorScreenPos().x + font + names;
+    length = std::max(ImGui::GetContentRegionAvail().x - 2 * font - names, 1.f);
     if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
     const double all = std::max({1.15 * view.duration, double(view.peaks.size()) / 100, 10.});
     range = all / zoomed;

@@ -12,8 +12,9 @@ inline constexpr ImU32 line_color = IM_COL32(255, 255, 255, 70), text_color = IM
 
 class TimeScale {
   public:
-    /// Finds what part of the flight and of the sound is shown, and takes the width that is left in the panel.
-    void show(const TimelineView& view);
+    /// Finds what part of the flight and of the sound is shown, and takes the width that is left in the panel behind a
+    /// column of names, of this width in pixels.
+    void show(const TimelineView& view, float names);
     /// Follows the wheel over what was drawn last, around the pointer.
     void zoom();
 

@@ -39,7 +39,7 @@ TimelineInput Timeline::draw(const TimelineView& view) {
     lanes.look(view);
     if (!ImGui::IsAnyItemActive()) value_held = false;
     buttons(view, input);
-    scale.show(view);
+    scale.show(view, lanes.names_width());
     bar(view, input);
     lanes.draw(view, scale, input);
     values(view, input);
@@ -51,40 +51,60 @@ TimelineInput Timeline::draw(const TimelineView& view) {
 }
 
 void Timeline::buttons(const TimelineView& view, TimelineInput& input) {
-    const auto button = [&](const char* label, Command command) {
-        if (ImGui::SmallButton(label)) input.command = command;
-        ImGui::SameLine();
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowSize().x - style.WindowPadding.x;
+    bool first = true;
+    // Each part begins a new line if there is no room for it.
+    const auto make_room = [&](const char* label) {
+        const float width = ImGui::CalcTextSize(label).x + 2 * style.FramePadding.x + style.ItemSpacing.x;
+        if (!std::exchange(first, false) && ImGui::GetItemRectMax().x + width <= right) ImGui::SameLine();
+    };
+    const auto pressed = [&](const char* label, bool on = false) {
+        make_room(label);
+        if (on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+        const bool result = ImGui::SmallButton(label);
+        if (on) ImGui::PopStyleColor();
+        return result;
+    };
+    const auto button = [&](const char* label, Command command, bool on = false) {
+        if (pressed(label, on)) input.command = command;
     };
     button("|<", {Action::rewind});
     button("<", {Action::to_key, -1});
-    button(view.running ? "pause" : "play", {Action::pause});
+    button(view.running ? "pause###play" : "play###play", {Action::pause});
     button(">", {Action::to_key, 1});
     button(">|", {Action::to_end});
-    ImGui::Text(" %.3f of %g s ", view.time, view.duration);
-    ImGui::SameLine();
+    char moment[64];
+    std::snprintf(moment, sizeof moment, " %.3f of %g s ", view.time, view.duration);
+    make_room(moment);
+    ImGui::TextUnformatted(moment);
     button("add", {Action::add_key});
     button("set", {Action::set_key});
     button("delete", {Action::delete_key});
     button("undo", {Action::undo});
     button("redo", {Action::redo});
     button("new", {Action::clear_path});
+    const bool changed = view.editor.changed() || view.keys_changed;
+    ImGui::BeginDisabled(!changed);
     button("write", {Action::write_path});
-    button(view.outside ? "inside" : "outside", {Action::outside});
-    button("both", {Action::second, int(SecondKind::flight)});
-    if (const Flythrough& path = view.editor.path(); path.keys.size() >= 2) {
-        if (ImGui::SmallButton(path.loop ? "no loop" : "loop")) input.path = {looped(path, 3), false};
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("closes the path, or ends it with its last key");
-        ImGui::SameLine();
-    }
-    const char* const state = view.editor.changed() || view.keys_changed ? "not written" : "";
-    if (ImGui::CalcTextSize(state).x > ImGui::GetContentRegionAvail().x) ImGui::NewLine();
-    ImGui::TextUnformatted(state);
+    ImGui::EndDisabled();
+    button("outside", {Action::outside}, view.outside);
+    button("both", {Action::second, int(SecondKind::flight)}, view.both);
+    const Flythrough& path = view.editor.path();
+    ImGui::BeginDisabled(path.keys.size() < 2);
+    if (pressed("loop", path.loop)) input.path = {looped(path, 3), path.loop ? "path opened" : "path closed", false};
+    ImGui::EndDisabled();
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("closes the path, or ends it with its last key");
+    if (!changed) return;
+    make_room("not written");
+    ImGui::TextUnformatted("not written");
 }
 
 void Timeline::bar(const TimelineView& view, TimelineInput& input) {
     const std::vector<Keyframe>& keys = view.editor.path().keys;
     const float font = ImGui::GetFontSize(), height = 2.4f * font;
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const ImVec2 corner{scale.first_x() - font, ImGui::GetCursorScreenPos().y};
+    ImGui::SetCursorScreenPos(corner);
     ImGui::InvisibleButton("bar", {scale.last_x() - scale.first_x() + 2 * font, height});
     scale.zoom();
     const bool held = ImGui::IsItemActive();
@@ -113,7 +133,7 @@ void Timeline::bar(const TimelineView& view, TimelineInput& input) {
     }
     if (held && end_dragged && has_path && ImGui::IsMouseDragging(0, 3)) {
         Flythrough path = lasting(view.editor.path(), std::round(100 * std::clamp(pointed, 0., scale.last())) / 100);
-        if (path != view.editor.path()) input.path = {std::move(path), std::exchange(drag_began, true)};
+        if (path != view.editor.path()) input.path = {std::move(path), "end of the path", std::exchange(drag_began, true)};
     }
     if (held && !dragged && !end_dragged) input.go_to = std::clamp(pointed, 0., view.duration);
     if (held && dragged && *dragged < keys.size() && ImGui::IsMouseDragging(0, 3)) {

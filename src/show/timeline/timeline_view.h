@@ -16,7 +16,7 @@ struct TimelineView {
     const PathEditor& editor;
     Camera scene_camera;
     double time = 0, duration = 0;  // of the flight, in seconds
-    bool running = false, outside = false;
+    bool running = false, outside = false, both = false;  // both: the flight is seen beside the view from outside
     std::shared_ptr<const Scene> scene{};
     const std::vector<Track>& tracks;
     const std::vector<float>& peaks;  // of the sound, see Sound::peaks
@@ -37,6 +37,7 @@ struct TimelineInput {
     std::optional<Change> change;
     struct NewPath {
         Flythrough path;
+        const char* what;  // has changed, for the user
         bool merged;
     };
     std::optional<NewPath> path;

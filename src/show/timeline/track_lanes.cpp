@@ -17,10 +17,32 @@ constexpr ImU32 curve_color = IM_COL32(150, 230, 150, 255);
 constexpr float most_lanes = 4;                          // of tracks that are seen at once
 constexpr float lane_lines = 2.4f, motion_lines = 1.2f;  // of text, the heights of lanes
 
+/// Draws the name of a lane in the column before it.
+void draw_name(const ImVec2& corner, const TimeScale& scale, const std::string& name) {
+    const float font = ImGui::GetFontSize();
+    ImGui::PushClipRect(corner, {scale.first_x() - .6f * font, corner.y + 2 * font}, true);
+    ImGui::GetWindowDrawList()->AddText({corner.x + .3f * font, corner.y}, text_color, name.c_str());
+    ImGui::PopClipRect();
+}
+
 }  // namespace
 
+float TrackLanes::names_width() const {
+    float width = 0;
+    for (const std::string& name : followed) width = std::max(width, ImGui::CalcTextSize(name.c_str()).x);
+    for (const SceneMotion& motion : motions) width = std::max(width, ImGui::CalcTextSize(motion.name.c_str()).x);
+    return std::min(width, 10 * ImGui::GetFontSize());
+}
+
 void TrackLanes::look(const TimelineView& view) {
-    if (known != view.scene) known = view.scene, followed = followed_tracks(*known), motions = motions_of(*known);
+    if (known != view.scene) {
+        const std::vector<std::string> before = std::exchange(followed, followed_tracks(*view.scene));
+        const bool same_file = std::exchange(known, view.scene) != nullptr && !before.empty();
+        motions = motions_of(*known);
+        for (const std::string& name : followed)  // one that a number has just been made to follow
+            if (same_file && std::ranges::find(before, name) == before.end())
+                chosen = name, chosen_row = 0, scrolls = true;
+    }
     // One of them is always chosen: the timeline must not grow between the clicks of a double click.
     if (!followed.empty() && std::ranges::find(followed, chosen) == followed.end()) chosen = followed[0];
     if (!ImGui::IsAnyItemActive()) value_held = false;
@@ -82,12 +104,9 @@ void TrackLanes::motion_lane(const TimelineView& view, TimeScale& scale, const S
     for (const double time : motion.times)
         list.AddQuadFilled({scale.x_of(time) - r, middle}, {scale.x_of(time), middle - r},
                            {scale.x_of(time) + r, middle}, {scale.x_of(time), middle + r}, key_color);
-    const ImVec2 at{scale.first_x() + .6f * font, corner.y + .1f * font},
-        size = ImGui::CalcTextSize(motion.name.c_str());
-    list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, ImGui::GetColorU32(ImGuiCol_WindowBg));
-    list.AddText(at, text_color, motion.name.c_str());
     scale.draw_moment(view, corner.y, corner.y + height);
     ImGui::PopClipRect();
+    draw_name(corner, scale, motion.name);
 }
 
 /// Draws a track as a curve with its keys. A click chooses it and goes there, a double click adds a key there, and the
@@ -98,10 +117,11 @@ void TrackLanes::track_lane(const TimelineView& view, TimeScale& scale, const Tr
     const float font = ImGui::GetFontSize(), height = lane_lines * font, grip = .6f * font;
     const ImVec2 corner = ImGui::GetCursorScreenPos(), mouse = ImGui::GetIO().MousePos;
     ImGui::InvisibleButton("lane", {std::max(scale.last_x() - corner.x, 1.f), height});
+    if (chosen == track.name && std::exchange(scrolls, false)) ImGui::SetScrollHereY(1);
     scale.zoom();
     const bool hovered = ImGui::IsItemHovered(), held = ImGui::IsItemActive(), own = chosen == track.name;
     double least = 0, most = 1;
-    if (held && own) {
+    if (held && own && !ImGui::IsItemActivated()) {
         least = low, most = high;
     } else {
         for (const TrackKey& key : keys) least = std::min(least, key.value), most = std::max(most, key.value);
@@ -162,9 +182,9 @@ void TrackLanes::track_lane(const TimelineView& view, TimeScale& scale, const Tr
         if (x < scale.first_x() - font || x > scale.last_x() + font) continue;
         list.AddRectFilled({x - r, y - r}, {x + r, y + r}, own && key.row == chosen_row ? here_color : curve_color);
     }
-    list.AddText({corner.x + .3f * font, corner.y}, text_color, track.name.c_str());
     scale.draw_moment(view, corner.y, corner.y + height);
     ImGui::PopClipRect();
+    draw_name(corner, scale, track.name);
 }
 
 void TrackLanes::draw_values(const TimelineView& view, TimelineInput& input) {
@@ -209,7 +229,13 @@ void TrackLanes::draw_values(const TimelineView& view, TimelineInput& input) {
         const double end = std::min(music.row_at(view.duration) + 1e-6, 1e5);
         input.track = {repeated(track, int(music.rows), int(end)), false};
     }
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("repeats the keys of the first beat in all beats of the flight");
+    const auto replaced = std::ranges::count_if(track.keys, [&](const TrackKey& key) {
+        return key.row >= int(music.rows) && key.row < music.row_at(view.duration);
+    });
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip(
+            "repeats the keys of the first beat in all beats of the flight;\ndeletes the %d keys behind it",
+            static_cast<int>(replaced));
 }
 
 }  // namespace strahl

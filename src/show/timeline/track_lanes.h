@@ -15,6 +15,8 @@ class TrackLanes {
     /// To be called before the others: looks for what the scene has.
     void look(const TimelineView& view);
     bool any_tracks() const { return !followed.empty(); }
+    /// The width in pixels of the column of their names; 0 if there are no lanes.
+    float names_width() const;
     void draw(const TimelineView& view, TimeScale& scale, TimelineInput& input);
     /// Draws the values of the key of a track that is chosen.
     void draw_values(const TimelineView& view, TimelineInput& input);
@@ -28,6 +30,7 @@ class TrackLanes {
     std::vector<SceneMotion> motions;
     std::string chosen;  // one of the tracks
     int chosen_row = 0;  // of its key, if it has one there
+    bool scrolls = false;  // to the one chosen
     bool key_dragged = false;
     double low = 0, high = 1;            // the values that its lane shows; constant during a drag
     bool value_held = false;             // a value has been changed since the mouse button is down

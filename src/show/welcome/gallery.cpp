@@ -61,6 +61,15 @@ std::string installed_scenes() {
     return "";
 }
 
+bool installed(const std::string& path) {
+    const std::string folder = installed_scenes();
+    if (folder.empty() || path.empty() || path == "-") return false;
+    std::error_code error;
+    const fs::path inside =
+        fs::weakly_canonical(fs::absolute(path, error), error).lexically_relative(fs::weakly_canonical(folder, error));
+    return !inside.empty() && *inside.begin() != "..";
+}
+
 std::string missing_scenes() {
     if (!installed_scenes().empty()) return "";
     const auto [installed, built] = scene_folders();

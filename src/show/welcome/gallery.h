@@ -20,6 +20,8 @@ struct GallerySection {
 /// Returns the folder of the scenes that were installed with the program, or that it was built with; "" if there is
 /// none.
 std::string installed_scenes();
+/// Does a scene belong to the program, because it lies in that folder?
+bool installed(const std::string& path);
 /// Says where it was looked for if there is none, in a sentence without its stop; else "".
 std::string missing_scenes();
 

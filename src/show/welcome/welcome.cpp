@@ -20,9 +20,12 @@ void Welcome::disappear() {
 }
 
 bool Welcome::key(int key) {
-    if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER) return taken = true;
-    const int items = (key == GLFW_KEY_RIGHT) - (key == GLFW_KEY_LEFT);
-    const int rows = (key == GLFW_KEY_DOWN) - (key == GLFW_KEY_UP);
+    if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER || key == GLFW_KEY_SPACE) return taken = true;
+    constexpr int all = 1 << 20;
+    const int items =
+        (key == GLFW_KEY_RIGHT) - (key == GLFW_KEY_LEFT) + all * ((key == GLFW_KEY_END) - (key == GLFW_KEY_HOME));
+    const int rows = (key == GLFW_KEY_DOWN) - (key == GLFW_KEY_UP) +
+                     rows_seen * ((key == GLFW_KEY_PAGE_DOWN) - (key == GLFW_KEY_PAGE_UP));
     if (items == 0 && rows == 0) return false;
     if (sections) chosen = moved(*sections, chosen, items, rows, columns);
     return scrolls = true;
@@ -67,7 +70,7 @@ bool Welcome::draw_item(const GalleryItem& item, bool marked) {
     return clicked;
 }
 
-std::optional<GalleryItem> Welcome::draw(const KeyMap& keys) {
+std::optional<GalleryItem> Welcome::draw(const KeyMap& keys, bool back) {
     std::optional<GalleryItem> result;
     const ImVec2 all = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({0, 0});
@@ -77,13 +80,14 @@ std::optional<GalleryItem> Welcome::draw(const KeyMap& keys) {
     ImGui::Begin("gallery", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus);
-    ImGui::TextDisabled("Click, or arrows and Enter: open   %s, or drop a file here: another   %s: help   %s: quit",
-                        keys.first_key(Action::open_file).c_str(), keys.first_key(Action::help).c_str(),
-                        keys.first_key(Action::quit).c_str());
+    ImGui::TextDisabled("Click, or arrows and Enter: open   %s, or drop a file here: another   %s: help   %s: %s",
+                        keys.name(Action::open_file).c_str(), keys.name(Action::help).c_str(),
+                        keys.name(Action::back).c_str(), back ? "back" : "quit");
     ImGui::BeginChild("items");
     const float font = ImGui::GetFontSize(), room = ImGui::GetContentRegionAvail().x, gap = font * .5f;
     columns = std::max(1, static_cast<int>(room / (14 * font)));
     width = std::max(std::floor((room - static_cast<float>(columns - 1) * gap) / static_cast<float>(columns)), 4.f);
+    rows_seen = std::max(1, static_cast<int>(ImGui::GetContentRegionAvail().y / (.75f * width + 2 * font)));
     visible.clear();
     if (!missing.empty()) ImGui::TextWrapped("%s", missing.c_str());
     for (std::size_t s = 0; sections && s < sections->size(); ++s) {

@@ -25,12 +25,14 @@ class Welcome {
     /// To be called when the gallery appears: lists the scenes anew. And when it disappears: makes no more pictures.
     void appear();
     void disappear();
-    /// Takes a key of GLFW: arrows choose, Enter takes what is chosen. Returns false if it does nothing here.
+    /// Takes a key of GLFW: arrows, Home, End and the page keys choose, Enter and Space take what is chosen. Returns
+    /// false if it does nothing here.
     bool key(int key);
     /// Takes over what was listed and the pictures that were made.
     void take(const Screen& screen);
-    /// Draws the gallery, and returns what the user takes. To be called while ImGui makes a frame.
-    std::optional<GalleryItem> draw(const KeyMap& keys);
+    /// Draws the gallery, and returns what the user takes. To be called while ImGui makes a frame. `back`: there is a
+    /// scene to go back to.
+    std::optional<GalleryItem> draw(const KeyMap& keys, bool back);
 
   private:
     bool draw_item(const GalleryItem& item, bool marked);
@@ -44,7 +46,7 @@ class Welcome {
     std::string missing;                       // where no installed scenes were found
     std::map<std::string, unsigned> pictures;  // textures by paths of scenes; 0 if a scene cannot be read
     GalleryPlace chosen;
-    int columns = 1;
+    int columns = 1, rows_seen = 1;
     float width = 1;                      // of an item, in pixels
     bool taken = false, scrolls = false;  // by keys
     std::vector<std::string> visible;

@@ -64,11 +64,14 @@ void Input::settle() {
 void Input::unsettle(int drawings) { settled = std::max(settled, ImGui::GetFrameCount() + drawings); }
 
 /// Takes a key for the help, if that is shown. Returns false if it is none for that.
-bool Input::for_help(int key, int modifiers) {
+bool Input::for_help(int key, int scancode, int modifiers) {
     if (!panels.help_shown()) return false;
     const bool combined = modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER);
     if (key == GLFW_KEY_ESCAPE) return panels.toggle(Action::help), true;
     if (key == GLFW_KEY_BACKSPACE) return panels.search(0), true;
+    const auto command = keys.command_of_key(key, scancode, modifiers, false);
+    if (panels.sought().empty() && command && command->action == Action::help)
+        return used = true, panels.toggle(Action::help), true;
     return !combined && (key <= GLFW_KEY_WORLD_2 || (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_EQUAL));
 }
 
@@ -93,8 +96,9 @@ void Input::on_key(int key, int scancode, int action, int modifiers) {
         return;
     }
     used = false;
-    if (action != GLFW_RELEASE && for_help(key, modifiers)) return;
-    if (panels.gallery && action != GLFW_RELEASE && handlers.browse(key)) return pace.redraw(after_input);
+    if (action != GLFW_RELEASE && for_help(key, scancode, modifiers)) return;
+    if ((panels.gallery || panels.asking) && action != GLFW_RELEASE && handlers.browse(key))
+        return used = true, pace.redraw(after_input);
     const auto push = keys.push_of_key(key);
     used = push.has_value();
     const bool third_level = glfwGetKey(window, GLFW_KEY_RIGHT_ALT);
@@ -110,7 +114,7 @@ void Input::on_key(int key, int scancode, int action, int modifiers) {
         return;
     }
     const bool combined = modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER);
-    if (push && !combined && !fixed && !panels.gallery)
+    if (push && !combined && !fixed && !panels.gallery && !panels.asking)
         controls.press(*push);
     else if (const auto command = keys.command_of_key(key, scancode, modifiers, third_level))
         used = true, unsettle(fixed ? 0 : to_settle), handlers.perform(*command);

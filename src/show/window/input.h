@@ -22,7 +22,7 @@ namespace strahl {
 struct InputHandlers {
     std::function<void(Command)> perform;
     std::function<void()> draw;                            // draws the window at once
-    std::function<bool(int)> browse;                       // takes a key for the gallery, or returns false
+    std::function<bool(int)> browse;  // takes a key for the gallery or a question, or returns false
     std::function<void(double)> turn_wheel;                // notches, up is positive
     std::function<void(std::string)> drop;                 // the path of a file that is dropped onto the window
     std::function<void(double, double)> click;             // x and y in pixels of the window
@@ -68,7 +68,7 @@ class Input {
     void show_hold();
     void let_go();
     bool steps() const;
-    bool for_help(int key, int modifiers);
+    bool for_help(int key, int scancode, int modifiers);
 
     Screen& screen;
     const Session& session;

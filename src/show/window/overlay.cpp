@@ -82,7 +82,7 @@ void draw_fault(const Overlay& overlay, const FreeArea& free) {
 }
 
 ImVec2 draw_notes(const Overlay& overlay, const FreeArea& free, float x) {
-    return panel("notes", free, x, 0, [&] {
+    return panel("notes", free, x, overlay.notes_below ? 1 : 0, [&] {
         ImGui::PushTextWrapPos(free.width() - 2 * ImGui::GetFontSize());
         for (const Note& note : overlay.notes) {
             ImGui::PushStyleColor(ImGuiCol_Text, note.failure ? alarm : ImGui::GetStyleColorVec4(ImGuiCol_Text));

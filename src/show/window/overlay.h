@@ -20,6 +20,7 @@ struct Overlay {
     double share = 1;                                       // of the picture's passes that are done
     std::string fault_title, fault;                         // the error in the scene file, if any
     std::vector<Note> notes;                                // the oldest first
+    bool notes_below = false;                               // they are at the lower edge
     struct Bar {
         std::string text;
         double share = 0;

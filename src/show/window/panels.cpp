@@ -1,19 +1,40 @@
 #include "show/window/panels.h"
 
+#include <imgui.h>
+#include <imgui_internal.h>
+
 namespace strahl {
 
 void Panels::toggle(Action action) {
     pace.redraw();
-    bool& shown = action == Action::help        ? help
-                  : action == Action::info      ? info
-                  : action == Action::timeline  ? timeline_open
-                  : action == Action::add_block ? add_open
-                  : action == Action::outline   ? outline_open
-                  : action == Action::gallery   ? gallery
-                                                : quiet;
-    shown = !shown;
-    if (&shown == &help) typed.clear();
-    if (&shown != &quiet) quiet = false;
+    bool& panel = shown(action);
+    panel = !panel;
+    if (action == Action::help) typed.clear();
+    if (action != Action::quiet) quiet = false;
+}
+
+/// Is the panel shown that the action names?
+bool& Panels::shown(Action action) {
+    return action == Action::help        ? help
+           : action == Action::info      ? info
+           : action == Action::timeline  ? timeline_open
+           : action == Action::add_block ? add_open
+           : action == Action::outline   ? outline_open
+           : action == Action::gallery   ? gallery
+                                         : quiet;
+}
+
+bool Panels::step_back_from_popup() {
+    if (!ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) return false;
+    ImGui::ClosePopupToLevel(0, true);
+    pace.redraw(3);
+    return true;
+}
+
+bool Panels::step_back() {
+    for (const Action panel : {Action::add_block, Action::info, Action::outline, Action::timeline})
+        if (shown(panel)) return toggle(panel), true;
+    return false;
 }
 
 void Panels::search(unsigned character) {
@@ -24,7 +45,8 @@ void Panels::search(unsigned character) {
     pace.redraw();
 }
 
-TimelineInput Panels::draw_timeline(const Session& session, const std::vector<float>& peaks, bool text_open) {
+TimelineInput Panels::draw_timeline(const Session& session, const std::vector<float>& peaks, bool text_open,
+                                    bool both) {
     if (!timeline_shown()) return {};
     const auto flight = session.path_to_fly();
     return timeline.draw({.editor = session.editor,
@@ -33,6 +55,7 @@ TimelineInput Panels::draw_timeline(const Session& session, const std::vector<fl
                           .duration = flight ? flight->duration : session.editor.path().duration,
                           .running = session.flight.under_way(),
                           .outside = session.outside,
+                          .both = both,
                           .scene = session.scene,
                           .tracks = session.tracks ? *session.tracks : session.track_keys.tracks(),
                           .peaks = peaks,

@@ -23,8 +23,9 @@ class Panels {
     void toggle(Action action);
 
     /// Draws the timeline, if it is shown, and returns what the user did on it. To be called while ImGui makes a frame.
-    /// `peaks` are those of the sound, and `text_open` says whether the scene's text can be changed here.
-    TimelineInput draw_timeline(const Session& session, const std::vector<float>& peaks, bool text_open);
+    /// `peaks` are those of the sound, `text_open` says whether the scene's text can be changed here, and `both`
+    /// whether the flight is seen beside the view.
+    TimelineInput draw_timeline(const Session& session, const std::vector<float>& peaks, bool text_open, bool both);
     /// Draws the panel of the body that is chosen, if any, and returns what the user did on it. Likewise. `file` is the
     /// name of the scene.
     BodyInput draw_body(const BodyEditor& editor, const std::string& file);
@@ -42,7 +43,7 @@ class Panels {
     void search(unsigned character);
     /// Does one of these panels cover this point of the window?
     bool cover(double x, double y) const {
-        return gallery || help_shown() || (body_shown && body.area().has(x, y)) ||
+        return gallery || asking || help_shown() || (body_shown && body.area().has(x, y)) ||
                (add_shown() && add.area().has(x, y)) || (outline_shown() && outliner.area().has(x, y));
     }
     /// The width in pixels that it takes at the right of the window.
@@ -52,11 +53,17 @@ class Panels {
     /// The height in pixels of what lies at the bottom of the window.
     float reserved() const { return timeline_shown() ? timeline.height() : 0; }
     /// Is there a panel that takes input, even if all text is hidden?
-    bool take_input() const { return gallery || timeline_open || body_shown || add_open || outline_open; }
+    bool take_input() const { return gallery || asking || timeline_open || body_shown || add_open || outline_open; }
 
     bool help = false, info = false, quiet, gallery;
+    bool asking = false;  // a question covers the window, see Leaving
+
+    /// Closes a list or a menu that a panel has opened; or one of the panels. False if there is none.
+    bool step_back_from_popup();
+    bool step_back();
 
   private:
+    bool& shown(Action action);
     bool add_shown() const { return add_open && !quiet; }
     bool outline_shown() const { return outline_open && !quiet; }
 

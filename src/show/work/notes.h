@@ -2,7 +2,9 @@
 #pragma once
 #include <deque>
 #include <string>
+#include <utility>
 
+#include "show/keys/key_map.h"
 #include "show/session/session.h"
 #include "show/work/pace.h"
 
@@ -20,7 +22,11 @@ struct Note {
 
 class Notes {
   public:
-    Notes(Pace& pace, bool verbose) : pace(pace), verbose(verbose) {}
+    /// `keys` are those that messages name.
+    Notes(Pace& pace, bool verbose, KeyMap keys = {}) : pace(pace), verbose(verbose), keys(std::move(keys)) {}
+
+    /// Returns the key of a command, for messages.
+    std::string key(Action action) const { return keys.name(action); }
 
     /// Logs a line that only --verbose asks for.
     void log(const std::string& text) const;
@@ -45,6 +51,7 @@ class Notes {
 
     Pace& pace;
     const bool verbose;
+    const KeyMap keys;
     std::deque<Note> notes;
 };
 

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <iostream>
 #include <mutex>
+#include <set>
 #include <utility>
 
 #include "files/output_file.h"
@@ -19,6 +20,7 @@
 #include "image/pixels.h"
 #include "pov/flight_file.h"
 #include "pov/ini_file.h"
+#include "show/work/text_file.h"
 #include "text/edit_path.h"
 #include "text/music_text.h"
 #include "text/parse_body.h"
@@ -62,8 +64,21 @@ Loaded loaded_scene(const std::string& path, const std::string& text, bool opene
 }
 
 /// Reads a file; nothing if it cannot be read now: editors remove files for a moment.
-std::optional<std::string> text_of(const std::string& path) try { return read_text(path); } catch (const FileError&) {
+std::optional<std::string> text_of(const std::string& path) try {
+    return read_text_file(path).text;
+} catch (const FileError&) {
     return std::nullopt;
+}
+
+/// Do the scenes give the same pictures at all moments, if they have the same tracks?
+bool same_pictures(const Scene& a, const Scene& b) {
+    const auto round = [](const Scene& s) {
+        return s.flythrough && s.flythrough->loop ? std::optional(s.flythrough->duration) : std::nullopt;
+    };
+    if (round(a) != round(b)) return false;
+    Scene same = b;
+    same.flythrough = a.flythrough, same.tracks = a.tracks;
+    return a == same;
 }
 
 std::vector<FileStamp> stamps_of(const std::vector<std::string>& files) {
@@ -125,11 +140,18 @@ class Reload::FileThread {
             throw;
         }
     }
-    std::string read(const std::string& file) {
-        return answer([&] { return read_text(file); });
+    TextFile read(const std::string& file) {
+        return answer([&] { return read_text_file(file); });
     }
-    void write(const std::string& file, const std::string& content) {
-        answer([&] { return write_file(file, content), true; });
+    void write(const std::string& file, const TextFile& content) {
+        answer([&] { return write_text_file(file, content), true; });
+    }
+    bool gone(const std::string& file) {
+        return answer([&] { return is_gone(file); });
+    }
+    /// Makes FILE~, unless Strahl wrote the file as it is, which has this text. Returns its path, or "".
+    std::string keep_copy(const std::string& file, const std::string& content, const std::string& own) {
+        return content == own ? "" : answer([&] { return back_up(file); });
     }
     /// Makes a scene of a text, which may name other files.
     Loaded load(const std::string& file, const std::string& content, bool opened) {
@@ -141,6 +163,9 @@ class Reload::FileThread {
             if (loaded.scene && !loaded.text.empty() && file != "-" && !is_pov(file))
                 loaded.tracks = text_of(tracks_path(file)).value_or("");
             if (file == path || loaded.scene) watch(file, std::move(read));
+            if (!loaded.scene) return loaded;
+            if (!shown_scene || !same_pictures(*shown_scene, *loaded.scene)) shown_scene = loaded.scene;
+            loaded.picture = shown_scene;
             return loaded;
         });
     }
@@ -157,13 +182,16 @@ class Reload::FileThread {
     void open_file(const std::string& file, bool first);
     void check_file();
     void read_moment(const ReadFor& moment);
-    Written write_path(const Request& request);
+    Written write(const Request& request);
+    Written write_path(const ToWrite& wanted);
     Written write_flight(const std::optional<Flythrough>& flight);
     Written write_tracks(const std::vector<Track>& tracks);
+    Written write_elsewhere(const Request& request);
 
     const std::shared_ptr<Desk> desk;
     std::string path, text, own_text, own_tracks, own_flight;  // own_: what Strahl wrote last
     std::optional<std::string> shown_text;                     // what was shown since the file was read or written
+    std::shared_ptr<const Scene> shown_scene;                  // the first one that gave the picture of the last one
     OpeningOptions options;
     bool any_scene = false;  // has been read
     FileStamp known, before;
@@ -232,15 +260,22 @@ std::optional<Loaded> Reload::take_shown() {
     return std::exchange(desk->shown, std::nullopt);
 }
 
-void Reload::write(std::optional<Flythrough> flythrough, ChangedText changes, bool anyway) {
+void Reload::write(ToWrite wanted) {
     std::lock_guard lock(desk->mutex);
-    desk->to_write.push_back({std::move(flythrough), std::move(changes), anyway});
+    desk->to_write.push_back({std::move(wanted)});
     desk->wake.notify_one();
 }
 
 void Reload::write(std::vector<Track> tracks) {
     std::lock_guard lock(desk->mutex);
-    desk->to_write.push_back({{}, {}, true, std::move(tracks)});
+    desk->to_write.push_back({{}, std::move(tracks)});
+    desk->wake.notify_one();
+}
+
+void Reload::write_as(std::string path, std::string text, std::optional<Flythrough> flythrough,
+                      std::vector<Track> tracks) {
+    std::lock_guard lock(desk->mutex);
+    desk->to_write.push_back({{std::move(flythrough)}, std::move(tracks), std::move(path), std::move(text)});
     desk->wake.notify_one();
 }
 
@@ -271,7 +306,7 @@ void Reload::FileThread::run() {
             desk->writing = !requests.empty(), quit = desk->quit;
         }
         for (const Request& request : requests) {  // before the window closes, too
-            Written done = request.tracks ? write_tracks(*request.tracks) : write_path(request);
+            Written done = write(request);
             std::lock_guard lock(desk->mutex);
             desk->written.push_back(std::move(done));
         }
@@ -301,6 +336,7 @@ void Reload::FileThread::show_text(const TextToShow& changed) {
         if (scene) loaded.scene = std::make_shared<const Scene>(*std::move(scene));
     }
     if (!loaded.scene) loaded = load(path, changed.text, false);
+    if (loaded.scene) loaded.picture = shown_scene = loaded.scene;
     shown_text = loaded.text = changed.text;  // also of one with an error
     {
         std::lock_guard lock(desk->mutex);
@@ -337,8 +373,9 @@ void Reload::FileThread::open_file(const std::string& file, bool first) {
     try {
         content = answer([&] {
             if (!first) static_cast<void>(RegularFile(file));  // throws for a pipe, which might never end
-            return read_text(file);
+            return read_text_file(file).text;
         });
+        shown_scene = nullptr;
         loaded = load(file, content, true);
     } catch (const FileError& error) {
         loaded.fault = error.what();
@@ -361,72 +398,128 @@ void Reload::FileThread::check_file() {
     tell(load(path, text, false));
 }
 
-Written Reload::FileThread::write_path(const Request& request) try {
-    const bool bodies = request.changes.changed != request.changes.in_file;
-    if (path == "-") return {.fault = "the scene came from standard input; Shift+C copies the path"};
-    if (is_pov(path) && !bodies) return write_flight(request.flythrough);
-    const std::string content = read(path);
-    if (content != text && !request.anyway) return {.file = path, .asks = true};
+Written Reload::FileThread::write(const Request& request) try {
+    if (!request.path.empty()) return write_elsewhere(request);
+    return request.tracks ? write_tracks(*request.tracks) : write_path(request.wanted);
+} catch (const OutputError& error) {
+    return {.fault = error.what(), .refused = true};
+} catch (const FileError& error) {
+    return {.fault = error.what()};
+}
+
+Written Reload::FileThread::write_path(const ToWrite& wanted) {
+    const bool bodies = wanted.changes.changed != wanted.changes.in_file;
+    if (path == "-")
+        return {.fault = "the scene came from standard input, so there is no file to write", .refused = true};
+    const bool was_gone = gone(path);
+    if (is_pov(path) && !bodies && !was_gone) return write_flight(wanted.flythrough);
+    const TextFile there = was_gone ? TextFile{text} : read(path);
+    const std::string& content = there.text;
+    if (content != text && !wanted.anyway) return {.file = path, .asks = true};
     // Throws: in texts with errors no block can be found.
     const OpenedScene before = scene_for_window(content, path, options);
     const auto& path_before = before.scene.flythrough;
     // The flight of a clock has no keys.
-    const bool same_path =
-        path_before == request.flythrough || (path_before && path_before->keys.empty() && !request.flythrough);
-    const RebasedText merged = bodies ? rebased(request.changes, content) : RebasedText{};
+    const bool same_path = wanted.keeps_path || path_before == wanted.flythrough ||
+                           (path_before && path_before->keys.empty() && !wanted.flythrough);
+    const RebasedText merged = bodies ? rebased(wanted.changes, content) : RebasedText{};
     if (merged.lost)
-        return {.fault = path + " has changed in lines that were changed here; undo, or copy it and reload"};
+        return {.fault = path + " has changed in lines that were changed here; undo, or save it as another file",
+                .refused = true};
     const std::string text_now = bodies ? text_of(merged.text.changed) : content;
     const bool beside = is_pov(path);  // the path has a file of its own
-    const std::string changed = same_path || beside ? text_now : with_path(text_now, request.flythrough);
-    Loaded loaded = loaded_scene(path, changed, false, options);
-    if (!loaded.scene || (!beside && loaded.scene->flythrough != request.flythrough))
+    const std::string changed = same_path || beside ? text_now : with_path(text_now, wanted.flythrough);
+    if (changed == content && !was_gone)
+        return beside && !same_path ? write_flight(wanted.flythrough) : Written{.file = path, .unchanged = true};
+    Loaded loaded = load(path, changed, false);
+    if (!loaded.scene || (!same_path && !beside && loaded.scene->flythrough != wanted.flythrough))
         return {.fault = "the changes cannot be written: " + loaded.fault};
-    Written done{.file = path, .what = !bodies ? "path" : same_path ? "changes" : "path and changes"};
-    if (content != own_text) write(done.copy = path + "~", content);
-    write(path, changed);
+    Written done{.file = path,
+                 .what = !bodies     ? "path"
+                         : same_path ? "changes"
+                                     : "path and changes",
+                 .was_gone = was_gone};
+    if (!was_gone) done.copy = keep_copy(path, content, own_text);
+    write(path, {changed, there.crlf});
     text = own_text = changed, shown_text.reset();
-    if (beside && !same_path) return write_flight(request.flythrough);
+    if (beside && !same_path) return write_flight(wanted.flythrough);
     tell(std::move(loaded));
     return done;
-} catch (const FileError& error) {
-    return {.fault = error.what()};
 }
 
 /// Writes the flight of a scene of POV-Ray into the file beside it.
-Written Reload::FileThread::write_flight(const std::optional<Flythrough>& flight) try {
+Written Reload::FileThread::write_flight(const std::optional<Flythrough>& flight) {
     Written done{.file = pov::flight_path(path), .what = "path"};
-    const auto old = answer([&] { return text_of(done.file); });
-    if (!old && !flight)
-        return {.fault = "there is nothing to write; F4 opens the line of the chosen body in your editor"};
+    const TextFile old = gone(done.file) ? TextFile{} : read(done.file);
     const Loaded now = load(path, text, false);
     if (!now.scene) return {.fault = "the path cannot be written: " + now.fault};
-    const std::string changed = pov::with_flight(old.value_or(""), flight, now.mirrored);
-    if (old && *old != own_flight && *old != changed) write(done.copy = done.file + "~", *old);
-    write(done.file, changed);
+    const std::string changed = pov::with_flight(old.text, flight, now.mirrored);
+    if (changed == old.text) return done.unchanged = true, done;
+    if (!old.text.empty()) done.copy = keep_copy(done.file, old.text, own_flight);
+    write(done.file, {changed, old.crlf});
     own_flight = changed;
     tell(load(path, text, false));
     return done;
-} catch (const FileError& error) {
-    return {.fault = error.what()};
 }
 
-Written Reload::FileThread::write_tracks(const std::vector<Track>& tracks) try {
+Written Reload::FileThread::write_tracks(const std::vector<Track>& tracks) {
     if (path == "-")
-        return {.fault = "the scene came from standard input, so there is no file to save its tracks beside"};
+        return {.fault = "the scene came from standard input, so there is no file to save its tracks beside",
+                .refused = true};
     Written done{.file = tracks_path(path)};
-    const std::string old = answer([&] {
-        std::error_code error;
-        return std::filesystem::exists(done.file, error) ? read_text(done.file) : "";
-    });
-    std::string text_now = old;
+    const TextFile old = gone(done.file) ? TextFile{} : read(done.file);
+    std::string text_now = old.text;
     for (const Track& track : tracks) text_now = with_keys(text_now, track);
-    if (!old.empty() && old != own_tracks && old != text_now) write(done.copy = done.file + "~", old);
-    write(done.file, text_now);
-    own_tracks = text_now;
+    if (text_now == old.text) return done.unchanged = true, done;
+    if (!old.text.empty()) done.copy = keep_copy(done.file, old.text, own_tracks);
+    write(done.file, {text_now, old.crlf});
+    done.tracks = own_tracks = text_now;
+    // The scene is not read again for them.
+    const auto known_as = std::ranges::find(others, done.file);
+    if (known_as != others.end() && known_others.size() == others.size())
+        known_others[std::size_t(known_as - others.begin())] = answer([&] { return stamp_of(done.file); });
     return done;
-} catch (const FileError& error) {
-    return {.fault = error.what()};
+}
+
+/// Writes the scene with all changes into another file, which is watched from now on.
+Written Reload::FileThread::write_elsewhere(const Request& request) {
+    const std::string& to = request.path;
+    if (answer([&] { return same_file(path, to); }))
+        return {.fault = "this is the scene's own file: choose another name"};
+    std::string content = request.text.empty() ? text : request.text;
+    const std::set<std::string> files = answer([&] {
+        FilesRead read;
+        const OpenedScene scene = open_scene(content, path, options, read_pixels, &read);
+        std::set<std::string> all(scene.files.begin(), scene.files.end());
+        for (const auto* names : {&read.meshes, &read.pictures, &read.sounds})
+            for (const std::string& name : *names) all.insert(path_beside(path, name));
+        return all;
+    });
+    content = with_names_beside(content, path, to, files);
+    const std::optional<Flythrough>& flight = request.wanted.flythrough;
+    const bool pov = is_pov(to);
+    if (!pov && flight) content = with_path(content, flight);
+    // What belongs to the scene is there before the scene itself is.
+    std::string keys = path == "-" || pov ? "" : text_of(tracks_path(path)).value_or("");
+    for (const Track& track : *request.tracks) keys = with_keys(keys, track);
+    const auto replace = [&](const std::string& file, const TextFile& newer) {
+        if (!gone(file)) keep_copy(file, read(file).text, "");
+        write(file, newer);
+    };
+    if (!keys.empty()) replace(tracks_path(to), {keys});
+    if (pov && !gone(pov::beside(path, ".ini"))) replace(pov::beside(to, ".ini"), read(pov::beside(path, ".ini")));
+    Loaded loaded = load(to, content, false);
+    if (pov && flight && loaded.scene) {
+        replace(pov::flight_path(to), {pov::with_flight("", flight, loaded.mirrored)});
+        loaded = load(to, content, false);
+    }
+    if (!loaded.scene) return {.fault = "the scene cannot be written: " + loaded.fault};
+    replace(to, {content});
+    path = to, text = own_text = content, own_tracks = keys, own_flight.clear(), shown_text.reset(),
+    known = before = {};
+    loaded.renamed = true;
+    tell(std::move(loaded));
+    return {.file = to, .what = "scene"};
 }
 
 }  // namespace strahl

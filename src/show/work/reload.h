@@ -39,9 +39,11 @@ struct ReadFor {
 struct Loaded {
     std::string path;
     std::shared_ptr<const Scene> scene{};  // null if it has an error, or is still being read
+    std::shared_ptr<const Scene> picture{};  // an older scene if that gives the same picture, with the same tracks
     std::string fault{};                   // the message of the error
     std::vector<std::string> notes{};      // see OpenedScene
     bool opened = false;                   // it is a newly opened file
+    bool renamed = false;                  // it is the scene as it was, in another file from now on
     EyeWords words{};                      // those of its camera
     bool mirrored = false;                 // see OpenedScene
     bool changes = false;                  // likewise
@@ -54,13 +56,25 @@ struct Loaded {
     std::string tracks{};                  // the text of the file of tracks beside it, or empty
 };
 
+/// What is to be written into the scene file.
+struct ToWrite {
+    std::optional<Flythrough> flythrough{};
+    bool keeps_path = false;  // that of the file stays, whatever `flythrough` is
+    ChangedText changes{};
+    bool anyway = false;  // also into a file that others have changed since it was read
+};
+
 /// The result of writing a path into the scene file, or tracks into the file beside it.
 struct Written {
-    std::string file{};   // that was written
-    std::string copy{};   // the name of a copy of the file as it was, if one was made
-    bool asks = false;    // nothing was written, because others have changed the file since it was read
-    std::string fault{};  // the reason if nothing was written
-    std::string what{};   // of the scene was written: "path", "changes" or "path and changes"
+    std::string file{};    // that was written
+    std::string copy{};    // the name of a copy of the file as it was, if one was made
+    bool asks = false;     // nothing was written, because others have changed the file since it was read
+    std::string fault{};   // the reason if nothing was written
+    bool refused = false;  // a place to which nothing can be written is the reason
+    std::string what{};    // of the scene was written: "path", "changes", "path and changes" or "scene"; "" for tracks
+    bool unchanged = false;               // nothing was written, because the file has all of it
+    bool was_gone = false;                // the file was gone, and is there again
+    std::optional<std::string> tracks{};  // the text that the file of tracks has now, if that was written
 };
 
 /// The one body in which a text differs from that of a scene, see with_body().
@@ -99,10 +113,14 @@ class Reload {
     std::optional<Loaded> take_shown();
 
     /// Replaces the flythrough and the changed lines in the watched file and leaves the rest as it is; the flythrough
-    /// of a scene of POV-Ray goes into a file beside it. A file that others have changed since it was read is only
-    /// written if `anyway`; a file with an error never, nor one in which others have changed the same lines. FILE~
-    /// becomes a copy of the file as it was, unless Strahl wrote that.
-    void write(std::optional<Flythrough> flythrough, ChangedText changes, bool anyway);
+    /// of a scene of POV-Ray goes into a file beside it. Nothing is written if that changes nothing. A file with an
+    /// error is never written, nor one in which others have changed the same lines; one that is gone is made again.
+    /// FILE~ becomes a copy of the file as it was, unless Strahl wrote that.
+    void write(ToWrite wanted);
+    /// Writes a text with this flythrough, if it has keys, into another file, and the tracks beside it with these
+    /// changes; then watches that file in place of the old one. An empty text is that of the old file. Names of files
+    /// in the text are made to lead to the same files.
+    void write_as(std::string path, std::string text, std::optional<Flythrough> flythrough, std::vector<Track> tracks);
     /// Writes the keys of these tracks into the file beside the watched one, with a copy likewise. The rest of it
     /// stays; tracks without keys are removed.
     void write(std::vector<Track> tracks);
@@ -110,10 +128,9 @@ class Reload {
 
   private:
     struct Request {
-        std::optional<Flythrough> flythrough;
-        ChangedText changes;
-        bool anyway;
-        std::optional<std::vector<Track>> tracks{};  // instead of the flythrough
+        ToWrite wanted;
+        std::optional<std::vector<Track>> tracks{};  // instead of these, unless there is another path
+        std::string path{}, text{};                  // of another file, or ""
     };
     struct TextToShow {
         std::string text;

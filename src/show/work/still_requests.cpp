@@ -46,7 +46,8 @@ void StillRequests::tell_done() {
 
 void StillRequests::finish() {
     if (!std::exchange(finishing, true) && stills.pending() > 0) {
-        log_line("waiting for " + std::to_string(stills.pending()) + " still(s); Esc or a signal drops them");
+        log_line("waiting for " + std::to_string(stills.pending()) + " still(s); " + notes.key(Action::back) +
+                 " or a signal drops them");
         return pace.redraw();
     }
     for (const std::string& name : stills.drop()) log_line("still dropped: " + name);
@@ -58,7 +59,7 @@ std::string StillRequests::progress_text() const {
     std::string text = finishing ? "Finishing the still: " : "A still: ";
     text += std::to_string(int(100 * stills.progress() + .5)) + " %";
     if (pending > 1) text += ", " + std::to_string(pending - 1) + " more waiting";
-    return text + (finishing ? "; Esc drops it" : "");
+    return text + (finishing ? "; " + notes.key(Action::back) + " drops it" : "");
 }
 
 }  // namespace strahl

@@ -134,7 +134,8 @@ std::string still_name(const std::string& scene_path, std::optional<double> mome
 
 std::string folder_fault(const std::string& folder) {
     if (::access((folder.empty() ? "./" : folder + "/").c_str(), W_OK | X_OK) == 0) return "";
-    return "stills cannot be written into '" + folder + "': " + std::generic_category().message(errno);
+    return "stills cannot be written into " + (folder.empty() ? "the current folder" : "'" + folder + "'") + ": " +
+           std::generic_category().message(errno);
 }
 
 }  // namespace strahl

@@ -47,7 +47,8 @@ std::optional<Loaded> WatchedScene::take() {
         file = loaded->path, changes = loaded->changes, sized = loaded->sized, said = loaded->notes;
         if (loaded->moved) return loaded;
         read_for = loaded->read_for;
-        if (!first || !loaded->opened) log_line((loaded->opened ? "opened " : "read again: ") + file);
+        if (!loaded->renamed && (!first || !loaded->opened))
+            log_line((loaded->opened ? "opened " : "read again: ") + file);
         return loaded;
     }
     error_until = loaded->opened && !awaited ? pace.now() + 10 : Pace::forever;
@@ -56,36 +57,47 @@ std::optional<Loaded> WatchedScene::take() {
 }
 
 void WatchedScene::write(const Flythrough& flythrough, ChangedText changes) {
-    if (flythrough.keys.size() == 1) return notes.note("a path needs two keys");
     const bool confirmed = pace.now() < std::exchange(write_until, -1);
-    reload->write(flythrough.keys.empty() ? std::nullopt : std::optional(flythrough), std::move(changes), confirmed);
+    const std::size_t keys = flythrough.keys.size();
+    if (keys == 1) notes.note("a path needs two keys, and is not written yet");
+    reload->write({.flythrough = keys == 0 ? std::nullopt : std::optional(flythrough),
+                   .keeps_path = keys == 1,
+                   .changes = std::move(changes),
+                   .anyway = confirmed});
 }
 
 void WatchedScene::write(const std::vector<Track>& tracks) {
     if (!awaited) reload->write(tracks);
 }
 
-void WatchedScene::tell_written() {
-    const auto written = reload->take_written();
-    if (!written) return;
+void WatchedScene::write_as(const std::string& path, const std::string& text, const Flythrough& flythrough,
+                            const std::vector<Track>& tracks) {
+    const bool flies = flythrough.keys.size() >= 2;
+    reload->write_as(path, text, flies ? std::optional(flythrough) : std::nullopt, tracks);
+}
+
+std::optional<Written> WatchedScene::tell_written() {
+    auto written = reload->take_written();
+    if (!written) return written;
     const std::string copy = written->copy.empty() ? "" : "; the file as it was is " + written->copy;
     if (written->asks) {
         write_until = pace.now() + 10;
-        notes.announce(file + " has changed since it was read; F2 again writes into it");
+        notes.announce(file + " has changed since it was read; " + notes.key(Action::write_path) +
+                       " again writes into it");
     } else if (!written->fault.empty()) {
-        notes.fail(written->fault);
+        notes.fail(written->fault +
+                   (written->refused ? "; " + notes.key(Action::save_as) + " saves it elsewhere" : ""));
+    } else if (written->unchanged) {
+        notes.note("nothing to write: " + written->file + " has all of it");
     } else {
-        notes.announce((!written->what.empty() ? written->what + " written into " : "tracks saved: ") + written->file +
-                       copy);
+        notes.announce((written->what.empty() ? "tracks saved: " : written->what + " written into ") + written->file +
+                       (written->was_gone ? ", which was gone" : "") + copy);
     }
+    return written;
 }
 
 std::string WatchedScene::name() const {
     return file == "-" ? "standard input" : std::filesystem::path(file).filename().string();
-}
-
-std::string WatchedScene::way_to_keep() const {
-    return file == "-" ? "Shift+C prints it" : "F2 writes it into " + file;
 }
 
 void WatchedScene::expire() {

@@ -46,15 +46,17 @@ class WatchedScene {
     /// FileError.
     std::optional<Loaded> take();
 
-    /// Writes this path into the file, or removes the one in it if it has no keys; and the changed lines. A file that
-    /// others have changed is only written if this is asked for again within 10 seconds.
+    /// Writes this path into the file, or removes the one in it if it has no keys; and the changed lines. A path of one
+    /// key is none yet, and not written. A file that others have changed is only written if this is asked for again
+    /// within 10 seconds.
     void write(const Flythrough& flythrough, ChangedText changes);
     /// Writes these tracks into the file beside the scene's. Nothing while there is no scene.
     void write(const std::vector<Track>& tracks);
-    /// Tells the user about what was written since the last call.
-    void tell_written();
-    /// Says which key keeps the edited path.
-    std::string way_to_keep() const;
+    /// Writes the scene as another file, see Reload::write_as.
+    void write_as(const std::string& path, const std::string& text, const Flythrough& flythrough,
+                  const std::vector<Track>& tracks);
+    /// Tells the user about what was written since the last call, and returns that.
+    std::optional<Written> tell_written();
 
     /// The error to show, or "".
     const std::string& fault() const { return error; }

@@ -38,7 +38,8 @@ void WindowPicture::log_finished() {
 void WindowPicture::toggle_marks() {
     pace.redraw();
     if (check.active()) return check.cancel();
-    if (pace.moving()) return notes.note("X checks rounding in a picture at rest: Space pauses");
+    if (pace.moving())
+        return notes.note("rounding is checked in a picture at rest: " + notes.key(Action::pause) + " pauses");
     if (!wanted.scene) return;
     View exact = wanted.view;
     exact.error = 0;

@@ -15,36 +15,77 @@ struct Foreign {
     std::string_view word, own, advice = {};
 };
 
-constexpr std::string_view colour = "use 'material { rgb <r, g, b> }'", in_material = "use 'material { ... }'";
+constexpr std::string_view colour = "use 'material { rgb <r, g, b> }'", in_material = "use 'material { ... }'",
+                           numbers = "colours are numbers, as in rgb <1, 0, 0>";
 constexpr std::array foreign{
     // In a body. The words of a material follow by themselves.
-    Foreign{"color", "material", colour}, Foreign{"colour", "material", colour},
-    Foreign{"pigment", "material", colour}, Foreign{"texture", "material", colour},
-    Foreign{"rgbt", "material", colour}, Foreign{"rgbf", "material", colour},
-    Foreign{"rgbft", "material", colour}, Foreign{"finish", "material", in_material},
-    Foreign{"interior", "material", in_material}, Foreign{"transmit", "material", "use 'material { refraction ... }'"},
+    Foreign{"color", "material", colour},
+    Foreign{"colour", "material", colour},
+    Foreign{"pigment", "material", colour},
+    Foreign{"texture", "material", colour},
+    Foreign{"rgbt", "material", colour},
+    Foreign{"rgbf", "material", colour},
+    Foreign{"rgbft", "material", colour},
+    Foreign{"finish", "material", in_material},
+    Foreign{"interior", "material", in_material},
+    Foreign{"transmit", "material", "use 'material { refraction ... }'"},
     Foreign{"filter", "material", "use 'material { refraction ... }'"},
     Foreign{"phong", "material", "use 'material { specular ... }'"},
     Foreign{"matrix", "material", "use 'scale', 'rotate' and 'translate'"},
     Foreign{"transform", "material", "use 'scale', 'rotate' and 'translate'"},
     // In a material.
-    Foreign{"color", "rgb"}, Foreign{"colour", "rgb"}, Foreign{"pigment", "rgb"}, Foreign{"texture", "rgb"},
+    Foreign{"color", "rgb"},
+    Foreign{"colour", "rgb"},
+    Foreign{"pigment", "rgb"},
+    Foreign{"texture", "rgb"},
     Foreign{"rgbt", "rgb", "use 'rgb', and 'refraction' for what is transmitted"},
     Foreign{"rgbf", "rgb", "use 'rgb', and 'refraction' for what is transmitted"},
     Foreign{"rgbft", "rgb", "use 'rgb', and 'refraction' for what is transmitted"},
     Foreign{"finish", "rgb", "leave it out: its values stand in 'material' itself"},
     Foreign{"interior", "rgb", "leave it out: 'ior' stands in 'material' itself"},
-    Foreign{"phong", "specular"}, Foreign{"phong_size", "pow"},
-    Foreign{"shininess", "pow"}, Foreign{"transmit", "refraction"}, Foreign{"filter", "refraction"},
-    Foreign{"transparency", "refraction"}, Foreign{"opacity", "refraction"}, Foreign{"alpha", "refraction"},
+    Foreign{"phong", "specular"},
+    Foreign{"phong_size", "pow"},
+    Foreign{"shininess", "pow"},
+    Foreign{"transmit", "refraction"},
+    Foreign{"filter", "refraction"},
+    Foreign{"transparency", "refraction"},
+    Foreign{"opacity", "refraction"},
+    Foreign{"alpha", "refraction"},
     Foreign{"emission", "ambient"},
+    // In a pattern's place.
+    Foreign{"red", "checker", numbers},
+    Foreign{"green", "checker", numbers},
+    Foreign{"blue", "checker", numbers},
+    Foreign{"white", "checker", numbers},
+    Foreign{"black", "checker", numbers},
+    Foreign{"yellow", "checker", numbers},
+    // Bodies.
+    Foreign{"ball", "sphere"},
+    Foreign{"cube", "box"},
+    Foreign{"tube", "cylinder"},
+    Foreign{"ground", "plane"},
+    Foreign{"lamp", "light"},
     // In a camera, a light, and at the top level.
-    Foreign{"location", "position"}, Foreign{"eye", "position"}, Foreign{"from", "position"},
+    Foreign{"location", "position"},
+    Foreign{"eye", "position"},
+    Foreign{"from", "position"},
     Foreign{"right", "aspectratio", "use 'aspectratio', or leave it out: the picture's own is taken"},
-    Foreign{"direction", "look_at", "use 'look_at'"}, Foreign{"rgb", "color"},
-    Foreign{"area_light", "edges"}, Foreign{"point_at", "look_at"}, Foreign{"sky_sphere", "background"},
-    Foreign{"declare", "define"}, Foreign{"merge", "union"}, Foreign{"object", "define", "use the defined name itself"},
+    Foreign{"direction", "look_at", "use 'look_at'"},
+    Foreign{"rgb", "color"},
+    Foreign{"area_light", "edges"},
+    Foreign{"point_at", "look_at"},
+    Foreign{"sky_sphere", "background"},
+    Foreign{"declare", "define"},
+    Foreign{"merge", "union"},
+    Foreign{"object", "define", "use the defined name itself"},
 };
+
+/// Does a text begin with a colour of web pages, such as ff0000 or f00?
+bool is_hexadecimal(std::string_view text) {
+    const std::size_t digits = std::min(text.find_first_not_of("0123456789abcdefABCDEF"), text.size());
+    const bool ends = digits == text.size() || !is_letter(text[digits]);
+    return ends && (digits == 3 || digits == 6 || digits == 8);
+}
 
 }  // namespace
 
@@ -71,13 +112,18 @@ std::string advice_on_sign(std::string_view text, std::size_t at) {
     while (before > 0 && (text[before - 1] == ' ' || text[before - 1] == '\t')) --before;
     const bool after_number = before > 0 && (is_digit(before - 1) || text[before - 1] == '.');
     const bool directly = after_number && before == at;
-    if (sign == ',' && directly && is_digit(at + 1)) {
+    if (sign == ',' && directly) {
         // In <0,5, 1, 2> blanks tell the commas of the vector from that of the number; <0,5,1,2> has a number too many.
         const std::size_t open = text.substr(0, at).find_last_of("<>{}");
         const bool in_vector = open != text.npos && text[open] == '<';
-        if (!in_vector || text.substr(open, text.find('>', at) - open).find(", ") != text.npos)
+        bool within = is_digit(at + 1);  // a comma between two digits
+        for (std::size_t i = open + 1; in_vector && i < at; ++i)
+            within |= text[i] == ',' && is_digit(i - 1) && is_digit(i + 1);
+        if (within && (!in_vector || text.substr(open, text.find('>', at) - open).find(", ") != text.npos))
             return "decimals have a point, as in 2.5";
     }
+    if (sign == '#' && at + 1 < text.size() && is_hexadecimal(text.substr(at + 1)))
+        return "colours are numbers, as in rgb <1, 0, 0>";
     if (sign == '#' && (text.substr(at + 1).starts_with("declare") || text.substr(at + 1).starts_with("local")))
         return "'define NAME material { ... }' and 'define NAME sphere { ... }' name a material and a body";
     if (sign == '#' || sign == ';') return "a comment begins with //, and nothing ends with ';'";

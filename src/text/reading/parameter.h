@@ -24,8 +24,7 @@ inline constexpr double largest_number = std::numeric_limits<double>::max();
 inline constexpr double smallest_positive = std::numeric_limits<double>::min();  // denormals lose digits
 inline constexpr double largest_coordinate = 1e9;
 inline constexpr NumberRange coordinates{-largest_coordinate, largest_coordinate, "from -1e9 to 1e9"};
-inline constexpr NumberRange lengths{smallest_positive, largest_coordinate,
-                                "greater than 0 (at least 2.3e-308) and at most 1e9"};
+inline constexpr NumberRange lengths{smallest_positive, largest_coordinate, "greater than 0 and at most 1e9"};
 inline constexpr NumberRange seconds{0, largest_coordinate, "from 0 to 1e9"};
 inline constexpr NumberRange shares{0, 1, "from 0 to 1"};
 // Products of three of these are numbers in float too.

@@ -53,7 +53,8 @@ void Cells::begin(int x, int y, int new_columns, int new_rows, double new_contra
                   const ThinBodies& bodies) {
     left = x, top = y, columns = new_columns, rows = new_rows;
     contrast = new_contrast, largest = largest_filled * unit, thin = &bodies;
-    samples.clear(), points.clear(), between.clear(), active.clear(), waiting.clear(), searches.clear();
+    samples.clear(), points.clear(), between.clear(), active.clear(), waiting.clear(), searches.clear(),
+        part_searches.clear();
     lattice.assign(side * side, -1);
     sums.assign(std::size_t(3) * columns * rows, 0);
     constexpr int in_tile = tile_pixels / coarsest_cell;
@@ -128,17 +129,19 @@ void Cells::advance(Cell& cell, int finest) {
             return search(cell);
         case Stage::beside:
             return look_beside(cell);
+        case Stage::part:
+            return look_at_part(cell);
     }
 }
 
-bool Cells::hides_something(const Cell& cell) const {
+bool Cells::hides_something(const Cell& cell, std::optional<FlatPart>* part) const {
     const double s = double(cell.size) / unit, least = contrast / 8 / (s * s);
     std::array<CellCorner, 4> corners;
     for (int k = 0; k < 4; ++k) {
         const Point& p = points[cell.corners[k]];
         corners[k] = {left + p.x / double(unit), top + p.y / double(unit), &samples[cell.corners[k]]};
     }
-    return thin->hides_in(corners, least);
+    return thin->hides_in(corners, least, part);
 }
 
 /// Returns the difference of colour that a pixel in this cell may have.
@@ -168,13 +171,15 @@ void Cells::look_at_large(const Cell& cell) {
 void Cells::look_at_corners(Cell& cell, int finest) {
     const bool equal = equal_signatures(cell);
     const double s = double(cell.size) / unit, share = s * s;
-    const bool glints = !(glint_range(corners_of(cell)) * share <= most_glint), hidden = hides_something(cell);
+    std::optional<FlatPart> part;
+    const bool glints = !(glint_range(corners_of(cell)) * share <= most_glint), hidden = hides_something(cell, &part);
     const double difference = spread(cell) * share, allowed = contrast_in(cell);
     const bool rough =
         glints || hidden || !(equal ? difference <= std::min(16 * allowed, steepest_gradient) : difference <= allowed);
     const bool small = equal ? cell.size <= unit / 4 && !shows_pattern(cell) : cell.size < unit / 2;
     if (!rough && small) return finish(cell, mean(cell));
     if (cell.size <= finest) return waiting.push_back(cell);
+    if (part && begin_part(cell, *part)) return active.push_back(cell);
     if (rough) return !hidden && begin_search(cell) ? active.push_back(cell) : go_on(cell);
     ask_middle(cell);
     cell.stage = Stage::middle;
@@ -284,6 +289,56 @@ void Cells::look_beside(Cell& cell) {
         for (int c = 0; c < 3; ++c) {
             if (!((high[c] - low[c]) * area * s * s <= most)) return go_on(cell);
             color[c] += area * sum[c] / count;
+        }
+    }
+    finish(cell, color);
+}
+
+/// Asks for samples of a flat body's part of a cell, if the corners beside it show one thing, and those in it another.
+bool Cells::begin_part(Cell& cell, const FlatPart& part) {
+    std::array<std::optional<std::uint32_t>, 2> shown;
+    for (int k = 0; k < 4; ++k) {
+        std::optional<std::uint32_t>& own = shown[part.corners >> k & 1];
+        const std::uint32_t signature = samples[cell.corners[k]].signature;
+        if (own && *own != signature) return false;
+        own = signature;
+    }
+    if (!shown[0] || shown[0] == shown[1]) return false;
+    PartSearch search{part, {}};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto place = [&](double at) {
+            return std::clamp(static_cast<std::int32_t>(std::lround(at * cell.size)), 0, cell.size);
+        };
+        search.probes[i] = sample_at({cell.x + place(part.places[i].x), cell.y + place(part.places[i].y)});
+    }
+    cell.search = static_cast<int>(part_searches.size());
+    part_searches.push_back(search);
+    cell.stage = Stage::part;
+    return true;
+}
+
+/// Finishes a cell with a flat body's part of it if all samples in the part show the same, with the part's area.
+void Cells::look_at_part(Cell& cell) {
+    const auto& [part, probes] = part_searches[cell.search];
+    const CellSample& first = samples[probes[0]];
+    const double s = double(cell.size) / unit;
+    std::array<double, 3> color{};
+    for (const bool in : {false, true}) {
+        std::vector<const CellSample*> own;
+        for (int k = 0; k < 4; ++k)
+            if (bool(part.corners >> k & 1) == in) own.push_back(&samples[cell.corners[k]]);
+        if (in)
+            for (const int probe : probes) own.push_back(&samples[probe]);
+        const double area = in ? part.share : 1 - part.share;
+        for (int c = 0; c < 3; ++c) {
+            double sum = 0, low = own[0]->rgb[c], high = low;
+            for (const CellSample* sample : own) {
+                if ((sample->signature == first.signature) != in) return go_on(cell);
+                const double value = sample->rgb[c];
+                sum += value, low = std::min(low, value), high = std::max(high, value);
+            }
+            if (!((high - low) * area * s * s <= contrast_in(cell))) return go_on(cell);
+            color[c] += area * sum / static_cast<double>(own.size());
         }
     }
     finish(cell, color);

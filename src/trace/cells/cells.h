@@ -3,7 +3,9 @@
 // Cells have their corners between pixels, so that the picture's value in a pixel is the sum over the cells in it. A
 // cell whose corners, and middle, have one signature is smooth: it is filled. Where an edge crosses a cell of a pixel
 // or less its ends are searched on the cell's sides, and it is taken for straight (compare J. Genetti and D. Gordon,
-// "Ray Tracing With Adaptive Supersampling in Object Space", Graphics Interface 1993). Everything else is divided.
+// "Ray Tracing With Adaptive Supersampling in Object Space", Graphics Interface 1993). Where a flat thin body crosses
+// it alone, what the body takes of it is computed, and samples there say what it looks like. Everything else is
+// divided.
 #pragma once
 #include <array>
 #include <functional>
@@ -59,17 +61,21 @@ class Cells {
   private:
     static constexpr std::int32_t unit = Point::unit;
 
-    enum class Stage : std::uint8_t { corners, middle, ends, beside };
+    enum class Stage : std::uint8_t { corners, middle, ends, beside, part };
     struct Cell {
         std::int32_t x, y, size;     // in units of Point
         std::array<int, 4> corners;  // samples, around the cell
         int middle = -1;
-        int search = -1;  // of an edge's ends
+        int search = -1;  // of an edge's ends, or of a flat part
         Stage stage = Stage::corners;
     };
     struct Search {
         std::array<Crossing, 2> crossings;
         std::array<int, 2> probes;  // samples asked for
+    };
+    struct PartSearch {
+        FlatPart part;
+        std::array<int, 3> probes;
     };
 
     std::size_t pixel_of(const Cell& cell) const {
@@ -88,7 +94,9 @@ class Cells {
     bool begin_search(Cell& cell);
     void search(Cell& cell);
     void look_beside(Cell& cell);
-    bool hides_something(const Cell& cell) const;
+    bool hides_something(const Cell& cell, std::optional<FlatPart>* part = nullptr) const;
+    bool begin_part(Cell& cell, const FlatPart& part);
+    void look_at_part(Cell& cell);
     double contrast_in(const Cell& cell) const;
     bool equal_signatures(const Cell& cell) const;
     bool shows_pattern(const Cell& cell) const;
@@ -110,6 +118,7 @@ class Cells {
     std::unordered_map<std::uint64_t, int> between;  // all others
     std::vector<Cell> active, waiting;
     std::vector<Search> searches;
+    std::vector<PartSearch> part_searches;
     std::vector<double> sums;  // 3 for each pixel
 };
 

@@ -72,7 +72,10 @@ ThinBodies::ThinBodies(const Scene& scene, const View& view, std::shared_ptr<con
       eye(view.camera.position) {
     right = (2 * frame.tan_x / view.width) * frame.right, down = (2 * frame.tan_y / view.height) * frame.down;
     diagonal = quick_length(right + down);
-    if (!bodies.empty()) end = length(bodies.around().from - eye) + bodies.around().radius;
+    if (!bodies.empty()) {
+        const Capsule& all = bodies.around();
+        end = std::max(length(all.from - eye), length(all.to - eye)) + all.radius;
+    }
     if (starts_apart(projection)) end += std::hypot(frame.tan_x, frame.tan_y);
     first = frame.forward + (view.shift_x - view.width / 2.) * right + (view.shift_y - view.height / 2.) * down;
 }
@@ -92,7 +95,7 @@ ThinBodies::Sights ThinBodies::sights_at(const std::array<CellCorner, 4>& corner
     return sights;
 }
 
-bool ThinBodies::hides_in(const std::array<CellCorner, 4>& corners, double least) const {
+bool ThinBodies::hides_in(const std::array<CellCorner, 4>& corners, double least, std::optional<FlatPart>* part) const {
     if (bodies.empty()) return false;
     double least_distance = std::numeric_limits<double>::infinity(), most_distance = 0, furthest = 0, nearest = end;
     double brightest = 0, reflection = 0, further = 0, reach = 0;
@@ -137,22 +140,28 @@ bool ThinBodies::hides_in(const std::array<CellCorner, 4>& corners, double least
     const Sights sights = sights_at(corners);
     const bool small = corners[2].x - corners[0].x < finest_doubt;
     const FacetsSeen seen = small ? FacetsSeen::any : same ? FacetsSeen::same : FacetsSeen::split;
-    if (wide && hides_camera(corners, sights, furthest, seen, least)) return true;
-    if (!one_surface || (lit == 0 && !mirrors)) return false;
+    const bool in_sight = wide && hides_camera(corners, sights, furthest, seen, least, part);
+    if (in_sight && (!part || !*part)) return true;
+    if (!one_surface || (lit == 0 && !mirrors)) return in_sight;
+    // What else is hidden makes more of the cell than that part and the rest.
+    const auto besides = [&] {
+        if (part) part->reset();
+        return true;
+    };
     for (int k = 0; k < 4; ++k) places[k] = sights.starts[k] + double(corners[k].sample->distance) * sights.units[k];
     const double radius = radius_of(places);
     const double most_dark = least / brightest;  // all that a shadow can take
-    if (wide && hides_shadow(places, radius, lit, seen, most_dark)) return true;
-    if (!mirrors) return false;
-    if (hides_reflection(places, radius, reflected, further, reach, seen, least / reflection)) return true;
+    if (wide && hides_shadow(places, radius, lit, seen, most_dark)) return besides();
+    if (!mirrors) return in_sight;
+    if (hides_reflection(places, radius, reflected, further, reach, seen, least / reflection)) return besides();
     // Shadows on what the mirror shows; in cells of less than finest_doubt they would take twice the samples.
-    if (small || !(most_way < most_slanted * least_way)) return false;
+    if (small || !(most_way < most_slanted * least_way)) return in_sight;
     for (int k = 0; k < 4; ++k) places[k] += double(corners[k].sample->further) * quick_unit(reflected[k]);
-    return hides_shadow(places, radius_of(places), ~0u, seen, most_dark);
+    return hides_shadow(places, radius_of(places), ~0u, seen, most_dark) ? besides() : in_sight;
 }
 
 bool ThinBodies::hides_camera(const std::array<CellCorner, 4>& corners, const Sights& sights, double furthest,
-                              FacetsSeen seen, double least) const {
+                              FacetsSeen seen, double least, std::optional<FlatPart>* part) const {
     const auto& [starts, ways, units] = sights;
     const bool parallel = projection == Projection::orthographic;
     double depth = 0;  // in units of the ways: along `forward` in perspective
@@ -174,7 +183,9 @@ bool ThinBodies::hides_camera(const std::array<CellCorner, 4>& corners, const Si
                            .parallel = parallel,
                            .nearest = nearest_depth,
                            .furthest = depth * (1 + own_depth)};
-    return bodies.meets(tube, bundle, least, seen);
+    if (!bodies.meets(tube, bundle, least, seen)) return false;
+    if (part) *part = bodies.flat_part(tube, bundle);
+    return true;
 }
 
 bool ThinBodies::hides_shadow(const FourPoints& points, double radius, std::uint32_t lit, FacetsSeen seen,

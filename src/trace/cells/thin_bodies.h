@@ -4,6 +4,7 @@
 #pragma once
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "trace/cells/tube.h"
@@ -29,8 +30,10 @@ class ThinBodies {
 
     /// Returns whether something may lie between the corners that covers at least the share `least` of the cell: a body
     /// that the camera sees, or, if the corners are on one surface, a body's shadow, or its reflection if the surface
-    /// is flat, or its shadow on what all corners see there. Corners are in order around the cell.
-    bool hides_in(const std::array<CellCorner, 4>& corners, double least) const;
+    /// is flat, or its shadow on what all corners see there. Corners are in order around the cell. If it is a flat
+    /// body that the camera sees, and nothing else, `part` becomes what it takes of the cell.
+    bool hides_in(const std::array<CellCorner, 4>& corners, double least,
+                  std::optional<FlatPart>* part = nullptr) const;
 
   private:
     /// Camera rays at the corners of a cell: their starts, directions, and these with length 1.
@@ -39,7 +42,7 @@ class ThinBodies {
     };
     Sights sights_at(const std::array<CellCorner, 4>& corners) const;
     bool hides_camera(const std::array<CellCorner, 4>& corners, const Sights& sights, double furthest, FacetsSeen seen,
-                      double least) const;
+                      double least, std::optional<FlatPart>* part) const;
     bool hides_shadow(const FourPoints& points, double radius, std::uint32_t lit, FacetsSeen seen,
                       double least) const;
     bool hides_reflection(const FourPoints& points, double radius, const FourPoints& directions, double furthest,

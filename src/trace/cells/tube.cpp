@@ -76,7 +76,8 @@ class CutPolygon {
 
 glm::dmat3 RayBundle::coordinates() const { return glm::inverse(glm::dmat3(across, down, corner)); }
 
-RayBundle::Met RayBundle::met(std::span<const DVec3> polygon, const glm::dmat3& to_own) const {
+RayBundle::Met RayBundle::met(std::span<const DVec3> polygon, const glm::dmat3& to_own,
+                              std::vector<glm::dvec2>* outline) const {
     CutPolygon part;
     // With w as the unit of u and v the bundle's sides are planes.
     const double unit = parallel ? 0 : 1, one = parallel ? 1 : 0;
@@ -120,6 +121,7 @@ RayBundle::Met RayBundle::met(std::span<const DVec3> polygon, const glm::dmat3& 
         sum += a.x * b.y - a.y * b.x;
     }
     result.share = std::abs(sum) / 2;
+    if (outline) outline->assign(points.begin(), points.end());
     return result;
 }
 
@@ -163,6 +165,7 @@ double radius_at(const Tube& tube, const Capsule& capsule) {
 
 CapsuleTree::CapsuleTree(const Scene& scene, bool with_facets) {
     std::vector<TreeLeaf> all;
+    std::int32_t body = 0;
     for (const Primitive& primitive : scene.primitives) {
         for (const Capsule& capsule : capsules_of(primitive)) all.push_back({capsule, capsule.radius, -1});
         if (!with_facets) continue;
@@ -172,7 +175,9 @@ CapsuleTree::CapsuleTree(const Scene& scene, bool with_facets) {
             });
             all.push_back({around, facet.least, static_cast<std::int32_t>(facets.size())});
             facets.push_back(std::move(facet));
+            bodies.push_back(body);
         }
+        ++body;
     }
     if (all.empty()) return;
     nodes.reserve(2 * all.size() - 1);
@@ -232,6 +237,45 @@ bool CapsuleTree::meets(const Tube& tube, const RayBundle& bundle, double least,
         if (seen == FacetsSeen::split && share > 0 && other > 0 && !whole) return true;
     }
     return false;
+}
+
+std::optional<FlatPart> CapsuleTree::flat_part(const Tube& tube, const RayBundle& bundle) const {
+    if (facets.empty()) return std::nullopt;
+    const glm::dmat3 to_own = bundle.coordinates();
+    std::int32_t body = -1;
+    FlatPart part;
+    double largest = 0;
+    std::vector<std::array<glm::dvec2, 2>> ends;  // corners of the polygons, and their middles
+    std::vector<glm::dvec2> outline;
+    for (std::size_t i = 0; i < nodes.size();) {
+        const CapsuleNode& node = nodes[i];
+        const double radius = radius_at(tube, node.around);
+        if (!(radius >= 0 && radius >= node.least)) {
+            i = std::size_t(node.next);
+            continue;
+        }
+        ++i;
+        if (!node.is_leaf) continue;
+        if (node.facet < 0) return std::nullopt;
+        const auto [share, corners, sides] = bundle.met(facets[node.facet].corners, to_own, &outline);
+        if (share == 0) continue;
+        if (!facets[node.facet].whole || (body >= 0 && bodies[node.facet] != body)) return std::nullopt;
+        body = bodies[node.facet];
+        part.share += share, part.corners |= corners;
+        glm::dvec2 middle(0);
+        for (const glm::dvec2& point : outline) middle += 1. / static_cast<double>(outline.size()) * point;
+        for (const glm::dvec2& point : outline) ends.push_back({point, middle});
+        if (share > largest) largest = share, part.places[0] = middle;
+    }
+    if (body < 0) return std::nullopt;
+    glm::dvec2 from = part.places[0];
+    for (const int k : {1, 2}) {
+        const auto distance = [&](const auto& end) { return std::hypot(end[0].x - from.x, end[0].y - from.y); };
+        const auto& [end, middle] = *std::ranges::max_element(ends, {}, distance);
+        constexpr double inside = .6;  // of the way to the corner: arcs of rings bend by up to .125 of their width
+        part.places[k] = middle + inside * (end - middle), from = end;
+    }
+    return part;
 }
 
 }  // namespace strahl

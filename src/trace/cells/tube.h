@@ -4,8 +4,11 @@
 // light. Compare cone tracing (J. Amanatides, "Ray Tracing with Cones", SIGGRAPH 1984); here it only tells where to
 // look.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -42,8 +45,16 @@ struct RayBundle {
         unsigned corners = 0;
         int sides = 0;
     };
-    /// Returns what a polygon meets; `to_own` is coordinates().
-    Met met(std::span<const DVec3> polygon, const glm::dmat3& to_own) const;
+    /// Returns what a polygon meets; `to_own` is coordinates(). If `outline` is given it gets u and v of the part's
+    /// corners.
+    Met met(std::span<const DVec3> polygon, const glm::dmat3& to_own, std::vector<glm::dvec2>* outline = nullptr) const;
+};
+
+/// The part of a bundle that one flat thin body takes.
+struct FlatPart {
+    double share = 0;
+    unsigned corners = 0;              // of the bundle, that are in it
+    std::array<glm::dvec2, 3> places;  // u and v in it: in the middle of its largest polygon, and near two ends
 };
 
 /// Says what the corners of a bundle tell about facets that some of them meet.
@@ -60,7 +71,7 @@ class CapsuleTree {
     explicit CapsuleTree(const Scene& scene, bool with_facets = true);
 
     bool empty() const { return nodes.empty(); }
-    /// Return the smallest radius, 0 for facets that are thin, and a ball around all. There must be bodies.
+    /// Return the smallest radius, 0 for facets that are thin, and a capsule around all. There must be bodies.
     double least() const { return nodes[0].least; }
     const Capsule& around() const { return nodes[0].around; }
 
@@ -69,6 +80,8 @@ class CapsuleTree {
     /// seen at the corners, see hides(). Bodies around all of `own` do not count: the rays start there.
     bool meets(const Tube& tube, const RayBundle& bundle, double least, FacetsSeen seen,
                std::span<const DVec3> own = {}) const;
+    /// Returns what a flat body takes of the bundle if nothing else is in the tube that is thin there.
+    std::optional<FlatPart> flat_part(const Tube& tube, const RayBundle& bundle) const;
 
   private:
     struct TreeLeaf {
@@ -87,6 +100,7 @@ class CapsuleTree {
 
     std::vector<CapsuleNode> nodes;  // each before those below it
     std::vector<Facet> facets;
+    std::vector<std::int32_t> bodies;  // of the facets
 };
 
 }  // namespace strahl

@@ -451,8 +451,8 @@ class CompositeWalk {
         end.far_face = select(lanes, found.triangle, end.far_face);
         end.near[1] = select(lanes, found.t, end.near[1]);
     }
-    /// Passes the end of a mesh's span if it is not beyond `t`, and looks for the next one if it may come before the
-    /// others' next, which is `ahead`. Returns true if it did.
+    /// Steps beyond a mesh's end that `t` has passed already. Fetches the mesh's next end if that may come before
+    /// `ahead`, the next end of the other leaves; returns true if it did.
     bool look_ahead(int i, Mask<S> lanes, const S& t, const S& ahead) {
         const CompositeLeaf& own = leaf(i);
         LeafEnds<S>& end = ends[i];

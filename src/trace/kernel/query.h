@@ -159,8 +159,8 @@ template <class S>
         best[h].bin = select(best[h].surface == before[h], best[h].bin, bins_of(world, best[h].surface));
 }
 
-/// Searches the hot items again, more closely, for rays that seem to start in an opaque body: the hot loops themselves
-/// only note these (`suspects`).
+/// Searches the hot items again, more closely, for the rays that rounding seems to have put inside an opaque body: the
+/// hot loops only mark them (`suspects`).
 template <class S>
 [[gnu::noinline]] void nearest_again(const World<Element<S>>& world, const Ray<S>& ray, Mask<S> suspects, BodySet set,
                                      Nearest<S>& best) {
@@ -343,7 +343,7 @@ template <class S>
     occlude_in_hierarchy(world, ray, line, distance, left, light);
 }
 
-/// Attenuates the light of rays that seem to start in an opaque body by the hot items, which are tested more closely.
+/// Tests the hot items more closely for rays that rounding seems to have put inside an opaque body; dims their light.
 template <class S>
 [[gnu::noinline]] void occlude_again(const World<Element<S>>& world, const Ray<S>& ray, const S& distance,
                                      Mask<S> suspects, const Start<S>& start, BodySet set, Transmission<S>& light) {

@@ -78,7 +78,7 @@ struct LightBuffers<T>::Arrays {
     void fill(const Band& band);
 };
 
-/// Lists the items, furthest from the light first. The errors of coordinates and rays are added to their balls.
+/// Collects the items' bounding balls, widened by rounding errors, furthest from the light first.
 template <class T>
 void LightBuffers<T>::Arrays::see(const World<T>& world, const LightKernel<T>& light, bool proves) {
     reach = static_cast<double>(world.rounding) / (32 * epsilon);  // see WorldArrays::rounding

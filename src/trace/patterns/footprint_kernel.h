@@ -63,7 +63,7 @@ struct ImageLookups {
         std::int32_t columns[2], rows[2];
         const auto narrowed = [&](T share, T own, T place, std::int32_t size) {
             if (!exact) return share;
-            // Along a border of pixels it shows the one in which rounding has its points.
+            // On a border between two pixels it takes the one that rounding picks.
             if (own <= T(1e4) * std::numeric_limits<T>::epsilon())
                 return T(std::floor(std::min(place, static_cast<T>(size - 1))) > std::floor(place - T(.5)));
             const T all = std::clamp(fma(share - T(.5), T(1) / own, T(.5)), T(0), T(1));

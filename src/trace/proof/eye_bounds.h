@@ -1,4 +1,4 @@
-// Error bounds of the directions of camera rays: measured, where other bounds count roundings.
+// Error bounds of the directions of camera rays: their exact errors, where other bounds allow for each rounding.
 #pragma once
 #include <limits>
 

@@ -112,7 +112,7 @@ bool encloses_eye(const Scene& scene, const Primitive& body) {
 
 }  // namespace
 
-/// Gives kernels access to the items, and of few items finds the volumes around them.
+/// Sets the `Group` pointers by which kernels reach the items; in small worlds also makes their volumes.
 template <class T>
 void WorldArrays<T>::fill_groups() {
     int form = 0, bin = 0;

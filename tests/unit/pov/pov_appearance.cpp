@@ -379,7 +379,7 @@ TEST_CASE("POV-Ray: what scenes cannot hold is told with its line, once") {
         CHECK_MESSAGE(says(all, std::string("x.pov:2: ") + note), text, " tells: ", all);
     };
     told("sphere { 0, 1 finish { reflection { .5 exponent 2 } } }", "approximated: 'exponent' of a reflection");
-    told("sphere { 0, 1 pigment { rgbt <1, 1, 1, -1> } }", "approximated: a surface that lets through less than");
+    told("sphere { 0, 1 pigment { rgbt <1, 1, 1, -1> } }", "approximated: filter and transmit below 0");
     told("sphere { 0, 1 pigment { pavement } }", "approximated: the pattern 'pavement' is its mean colour");
     told("fog { distance 9 } light_source { 9 rgb 1 media_attenuation on }", "approximated: fog does not dim a light");
     CHECK(notes_of("sphere { 0, 1 pigment { crackle metric 2 form <-1, 1, 0> agate_turb 1 } }") == "");

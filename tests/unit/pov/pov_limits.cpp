@@ -39,7 +39,7 @@ TEST_CASE("messages say where, why, and by which macros") {
     CHECK(run_script("#declare Red = 1;\n#macro Ball(p)\n  sphere { p } #declare a = Redd;\n#end\nBall(1)").error ==
           "scene.pov:3:29: unknown name 'Redd'; a value expected; did you mean 'Red'?\n"
           "      sphere { p } #declare a = Redd;\n"
-          "                                ^\n"
+          "                                ^~~~\n"
           "  in the macro 'Ball', called from scene.pov:5");
     check_fails("#declare x = 3;", "1:10: 'x' is a word of the language; choose another name");
     check_fails("#declare a = <1,2>.z;", "there is no such component: the value has 2");

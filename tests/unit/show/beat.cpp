@@ -123,22 +123,18 @@ TEST_CASE("keys of tracks are shown, written, undone between other changes, and 
     const std::string file = "track \"z\" { 0 0 linear }\ntrack \"other\" { 0 1 step }\n";
     CHECK(!session.take_tracks(file, true));
     CHECK(!session.tracks);
-    CHECK(!session.track_keys.asks());
     const Track z{"z", {{0, 0, linear}, {32, 2, linear}}};
-    session.change_track(z, false, 0, 1);
+    session.change_track(z, false, 1);
     REQUIRE(session.tracks);
     CHECK(session.tracks->at(0) == z);
     CHECK(session.path_to_fly()->duration == session.scene->music.time_of(32));
     CHECK(session.track_keys.changes() == std::vector{z});
-    CHECK(session.track_keys.asks());
-    CHECK(!session.track_keys.asks());
     Track moved = z;
     moved.keys[1].value = 3;
-    session.change_track(moved, true, 0, 1);         // one drag
-    CHECK(!session.undo_track(Action::undo, 1, 1));  // something else came after it
-    CHECK(session.undo_track(Action::undo, 0, 1));
+    session.change_track(moved, true, 1);  // one drag
+    CHECK(session.perform({Action::undo}, 1).note == "undone: keys of the track z");
     CHECK(session.track_keys.changes().empty());
-    CHECK(session.undo_track(Action::redo, 0, 1));
+    CHECK(session.perform({Action::redo}, 1).note == "redone: keys of the track z");
     CHECK(session.track_keys.track("z") == moved);
     // Others change another track; then this one is written.
     const std::string theirs = "track \"z\" { 0 0 linear }\ntrack \"other\" { 0 4 step }\n";
@@ -147,8 +143,8 @@ TEST_CASE("keys of tracks are shown, written, undone between other changes, and 
     CHECK(session.track_keys.track("z") == moved);
     CHECK(!session.take_tracks(with_keys(theirs, moved), false));
     CHECK(!session.track_keys.changed());
-    CHECK(!session.tracks);
-    session.change_track({"z", {}}, false, 0, 1);
+    CHECK(*session.tracks == session.track_keys.tracks());
+    session.change_track({"z", {}}, false, 1);
     CHECK(session.track_keys.changes() == std::vector{Track{"z", {}}});
     CHECK(!session.track_keys.unwritten().empty());
 }

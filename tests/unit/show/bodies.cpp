@@ -131,8 +131,9 @@ TEST_CASE("a number follows the panel, within its range, and undo takes back a w
     BodyEditor editor;
     editor.open(scene_text);
     editor.click(*scene, *scene, shown_view(*scene), 80, 50);
-    const auto set = [&](const char* name, std::vector<double> numbers, bool merged = false, std::size_t others = 0) {
-        const bool changed = editor.change(value_of(editor, name), numbers, merged, others);
+    EditOrder order;
+    const auto set = [&](const char* name, std::vector<double> numbers, bool merged = false) {
+        const bool changed = editor.change(value_of(editor, name), numbers, order, merged);
         editor.look(*scene);
         return changed;
     };
@@ -143,19 +144,15 @@ TEST_CASE("a number follows the panel, within its range, and undo takes back a w
     CHECK(!set("radius", {std::numeric_limits<double>::quiet_NaN()}));
     CHECK(set("rgb", {1, -5, .2}));
     CHECK(value_of(editor, "rgb").numbers[1] == 0);
-    CHECK(editor.edited.undo(0));
-    CHECK(editor.edited.undo(0));
+    CHECK(editor.edited.undo(true, order) == "rgb of sphere 1");
+    CHECK(editor.edited.undo(true, order) == "radius of sphere 1");
     CHECK(editor.edited.text() == scene_text);
-    CHECK(!editor.edited.undo(0));
-    CHECK(editor.edited.redo(0));
+    CHECK(!editor.edited.undo(true, order));
+    CHECK(editor.edited.undo(false, order) == "radius of sphere 1");
     editor.look(*scene);
     CHECK(value_of(editor, "radius").numbers[0] == 2.75);
-    // Changes of the path come in between.
-    CHECK(set("radius", {3}, false, 1));
-    CHECK(!editor.edited.undo(2));
-    CHECK(editor.edited.undo(1));
-    CHECK(!editor.edited.redo(0));
-    editor.look(*scene);
+    order.change();  // of something else, after which there is nothing to redo
+    CHECK(!editor.edited.undo(false, order));
     // A value that stands elsewhere is not touched before the user has said which is meant.
     CHECK(editor.open_to_change(value_of(editor, "ior")));  // the default: becomes the body's own
     CHECK(set("ior", {1.2}));
@@ -173,75 +170,78 @@ TEST_CASE("a value of a definition is changed there or for one body, as the user
     for (int i = 0; i < 2; ++i) editor.click(scene, scene, view, 80, 50);  // there are two at the same place
     REQUIRE(editor.choice()->at.body == 3);
     const std::size_t rgb = number_of(editor, "rgb");
+    EditOrder order;
     const std::vector<double> green{0, 1, 0};
-    CHECK(!editor.change(editor.body().values[rgb], green, false, 0));
-    CHECK(editor.make_own(editor.body().values[rgb], 0));
+    CHECK(!editor.change(editor.body().values[rgb], green, order));
+    CHECK(editor.make_own(editor.body().values[rgb], order));
     editor.look(scene);
-    CHECK(editor.change(editor.body().values[rgb], green, false, 0));
+    CHECK(editor.change(editor.body().values[rgb], green, order));
     CHECK(editor.edited.text().find("material red { rgb <0, 1, 0> } }") != std::string::npos);
-    CHECK(editor.edited.undo(0));
-    CHECK(editor.edited.undo(0));
+    CHECK(editor.edited.undo(true, order));
+    CHECK(editor.edited.undo(true, order));
     editor.look(scene);
     editor.allow("define red, line 1");
-    CHECK(editor.change(editor.body().values[rgb], green, false, 0));
+    CHECK(editor.change(editor.body().values[rgb], green, order));
     CHECK(editor.edited.text() == std::string(text).replace(text.find("<1,0,0>"), 7, "<0,1,0>"));
 }
 
 TEST_CASE("changes stay when others change other lines of the file, and give way in the same ones") {
+    EditOrder order;
     EditedText edited;
     edited.open("a\nb\nc\nd\n");
-    edited.change("a\nB\nc\nd\n", false, 0);
-    edited.change("a\nB\nc\nD\n", false, 0);
+    edited.change("a\nB\nc\nd\n", {order, "change"});
+    edited.change("a\nB\nc\nD\n", {order, "change"});
     CHECK(!edited.reload("new\na\nb\nc\nd\n"));
     CHECK(edited.text() == "new\na\nB\nc\nD\n");
     CHECK(edited.unwritten() == std::vector<std::string>{"3: B", "5: D"});
-    CHECK(edited.undo(0));
+    CHECK(edited.undo(true, order));
     CHECK(edited.text() == "new\na\nB\nc\nd\n");
-    CHECK(edited.redo(0));
+    CHECK(edited.undo(false, order));
     CHECK(edited.reload("new\na\ntheirs\nc\nd\n"));
     CHECK(edited.text() == "new\na\ntheirs\nc\nD\n");
-    CHECK(edited.undo(0));
+    CHECK(edited.undo(true, order));
     CHECK(!edited.changed());
-    CHECK(!edited.undo(0));  // of a line that is another one now
-    CHECK(edited.redo(0));
+    CHECK(!edited.undo(true, order));  // of a line that is another one now
+    CHECK(edited.undo(false, order));
     CHECK(!edited.reload(edited.text()));  // it was written
     CHECK(!edited.changed());
-    CHECK(edited.undo(0));
+    CHECK(edited.undo(true, order));
     CHECK(edited.changed());
     edited.open("path\na\nb\n");
-    edited.change("path\nA\nb\n", false, 0);
+    edited.change("path\nA\nb\n", {order, "change"});
     CHECK(!edited.reload("new path\nA\nb\n"));  // written together with something else
     CHECK(!edited.changed());
-    CHECK(edited.undo(0));
+    CHECK(edited.undo(true, order));
     CHECK(edited.text() == "new path\na\nb\n");
     edited.open("a\r\nb");
-    edited.change("a\r\nB", false, 0);
+    edited.change("a\r\nB", {order, "change"});
     CHECK(text_of(rebased(edited.changes(), "x\r\na\r\nb").text.changed) == "x\r\na\r\nB");
     CHECK(text_of(rebased(edited.changes(), "").text.changed) == "");
     CHECK(rebased(edited.changes(), "").lost);
 }
 
 TEST_CASE("lines are added and removed, and undo and redo find them again") {
+    EditOrder order;
     EditedText edited;
     edited.open("a\nb\nc\nd\n");
-    edited.change("a\nb\nb2\nb3\nc\nd\n", false, 0);
-    edited.change("a\nb\nb2\nb3\nd\n", false, 0);
+    edited.change("a\nb\nb2\nb3\nc\nd\n", {order, "change"});
+    edited.change("a\nb\nb2\nb3\nd\n", {order, "change"});
     CHECK(edited.unwritten() == std::vector<std::string>{"3: b2", "4: b3", "5, removed: c"});
-    edited.change("a\nb\nb2\nB3\nd\n", false, 0);
+    edited.change("a\nb\nb2\nB3\nd\n", {order, "change"});
     CHECK(!edited.reload("new\na\nb\nc\nd\n"));
     CHECK(edited.text() == "new\na\nb\nb2\nB3\nd\n");
     CHECK(!edited.reload("new\na\nb\nb2\nB3\nd\npath\n"));  // written together with something else
     CHECK(!edited.changed());
-    for (int i = 0; i < 3; ++i) CHECK(edited.undo(0));
+    for (int i = 0; i < 3; ++i) CHECK(edited.undo(true, order));
     CHECK(edited.text() == "new\na\nb\nc\nd\npath\n");
-    CHECK(!edited.undo(0));
-    for (int i = 0; i < 3; ++i) CHECK(edited.redo(0));
+    CHECK(!edited.undo(true, order));
+    for (int i = 0; i < 3; ++i) CHECK(edited.undo(false, order));
     CHECK(!edited.changed());
     edited.open("x");
-    edited.change("", false, 0);
-    edited.change("y\nz", false, 0);
-    CHECK(edited.undo(0));
-    CHECK(edited.undo(0));
+    edited.change("", {order, "change"});
+    edited.change("y\nz", {order, "change"});
+    CHECK(edited.undo(true, order));
+    CHECK(edited.undo(true, order));
     CHECK(edited.text() == "x");
 
     // Whatever is done and however often the file becomes what was written, undo leads back to the beginning.
@@ -266,17 +266,17 @@ TEST_CASE("lines are added and removed, and undo and redo find them again") {
                 lines.insert(place, random(2) == 0 ? "b" : "n" + std::to_string(step));
             else
                 lines[at] = "c" + std::to_string(step);
-            edited.change(text_now(), false, 0);
+            edited.change(text_now(), {order, "change"});
             REQUIRE(edited.text() == text_now());
             if (texts.back() != text_now()) texts.push_back(text_now());
             if (random(4) == 0) CHECK(!edited.reload(text_now()));
         }
         for (std::size_t i = texts.size() - 1; i-- > 0;) {
-            REQUIRE(edited.undo(0));
+            REQUIRE(edited.undo(true, order));
             CHECK(edited.text() == texts[i]);
         }
-        CHECK(!edited.undo(0));
-        for (std::size_t i = 1; i < texts.size(); ++i) REQUIRE(edited.redo(0));
+        CHECK(!edited.undo(true, order));
+        for (std::size_t i = 1; i < texts.size(); ++i) REQUIRE(edited.undo(false, order));
         CHECK(edited.text() == text_now());
     }
 }
@@ -346,9 +346,10 @@ TEST_CASE("numbers that stand in a text for POV-Ray are changed there; of severa
     CHECK(!editor.open_to_change(value("rgb")));  // that of the scene
     CHECK(!editor.open_to_change(value("radius")));
     editor.allow("declare R, line 1");
-    CHECK(editor.change(value("radius"), std::array{1.25}, false, 0));
+    EditOrder order;
+    CHECK(editor.change(value("radius"), std::array{1.25}, order));
     editor.look(opened.scene);  // the changed text has not been read yet
-    CHECK(editor.change(value("pigment rgb"), std::array{1., .5, 0.}, false, 0));
+    CHECK(editor.change(value("pigment rgb"), std::array{1., .5, 0.}, order));
     const std::string& changed = editor.edited.text();
     CHECK(changed.starts_with("#declare R = 1.25;\n"));
     CHECK(changed.find("sphere { 0, R pigment { rgb <1, 0.5, 0> } }\n#for") != changed.npos);
@@ -360,8 +361,8 @@ TEST_CASE("numbers that stand in a text for POV-Ray are changed there; of severa
     editor.choose(2, {}, now.scene);
     CHECK(value("opposite corner").source == "line 4, which makes 2 bodies");
     CHECK(!editor.open_to_change(value("opposite corner")));
-    CHECK(editor.edited.undo(0));
-    CHECK(editor.edited.undo(0));
+    CHECK(editor.edited.undo(true, order));
+    CHECK(editor.edited.undo(true, order));
     CHECK(editor.edited.text() == text);
 }
 

@@ -72,15 +72,15 @@ TEST_CASE("keys are set, deleted and added, with undo and redo") {
     CHECK(note(Action::delete_key) == "key at 1 s deleted");
     CHECK(session.editor.path() == *session.scene->flythrough);
     CHECK(note(Action::delete_key).starts_with("no key at 1 s"));
-    CHECK(note(Action::undo) == "undone");
-    CHECK(note(Action::undo) == "undone");
+    CHECK(note(Action::undo) == "undone: key at 1 s deleted");
+    CHECK(note(Action::undo) == "undone: key at 1 s changed");
     CHECK(distance(session.editor.path().keys[1].position, there.position) < 1e-4);
-    CHECK(note(Action::redo) == "redone");
+    CHECK(note(Action::redo) == "redone: key at 1 s changed");
     CHECK(distance(session.editor.path().keys[1].position, there.position) > 0.1);
     CHECK(note(Action::add_key) == "key 5 added at 7 s");
     CHECK(session.editor.path().duration == 7);
     CHECK(note(Action::redo) == "nothing to redo");
-    for (int i = 0; i < 3; ++i) CHECK(note(Action::undo) == "undone");
+    for (int i = 0; i < 3; ++i) CHECK(note(Action::undo).starts_with("undone: key "));
     CHECK(note(Action::undo) == "nothing to undo");
     CHECK(session.editor.path() == *session.scene->flythrough);
     // A new path replaces the scene's; undo brings that back.
@@ -89,6 +89,34 @@ TEST_CASE("keys are set, deleted and added, with undo and redo") {
     note(Action::undo), note(Action::undo);
     session.perform({Action::rewind}, 10), session.perform({Action::pause}, 10);
     CHECK(session.flight.path() == session.scene->flythrough);
+}
+
+TEST_CASE("changes of text, path and tracks are undone in one order, also the last 500 of many") {
+    Session session(scene_of(path_text));
+    EditedText text;
+    text.open("0");
+    session.take_tracks("", true);
+    const auto step = [&](bool back) {  // as the window does it
+        if (text.next_step(back, session.edits) > session.next_step(back)) return *text.undo(back, session.edits);
+        return session.perform({back ? Action::undo : Action::redo}, 0).note;
+    };
+    for (int i = 0; i < 700; ++i) session.perform({Action::add_key}, 0);
+    text.change("1", {session.edits, "text 1"});
+    for (int i = 0; i < 3; ++i) session.perform({Action::add_key}, 0);
+    session.change_track({"z", {{0, 1, Interpolation::linear}}}, false, 0);
+    text.change("2", {session.edits, "text 2"});
+    CHECK(step(true) == "text 2");
+    CHECK(step(true) == "undone: keys of the track z");
+    for (int i = 706; i > 703; --i) CHECK(step(true).starts_with("undone: key " + std::to_string(i)));
+    CHECK(step(true) == "text 1");
+    CHECK(step(true).starts_with("undone: key 703"));
+    CHECK(step(false).starts_with("redone: key 703"));
+    CHECK(step(false) == "text 1");
+    CHECK(step(false).starts_with("redone: key 704"));
+    session.perform({Action::clear_path}, 0);
+    CHECK(step(false) == "nothing to redo");  // neither of the path nor of what was taken back before
+    CHECK(step(true) == "undone: new path");
+    CHECK(step(false) == "redone: new path");
 }
 
 TEST_CASE("values of a key are typed, and a drag of it is undone at once") {
@@ -177,7 +205,7 @@ TEST_CASE("a path can be read again after any edits") {
         const Flythrough& path = session.editor.path();
         if (!path.keys.empty() && random(2) == 0) {
             const auto number = std::size_t(random(int(path.keys.size())));
-            session.editor.change(retimed(path, number, random(12000) / 1000.));
+            session.editor.change(retimed(path, number, random(12000) / 1000.), {session.edits, "random"});
             session.path_changed(i);
         }
         if (path.keys.size() < 2) continue;
@@ -210,14 +238,10 @@ TEST_CASE("a new path in the file replaces the edited one, and undo brings that 
 
 TEST_CASE("a path that is not written is asked about once, and none made by hand is forgotten") {
     Session session(scene_of(path_text));
-    CHECK(!session.editor.asks());
     session.perform({Action::add_key}, 1);
-    CHECK(session.editor.asks());
-    CHECK(!session.editor.asks());
     const Flythrough first = session.editor.path();
     session.perform({Action::clear_path}, 2);
     session.perform({Action::add_key}, 3);  // a single key, which cannot be written, is asked about and kept as well
-    CHECK(session.editor.asks());
     const Flythrough second = session.editor.path();
     session.perform({Action::record}, 4);
     session.steer({.push = {1, 0, 0}}, 5), session.observe(5);
@@ -226,10 +250,8 @@ TEST_CASE("a path that is not written is asked about once, and none made by hand
     CHECK(!session.recording());
     CHECK(session.end_recording(8).note == "");
     CHECK(session.editor.unwritten() == std::vector{first, second, session.editor.path()});
-    CHECK(session.editor.asks());
     session.replace(scene_of(write_flythrough(first)), false);  // written by hand into the file
     CHECK(session.editor.unwritten().size() == 2);
-    CHECK(!session.editor.asks());
 }
 
 TEST_CASE("a path is closed and opened, and its end is dragged") {
@@ -250,8 +272,8 @@ TEST_CASE("a path is closed and opened, and its end is dragged") {
     CHECK(looped(round, 3).duration == path.duration);
 
     Session session(scene_of(path_text));
-    session.change_path(closed, false, 0);
-    session.change_path(lasting(closed, 8), true, 0);
+    session.change_path(closed, "path closed", false, 0);
+    session.change_path(lasting(closed, 8), "end of the path", true, 0);
     CHECK(session.path_to_fly()->duration == 8);
     session.perform({Action::undo}, 0);
     CHECK(session.editor.path() == path);

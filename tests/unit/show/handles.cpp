@@ -139,6 +139,7 @@ TEST_CASE("circles turn what is dragged along them, and squares scale") {
 TEST_CASE("a body follows the pointer, and undo takes back the whole drag") {
     const auto scene = shown_scene();
     const View view = wide_view(*scene);
+    EditOrder order;
     BodyEditor editor;
     editor.open(scene_text);
     const glm::dvec2 on_ball = *place_in(view, {0, 0, 2});
@@ -151,7 +152,7 @@ TEST_CASE("a body follows the pointer, and undo takes back the whole drag") {
     glm::dvec2 to = on_ball;
     for (int i = 1; i <= 20; ++i) {
         to = on_ball + glm::dvec2(4 * i, 3 * i);
-        editor.edited.change(drag->text(to, false), i > 1, 0);
+        editor.edited.change(drag->text(to, false), {order, "drag", i > 1});
         editor.look(*scene);
     }
     const Scene moved = parse_scene(editor.edited.text(), "test");
@@ -159,11 +160,11 @@ TEST_CASE("a body follows the pointer, and undo takes back the whole drag") {
     CHECK(editor.edited.unwritten().size() == 1);
     const DVec3 before = editor.choice()->point;
     editor.move_point(before + DVec3(0, 0, 3));
-    CHECK(editor.edited.undo(0));
+    CHECK(editor.edited.undo(true, order));
     CHECK(editor.edited.text() == scene_text);
     editor.find_point(*scene);
     CHECK(length(editor.choice()->point - before) < 1e-9);
-    CHECK(!editor.edited.undo(0));
+    CHECK(!editor.edited.undo(true, order));
 }
 
 TEST_CASE("lights have marks that can be chosen and dragged; those that move or have no place say so") {

@@ -189,7 +189,7 @@ TEST_CASE("a path is written into the scene file, of which a copy stays; a file 
     REQUIRE(reload.take(10));
     std::optional<Written> written;
     const auto write = [&](std::optional<Flythrough> flythrough, bool anyway) {
-        reload.write(std::move(flythrough), {}, anyway);
+        reload.write({.flythrough = std::move(flythrough), .anyway = anyway});
         return soon([&] { return (written = reload.take_written()).has_value(); });
     };
     Flythrough flight{4, false, {{0, {1, 2, 3}, {0, 0, 0}, {}, {}}, {4, {3, 2, 1}, {0, 0, 0}, {}, {}}}};
@@ -231,11 +231,11 @@ TEST_CASE("the flight of a scene of POV-Ray is written beside it, in its coordin
     REQUIRE(reload.take(10));
     std::optional<Written> written;
     const auto write = [&](std::optional<Flythrough> flight) {
-        reload.write(std::move(flight), {}, true);
+        reload.write({.flythrough = std::move(flight), .anyway = true});
         return soon([&] { return (written = reload.take_written()).has_value(); });
     };
     REQUIRE(write({}));
-    CHECK(says(written->fault, "there is nothing to write"));
+    CHECK(written->unchanged);
     CHECK(folder.files() == 1);
     Flythrough flight{4, false, {{0, {1, 2, 3}, {0, 0, 0}, {}, {}}, {4, {3, 2, 1}, {0, 0, 0}, {}, {}}}};
     REQUIRE(write(flight));
@@ -255,15 +255,16 @@ TEST_CASE("the flight of a scene of POV-Ray is written beside it, in its coordin
     CHECK(bytes_of(path) == text);
     // Numbers are written into the scene itself, and a path with them into its own file.
     while (reload.take()) continue;
+    EditOrder order;
     EditedText edited;
     edited.open(text);
-    edited.change("camera { location <0, 0, -5> } sphere { 0, 2 }", false, 0);
+    edited.change("camera { location <0, 0, -5> } sphere { 0, 2 }", {order, "radius"});
     reload.show(edited.text());
     std::optional<Loaded> shown;
     REQUIRE(soon([&] { return (shown = reload.take_shown()).has_value(); }));
     CHECK(shown->text == edited.text());
     CHECK(std::get<Sphere>(shown->scene->primitives[0].shape).radius == 2);
-    reload.write(flight, edited.changes(), true);
+    reload.write({.flythrough = flight, .changes = edited.changes(), .anyway = true});
     REQUIRE(soon([&] { return (written = reload.take_written()).has_value(); }));
     CHECK(written->fault == "");
     CHECK(bytes_of(path) == edited.text());
@@ -315,10 +316,11 @@ TEST_CASE("a scene of POV-Ray is read again when a file changes that it includes
     CHECK(loaded->text == changed);
     CHECK(ball().radius == 2);
     CHECK(ball().centre.x == doctest::Approx(7.5));
+    EditOrder order;
     EditedText edited;
     edited.open(text);
-    edited.change(changed, false, 0);
-    reload.write({}, edited.changes(), false);
+    edited.change(changed, {order, "change"});
+    reload.write({.changes = edited.changes()});
     std::optional<Written> written;
     REQUIRE(soon([&] { return (written = reload.take_written()).has_value(); }));
     CHECK(written->fault == "");
@@ -367,10 +369,11 @@ TEST_CASE("changed numbers are shown before they are written, and are written be
     CHECK(bytes_of(path) == scene_text);
     std::optional<Written> written;
     const auto write = [&] {
+        EditOrder order;
         EditedText edited;
         edited.open(scene_text);
-        edited.change(changed, false, 0);
-        reload.write({}, edited.changes(), true);
+        edited.change(changed, {order, "change"});
+        reload.write({.changes = edited.changes(), .anyway = true});
         return soon([&] { return (written = reload.take_written()).has_value(); });
     };
     put("// theirs\n" + scene_text);

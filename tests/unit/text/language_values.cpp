@@ -6,10 +6,9 @@ using namespace strahl;
 using namespace strahl::language;
 
 TEST_CASE("values out of range") {
-    check_fault("sphere { <0,0,0>, 0 }",
-                "2:19: 'radius' of 'sphere' must be greater than 0 (at least 2.3e-308) and at most 1e9, not '0'");
+    check_fault("sphere { <0,0,0>, 0 }", "2:19: 'radius' of 'sphere' must be greater than 0 and at most 1e9, not '0'");
     check_fault("sphere { <0,0,0>, 1e-310 }",
-                "2:19: 'radius' of 'sphere' must be greater than 0 (at least 2.3e-308) and at most 1e9, not '1e-310'");
+                "2:19: 'radius' of 'sphere' must be greater than 0 and at most 1e9, not '1e-310'");
     check_fault("sphere { <0,-1.5e9,0>, 1 }", "2:13: 'centre' of 'sphere' must be from -1e9 to 1e9, not '-1.5e9'");
     check_fault("light { position <1e10,0,0> color <1,1,1> }",
                 "2:19: 'position' of 'light' must be from -1e9 to 1e9, not '1e10'");
@@ -124,7 +123,7 @@ TEST_CASE("blobs have lumps, which may be stretched") {
     CHECK(blob.data->lumps == std::vector<Lump>{{DVec3(0), DVec3(0), 1, 2}, second});
     CHECK(blob.data->pieces.size() == 4);
     check_fault("blob { 0 lump { <0,0,0>, <0,0,0>, 1, 2 } }",
-                "2:8: 'threshold' of 'blob' must be greater than 0 (at least 2.3e-308) and at most 1e9, not '0'");
+                "2:8: 'threshold' of 'blob' must be greater than 0 and at most 1e9, not '0'");
     check_fault("blob { 1 }", "2:1: invalid blob: it has no lump that adds to its field");
     check_fault("blob { 1 lump { <0,0,0>, <0,0,0>, 1, -2 } }",
                 "2:1: invalid blob: it has no lump that adds to its field");
@@ -221,7 +220,7 @@ TEST_CASE("invalid flythroughs") {
                 "4:40: times must increase: the key before, in line 3, is not earlier than this one");
     check_fault(path("duration 2", "0", "2.5"), "4:40: this is after the end, set by 'duration' in line 2");
     check_fault(path("duration 0", "0", "1"),
-                "2:23: 'duration' of 'flythrough' must be greater than 0 (at least 2.3e-308) and at most 1e9, not '0'");
+                "2:23: 'duration' of 'flythrough' must be greater than 0 and at most 1e9, not '0'");
     check_fault(path("duration 2", "0 ease 1.5", "1"), "3:52: 'ease' of 'key' must be from 0 to 1, not '1.5'");
     check_fault(path("duration 2", "-1", "1"), "3:45: 'time' of 'key' must be from 0 to 1e9, not '-1'");
     check_fault(path("loop duration 2", "0", "2"),

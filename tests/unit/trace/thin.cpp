@@ -217,6 +217,19 @@ TEST_CASE("wires and dust keep their light") {
     }
 }
 
+TEST_CASE("a wire that is the only body keeps its light, whatever end is nearer") {
+    std::mt19937 random(8);
+    std::uniform_real_distribution<double> within(-2, 2);
+    const auto end = [&](double x) { return DVec3(x, within(random), within(random)); };
+    for (int i = 0; i < 6; ++i) {
+        CAPTURE(i);
+        Scene scene = wires();
+        scene.primitives.resize(1);
+        scene.primitives[0].shape = Cylinder{end(-2.7), end(2.7), .004};
+        check_last_body(std::move(scene), 120, .03);
+    }
+}
+
 TEST_CASE("shadows of wires keep their darkness") { check_last_body(parse_scene(shadow_of_wire, "shadow_of_wire")); }
 
 TEST_CASE("wires, their shadows and reflections keep their light in parallel views") {
@@ -306,6 +319,24 @@ TEST_CASE("flat bodies seen edge-on, rings, slivers and what differences leave k
         CAPTURE(text);
         // Bodies of a sixth of a pixel lose up to 7 % of their light in this small picture, of a fifth up to 3 %.
         check_last_body(parse_scene(text, "flat"), 80, .08, .02);
+    }
+}
+
+TEST_CASE("rings, slivers and discs seen edge-on, of .06 to .5 pixels, take their area") {
+    std::mt19937 random(21);
+    const auto between = [&](double low, double high) { return std::uniform_real_distribution<>(low, high)(random); };
+    for (int i = 0; i < 12; ++i) {
+        CAPTURE(i);
+        Scene scene = wires();
+        scene.primitives.resize(1);
+        const double width = .06 * std::pow(10., between(-1.2, -.3));  // a pixel has .06
+        const DVec3 across(between(-1, 1), between(-1, 1), between(-1, 1));
+        Shape& shape = scene.primitives[0].shape;
+        if (i % 3 == 0) shape = Disc{{}, {across.x, 1, across.z}, 2.5, 2.5 - width};
+        if (i % 3 == 1)
+            shape = Triangle{{-2.5, across.x, across.y}, {-2.5, across.x, across.y + width}, {2.5, 0, across.z}};
+        if (i % 3 == 2) shape = Disc{{0, 0, .2}, {across.x, width / 8, 1}, 2};
+        check_last_body(std::move(scene), 120, .02, .02);
     }
 }
 

@@ -7,7 +7,7 @@
 
 namespace strahl {
 
-/// Rays, by the numbers of the lanes that they had, and the `each` lanes that each of them has now, side by side.
+/// Packs few rays: each gets `each` neighbouring lanes, and the number of the lane that it came from is kept.
 template <class V>
 struct SharedLanes {
     using R = Element<V>;
