@@ -295,7 +295,7 @@ TEST_CASE_TEMPLATE("a camera on a flat face sees it whole or not at all, in ever
             "box { <-12, -12, -9>, <12, 12, 0>" + bright, "disc { <0, 0, 0>, <0, 0, 1>, 12" + bright,
             "cylinder { <0, 0, -9>, <0, 0, 0>, 12" + bright, "plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0>" + bright};
         Scene scene = parse_scene(
-            "camera { position <0, 0, 5> look_at <0, 0, 0> sky <0, 1, 0> } background { color <0, 0, 1> } "
+            "camera { position <0, 0, 5> look_at <0, 0, 0> sky <0, 1, 0> fov 50 } background { color <0, 0, 1> } "
             "global_settings { ambient_light <1, 1, 1> } " +
                 bodies[i % 4] + " rotate <" + std::to_string(number(-80, 80)) + ", 20, 30> }",
             "face");
