@@ -272,7 +272,8 @@ void Viewer::apply(const TimelineInput& done) {
                                   : what == Change::add ? with_motion_key(text, *session.scene, motion, seconds)
                                                         : without_motion_key(text, motion, key);
         if (newer != text)
-            bodies.change_text(newer, "keys of the motion of " + motion.name, merged), session.go_to(seconds, pace.now());
+            bodies.change_text(newer, "keys of the motion of " + motion.name, merged),
+                session.go_to(seconds, pace.now());
         else if (what == Change::remove && motion.times.size() == 2)
             notes.note("a motion has two keys at least");
         else if (what != Change::move)
@@ -280,8 +281,7 @@ void Viewer::apply(const TimelineInput& done) {
     }
     if (done.choose_sound) chooser.ask_for_sound();
     if (!done.refused.empty()) notes.note(done.refused);
-    if (const auto& change = done.track)
-        session.change_track(change->track, change->merged, pace.now());
+    if (const auto& change = done.track) session.change_track(change->track, change->merged, pace.now());
     if (done.music || done.track || done.motion) pace.redraw(3);
     if (done.path) session.change_path(done.path->path, done.path->what, done.path->merged, pace.now());
     if (!done.command && !done.go_to && !done.change && !done.path) return;

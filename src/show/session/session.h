@@ -88,7 +88,7 @@ class Session {
 
     std::shared_ptr<const Scene> scene;
     std::shared_ptr<const Scene> pictured;  // gives the same picture as `scene`: what is traced goes on if it stays
-    EditOrder edits;  // of the path, the tracks and the text
+    EditOrder edits;                        // of the path, the tracks and the text
     PathEditor editor;
     Flight flight;
     Camera camera;

@@ -133,7 +133,8 @@ void Timeline::bar(const TimelineView& view, TimelineInput& input) {
     }
     if (held && end_dragged && has_path && ImGui::IsMouseDragging(0, 3)) {
         Flythrough path = lasting(view.editor.path(), std::round(100 * std::clamp(pointed, 0., scale.last())) / 100);
-        if (path != view.editor.path()) input.path = {std::move(path), "end of the path", std::exchange(drag_began, true)};
+        if (path != view.editor.path())
+            input.path = {std::move(path), "end of the path", std::exchange(drag_began, true)};
     }
     if (held && !dragged && !end_dragged) input.go_to = std::clamp(pointed, 0., view.duration);
     if (held && dragged && *dragged < keys.size() && ImGui::IsMouseDragging(0, 3)) {
