@@ -96,6 +96,7 @@ Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::unique_ptr<Reload
     session.keys = keys.keys;
     session.keys_elsewhere = playback.tracks.wanted();
     if (first.scene) session.take_tracks(first.tracks, true);
+    for (const std::string& warning : first.warnings) notes.announce(warning);
     if (first.scene) bodies.loaded(first), side.loaded(first), chooser.opened(first.path);
     if (!file.waiting()) playback.start_scene();
 }
@@ -435,6 +436,7 @@ void Viewer::take_scene() {
         notes.announce("the file has another path now, which replaces yours; " + notes.key(Action::undo) +
                        " brings yours back");
     take_tracks(loaded->tracks, loaded->opened || first);
+    for (const std::string& warning : loaded->warnings) notes.announce(warning);
     session.editor.words = loaded->words;
     bodies.loaded(*loaded), side.loaded(*loaded);
     if (first || (options.play && loaded->opened))
