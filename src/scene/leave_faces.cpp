@@ -22,7 +22,7 @@ bool is_flat(const Shape& shape) {
 
 }  // namespace
 
-DVec3 off_faces(const Scene& scene, const Camera& camera, double reach) {
+DVec3 off_faces(const Scene& scene, const Camera& camera, double reach, double rounding) {
     DVec3 eye = camera.position;
     const DVec3 way = .01 * (camera.look_at - eye);
     const double away = length(way);
@@ -38,7 +38,8 @@ DVec3 off_faces(const Scene& scene, const Camera& camera, double reach) {
         if (hits.empty()) continue;
         const DVec3 normal = hits[0].normal * (dot_product(hits[0].normal, towards) < 0 ? -1. : 1.);
         const double behind = (hits[0].t - reach) * dot_product(normal, towards);
-        eye = eye + (std::max(behind, 0.) + 1e-7 * (1 + away)) * normal;
+        const double size = box.finite() ? length(box.high - box.low) : length(eye);
+        eye = eye + (std::max(behind, 0.) + 1e-7 * (1 + away) + rounding * (1 + size)) * normal;
     }
     return eye;
 }

@@ -20,8 +20,7 @@ namespace strahl {
 class BodyHandles {
   public:
     /// `bodies` knows what is chosen and holds the text that drags change.
-    BodyHandles(BodyEditor& bodies, Session& session, Pace& pace)
-        : bodies(bodies), session(session), pace(pace) {}
+    BodyHandles(BodyEditor& bodies, Session& session, Pace& pace) : bodies(bodies), session(session), pace(pace) {}
 
     /// Chooses what the handles do next. Returns what to tell the user.
     const char* change_mode();

@@ -68,6 +68,7 @@ void BodyTools::log_choice() {
 }
 
 void BodyTools::apply(const BodyInput& input) {
+    if (!input.refused.empty()) notes.note(input.refused);
     if (input.close) bodies.close(), pace.redraw();
     if (input.allow) bodies.allow(*input.allow), pace.redraw();
     if (changing() || !bodies.any()) return;

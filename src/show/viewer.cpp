@@ -11,6 +11,7 @@
 #include "scene/moving_scene.h"
 #include "show/info.h"
 #include "show/welcome/help_panel.h"
+#include "text/camera_text.h"
 #include "text/music_text.h"
 #include "text/reading/tracks_file.h"
 #include "text/write.h"
@@ -64,7 +65,7 @@ Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::unique_ptr<Reload
                      if (key != GLFW_KEY_ESCAPE || file.waiting()) return chooser.key(key);
                      return perform({Action::gallery}), true;
                  },
-             .turn_wheel = [this](double n) { notes.tell(session.turn_wheel(n, pace.now())); },
+             .turn_wheel = [this](double n, bool speed) { notes.tell(session.turn_wheel(n, speed, pace.now())); },
              .drop =
                  [this](std::string path) {
                      const bool sound = !panels.gallery && std::filesystem::path(path).extension() == ".ogg";
@@ -95,6 +96,7 @@ Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::unique_ptr<Reload
     session.keys = keys.keys;
     session.keys_elsewhere = playback.tracks.wanted();
     if (first.scene) session.take_tracks(first.tracks, true);
+    for (const std::string& warning : first.warnings) notes.announce(warning);
     if (first.scene) bodies.loaded(first), side.loaded(first), chooser.opened(first.path);
     if (!file.waiting()) playback.start_scene();
 }
@@ -129,6 +131,8 @@ void Viewer::perform(Command command) {
             return chooser.toggle_gallery();
         case Action::write_path:
             return write();
+        case Action::keep_view:
+            return keep_view();
         case Action::save_as:
             if (!file.waiting()) chooser.ask_where_to_save();
             return;
@@ -203,6 +207,17 @@ void Viewer::write() {
     if (of_scene || !of_tracks) file.write(session.editor.path(), bodies.changes());
 }
 
+/// Makes the view the camera of the scene's text.
+void Viewer::keep_view() {
+    if (file.waiting()) return;
+    const Keyframe view = key_of(session.camera, session.scene->camera, 0);
+    const std::string& text = bodies.editor().edited.text();
+    const bool fixed = bodies.editor().read_only() || !session.scene->camera_follows.empty();
+    const auto newer = fixed ? std::nullopt : with_camera(text, view);
+    if (!newer) return notes.note("the camera of this scene is changed in its text");
+    if (bodies.change_text(*newer, "the scene's camera")) notes.note("this view is the scene's camera now");
+}
+
 /// Would changes be lost now?
 bool Viewer::unsaved() const {
     return session.editor.changed() || bodies.editor().edited.changed() || session.track_keys.changed();
@@ -257,15 +272,16 @@ void Viewer::apply(const TimelineInput& done) {
                                   : what == Change::add ? with_motion_key(text, *session.scene, motion, seconds)
                                                         : without_motion_key(text, motion, key);
         if (newer != text)
-            bodies.change_text(newer, "keys of the motion of " + motion.name, merged), session.go_to(seconds, pace.now());
+            bodies.change_text(newer, "keys of the motion of " + motion.name, merged),
+                session.go_to(seconds, pace.now());
         else if (what == Change::remove && motion.times.size() == 2)
             notes.note("a motion has two keys at least");
         else if (what != Change::move)
             notes.note("this motion stands in a definition, and is changed in the text");
     }
     if (done.choose_sound) chooser.ask_for_sound();
-    if (const auto& change = done.track)
-        session.change_track(change->track, change->merged, pace.now());
+    if (!done.refused.empty()) notes.note(done.refused);
+    if (const auto& change = done.track) session.change_track(change->track, change->merged, pace.now());
     if (done.music || done.track || done.motion) pace.redraw(3);
     if (done.path) session.change_path(done.path->path, done.path->what, done.path->merged, pace.now());
     if (!done.command && !done.go_to && !done.change && !done.path) return;
@@ -420,6 +436,7 @@ void Viewer::take_scene() {
         notes.announce("the file has another path now, which replaces yours; " + notes.key(Action::undo) +
                        " brings yours back");
     take_tracks(loaded->tracks, loaded->opened || first);
+    for (const std::string& warning : loaded->warnings) notes.announce(warning);
     session.editor.words = loaded->words;
     bodies.loaded(*loaded), side.loaded(*loaded);
     if (first || (options.play && loaded->opened))

@@ -44,6 +44,7 @@ class Viewer {
     void perform(Command command);
     void back();
     void write();
+    void keep_view();
     bool unsaved() const;
     void leave(std::function<void()> go);
     void answer(Leaving::Answer given);

@@ -3,6 +3,7 @@
 #include <cassert>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -264,10 +265,10 @@ class TracerOf : public AnyTracer {
 
     void find_eye(const Camera& camera) {
         if (known && known->camera == camera) return;
-        constexpr std::size_t most = 10'000;  // bodies, among which faces are looked for in each picture
+        constexpr std::size_t most = 1000;  // bodies; among more it would take too long for each picture of a film
         const bool looks = scene().primitives.size() <= most;
-        const double reach = 1e-12 * (1 + length(camera.position));
-        const DVec3 eye = looks ? off_faces(scene(), camera, reach) : camera.position;
+        const double reach = 1e-12 * (1 + length(camera.position)), rounding = 16. * std::numeric_limits<T>::epsilon();
+        const DVec3 eye = looks ? off_faces(scene(), camera, reach, rounding) : camera.position;
         known = {camera, eye, built->bodies_around(eye)};
     }
 

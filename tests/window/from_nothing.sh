@@ -127,8 +127,8 @@ point 420 400
 await 'chosen: body 2'
 follow 834 190 bounce 795
 way 2
-for _ in 1 2 3 4 5 6 7 8; do point 40 596 4; done
-point 116 590
+for _ in 1 2 3 4 5 6 7 8; do point 88 596 4; done
+point 160 590
 point 310 662 # set key
 type_at 320 662 1.2
 way 3
@@ -142,16 +142,16 @@ await 'lights are shown'
 point 318 299
 await 'chosen: light 3'
 follow 817 124 flash 885
-point 39 546
+point 87 546
 type_at 320 662 1.3
-point 182 565
+point 222 565
 point 310 662
 type_at 320 662 .25
 point 620 662
 shot 7
 
 echo "-- played, written, and filmed"
-for _ in 1 2 3 4 5 6 7 8; do point 40 596 5; done
+for _ in 1 2 3 4 5 6 7 8; do point 88 596 5; done
 point 480 20
 xdotool key l space
 await 'flight continues'

@@ -27,8 +27,6 @@ cmp first.rt scene.rt && cmp first.tracks scene.tracks || fault "F2 without a ch
 [[ ! -e scene.rt~ && ! -e scene.tracks~ ]] || fault "F2 without a change has made a copy"
 
 echo "-- a key of the path is written with the tracks as they are; the picture goes on"
-await 'finished'
-finished=$(grep -c finished log)
 xdotool key p keydown a sleep 0.2 keyup a key p
 await 'rest after'
 await 'finished'

@@ -8,6 +8,7 @@
 
 #include "files/utf8.h"
 #include "main/lsp/scene_names.h"
+#include "pov/language/words.h"
 #include "pov/open_scene.h"
 #include "text/manual/word_help.h"
 #include "text/reading/scene_files.h"
@@ -68,25 +69,35 @@ std::string help_at(const EditedScene& scene, std::size_t at, const ReadDocument
     return is_pov(scene.document->path) ? "" : help_on_word(cursor.at.text, cursor.block(), cursor.block(1));
 }
 
-std::vector<OfferedWord> words_at(const EditedScene& scene, std::size_t at) {
-    const SceneCursor cursor = cursor_at(scene.document->text, at);
+std::vector<OfferedWord> words_at(const EditedScene& scene, std::size_t at, const ReadDocument& read) {
+    const Document& document = *scene.document;
+    const SceneCursor cursor = cursor_at(document.text, at);
     if (cursor.at.kind == SceneToken::comment || cursor.at.kind == SceneToken::quotation) return {};
+    const bool pov = is_pov(document.path);
     const std::string_view block = cursor.block(), before = cursor.before.text;
     const bool of_material = before == "material" || before == "defaultmaterial";
     std::vector<std::string> words = words_after(block == "solid" && before == "{" ? block : before);
     if (words.empty() && !of_material) words = words_in(block, cursor.block(1));
     const bool bodies = std::ranges::find(words, "sphere") != words.end();
     std::vector<OfferedWord> offered;
-    if (!is_pov(scene.document->path))
+    if (pov)
+        for (const std::string_view word : pov::reserved_words)
+            offered.push_back({OfferedWord::parameter, std::string(word)});
+    else
         for (const std::string& word : words)
             offered.push_back({help_on_block(word).empty() ? OfferedWord::parameter : OfferedWord::block, word,
                                help_on_word(word, block, cursor.block(1))});
-    std::set<std::string_view> names;
-    for (const SceneName& name : names_in(scene.document->text))
-        if (name.kind == SceneName::value || (name.kind == SceneName::material && of_material) ||
-            (name.kind == SceneName::body && bodies))
-            names.insert(name.text);
-    for (const std::string_view name : names) offered.push_back({OfferedWord::name, std::string(name)});
+    std::set<std::string> names;
+    const auto add_names = [&](std::string_view text) {
+        for (const SceneName& name : names_in(text))
+            if (pov || name.kind == SceneName::value || (name.kind == SceneName::material && of_material) ||
+                (name.kind == SceneName::body && bodies))
+                names.emplace(name.text);
+    };
+    add_names(document.text);
+    for (const std::string& file : scene.files)
+        if (const auto other = file == document.path ? nullptr : read(file)) add_names(other->text);
+    for (const std::string& name : names) offered.push_back({OfferedWord::name, name});
     return offered;
 }
 

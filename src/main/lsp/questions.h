@@ -38,6 +38,8 @@ struct OfferedWord {
     enum OfferKind { name, block, parameter } kind;
     std::string word, help{};
 };
-std::vector<OfferedWord> words_at(const EditedScene& scene, std::size_t at);
+/// Returns the words of the language that may stand at a place, in a .pov all, and the names that the scene and the
+/// files that it includes have given.
+std::vector<OfferedWord> words_at(const EditedScene& scene, std::size_t at, const ReadDocument& read);
 
 }  // namespace strahl

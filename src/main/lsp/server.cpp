@@ -268,7 +268,8 @@ Json Server::hover(const AskedPlace& place) const {
 Json Server::completion(const AskedPlace& place) const {
     constexpr std::array kinds{6, 22, 14};  // the protocol's numbers: a variable, a structure, a keyword
     Json items = Json::array();
-    for (const OfferedWord& own : words_at(place.scene, place.at)) {
+    const auto read = [&](const std::string& path) { return this->read(path); };
+    for (const OfferedWord& own : words_at(place.scene, place.at, read)) {
         items.push_back({{"label", own.word}, {"kind", kinds[own.kind]}});
         if (!own.help.empty()) items.back()["documentation"] = markdown(own.help);
     }

@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "num/vec_math.h"
+#include "pov/meaning/open_mesh.h"
 #include "pov/meaning/scene_maker.h"
 #include "pov/things/prisms.h"
 #include "scene/leaves.h"
@@ -288,6 +289,8 @@ bool SceneMaker::shows_inside(const ObjectThing& object, const Shape& shape, con
     if (prism) return turned != object.turned_surface;
     const auto* const mesh = std::get_if<Mesh>(&shape);
     if (!mesh) return turned;
+    if (object.word == word("prism") && !mesh->open())  // both caps of POV-Ray's face up
+        notes.approximated(object.place, "which sides of its faces are inside");
     const bool flat_faces_back = mirrored == object.turned_surface;
     // These have no inside that could be turned out.
     if (object.word == word("polygon") || object.word == word("bicubic_patch")) return flat_faces_back != mirrors;
@@ -526,6 +529,26 @@ bool SceneMaker::close(Primitive& body, TextPlace place) {
     return fits_composite(body.shape);
 }
 
+/// Gives an open mesh the inside that its inside_vector says, which always has the same direction in the scene.
+void SceneMaker::close_mesh(const ObjectThing& object, const Around& around, bool takes_away, Primitive& body) {
+    const auto* const mesh = std::get_if<Mesh>(&body.shape);
+    if (!mesh || !mesh->open() || in.options().as_text) return;
+    Steps steps = object.steps;
+    append(steps, around.after);
+    const DVec3 own = glm::inverse(glm::dmat3(matrix_of(steps))) * *object.inside_vector;
+    const auto closed = closed_along(*mesh->data, mirror(own, mirrored));
+    if (!closed) return;
+    const int material = body.material, nothing = materials.nothing();
+    std::vector<Primitive> parts{{closed->first, material, {}}, {closed->second, nothing, {}}};
+    if (!takes_away) {
+        // POV-Ray looks for it only where rays meet the box around it.
+        const Box box = mesh->bounds(matrix(transformations_of(steps, mirrored)));
+        parts.push_back({Cuboid{box.low, box.high}, nothing, transformations_of(inverse(steps), mirrored)});
+        notes.approximated(object.place, "an open mesh in an intersection ends at the box around it");
+    }
+    body.shape = composite<Intersection>(std::move(parts));
+}
+
 /// Makes a composite of an object's parts. Bodies that are turned inside out are subtracted instead.
 std::optional<SceneMaker::Part> SceneMaker::build_parts(const ObjectThing& object, const Around& around) {
     Around within = inside(object, around);
@@ -546,6 +569,8 @@ std::optional<SceneMaker::Part> SceneMaker::build_parts(const ObjectThing& objec
         if (each->thin && !unites && object.kind == ObjectKind::intersect) return std::nullopt;
         if (each->thin && object.kind == ObjectKind::subtract && each->word != word("sphere"))
             notes.left_out(each->place, "a body without extent in a composite");
+        if (part && each->inside_vector)
+            close_mesh(*each, own_around, own_around.turned != within.turned, part->primitive);
         if (part && !close(part->primitive, each->place)) {
             notes.left_out(each->place, "an open body in a composite");
             part.reset();
@@ -672,12 +697,12 @@ void SceneMaker::add(const ObjectThing& object, const Around& around) {
 
 /// Forgets interiors that no two bodies in one place share, and no parts of one body divide.
 void SceneMaker::settle_spaces() {
-    struct Use {
+    struct InteriorUse {
         std::vector<Box> boxes{};
         bool matters = false, needed = false;
         TextPlace place{};
     };
-    std::unordered_map<int, Use> uses;
+    std::unordered_map<int, InteriorUse> uses;
     for (std::size_t i = 0; i < scene.primitives.size(); ++i) {
         const Primitive& body = scene.primitives[i];
         std::set<int> own;
@@ -690,7 +715,7 @@ void SceneMaker::settle_spaces() {
         });
         for (const int number : own) {
             if (number == 0) continue;
-            Use& use = uses[number];
+            InteriorUse& use = uses[number];
             use.matters |= matters, use.needed |= own.size() > 1;
             use.boxes.push_back(world_bounds(body)), use.place = shown[i].place;
         }
@@ -705,9 +730,33 @@ void SceneMaker::settle_spaces() {
     };
     if (spaces > 0)
         for (Primitive& body : scene.primitives) settle(settle, body);
+    constexpr int deep = 20;  // enough for rays through nine clear bodies
+    if (contents.max_trace_level < deep && !in.options().as_text) clear_overlapping();
     for (const auto& [number, use] : uses)
         if (use.needed && in.options().as_text)
             notes.approximated(use.place, "bodies that share an interior, or whose parts have their own");
+}
+
+/// Lets rays go on straight without a new generation, as in POV-Ray, where clear bodies overlap or have several
+/// interiors.
+void SceneMaker::clear_overlapping() {
+    constexpr std::size_t most = 2000;  // bodies; of more none are looked at
+    std::vector<std::pair<Primitive*, Box>> bodies;
+    for (Primitive& body : scene.primitives)
+        if (clear(body)) bodies.emplace_back(&body, world_bounds(body));
+    if (bodies.size() > most) return;
+    const auto change = [&](const auto& self, Primitive& body) -> void {
+        body.material = materials.clear_by_color(body.material);
+        change_parts(body, [&](Primitive& part) { self(self, part); });
+    };
+    for (auto& [body, box] : bodies) {
+        bool overlaps = false;
+        for_each_leaf(*body, [&](const Primitive& leaf, const glm::dmat4&) {
+            overlaps |= materials[leaf.material].interior > 0;
+        });
+        for (const auto& [other, place] : bodies) overlaps |= other != body && boxes_meet(box, place);
+        if (overlaps) change(change, *body);
+    }
 }
 
 /// Gives a body and its parts materials without a shadow, or that are not seen or not mirrored.

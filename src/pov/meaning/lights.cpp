@@ -5,7 +5,6 @@
 
 #include "num/vec_math.h"
 #include "pov/meaning/scene_maker.h"
-#include "scene/overlap.h"
 
 namespace strahl::pov {
 namespace {
@@ -109,31 +108,6 @@ void SceneMaker::add_light(const ObjectThing& object, const Around& around) {
     light.color = max(min(light.color, Color(1e9)), Color(-1e9));
     scene.lights.push_back(light);
     light_places.push_back(object.place);
-}
-
-/// Tells of lights that lie in the surface of a body: its rounding decides where that hides them in POV-Ray.
-void SceneMaker::tell_of_lights() const {
-    constexpr std::size_t most = 20'000;  // bodies that are looked at
-    if (scene.primitives.size() > most) return;
-    for (const Primitive& body : scene.primitives) {
-        if (!(materials[body.material].shadow > 0)) continue;
-        const Box box = world_bounds(body);
-        for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-            const Light& light = scene.lights[i];
-            const DVec3& p = light.position;
-            const double hair = 1e-9 * (1 + length(p));
-            bool holds = !light.direction && !light.area && !light.shadowless;
-            for (int c = 0; c < 3; ++c) holds = holds && p[c] >= box.low[c] - hair && p[c] <= box.high[c] + hair;
-            int inside = 0, looked = 0;
-            for (int c = 0; c < 6 && holds; ++c, ++looked) {
-                DVec3 beside = p;
-                beside[c / 2] += c % 2 ? hair : -hair;
-                inside += strahl::contains(body, beside);
-            }
-            if (inside > 0 && inside < looked)
-                notes.approximated(light_places[i], "a light in the surface of a body is not hidden by it");
-        }
-    }
 }
 
 }  // namespace strahl::pov

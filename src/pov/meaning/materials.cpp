@@ -288,6 +288,14 @@ int MaterialMaker::within(int number, int interior, bool hollow) {
     return materials.number(own);
 }
 
+int MaterialMaker::clear_by_color(int number) {
+    Material own = (*this)[number];
+    const bool unlit = own.diffuse == 0 && own.ambient == 0 && own.specular == 0;
+    if (!own.transmits() || own.rgb.clear() || own.rgb.pattern || !unlit) return number;
+    own.rgb.filter = own.refraction, own.refraction = 0;
+    return materials.number(own);
+}
+
 int MaterialMaker::apart(int number) {
     Material own = (*this)[number];
     const auto mark = [](const std::shared_ptr<const Pattern>& pattern) {
@@ -373,7 +381,9 @@ void MaterialMaker::set_layer(Material& layer, const FinishThing& finish) {
     const auto approximated = [&](bool applies, const char* text) {
         if (applies) notes.approximated(finish.place, text);
     };
-    if (reflection.most != DVec3(0)) {
+    const bool reflects = most > 1e-9;  // where all is below 0 POV-Ray reflects nothing
+    approximated(!reflects && max_of(reflection.least) > 1e-9, "reflection below 0 is 0");
+    if (reflects) {
         layer.reflection = share(most);
         if (!is_grey(reflection.most) || most > 1)
             layer.mirror = (as_text ? coefficients : signed_numbers)(reflection.most / std::min(most, 1.));

@@ -62,6 +62,9 @@ class MaterialMaker {
     int turned(int number);
     /// Returns the number of the same material for surfaces of an interior, which counts if light goes through them.
     int within(int number, int interior, bool hollow);
+    /// Returns the number of a material that is clear by its colour instead of its refraction, if that looks the same:
+    /// rays that go straight through it do not count for max_trace_level.
+    int clear_by_color(int number);
     /// Returns the number of an equal material whose patterns have a space of their own.
     int apart(int number);
     const Material& operator[](int number) const { return materials.list[static_cast<std::size_t>(number)]; }

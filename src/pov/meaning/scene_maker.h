@@ -75,6 +75,7 @@ class SceneMaker {
     std::optional<Part> build_turned(const ObjectThing& object, const Around& around);
     void tell_of_cuts(const Material& material, TextPlace place) const;
     bool clear(const Primitive& body, bool bends = false) const;
+    void close_mesh(const ObjectThing& object, const Around& around, bool takes_away, Primitive& body);
     bool close(Primitive& body, TextPlace place);
     std::optional<Part> build_parts(const ObjectThing& object, const Around& around);
     void keep_surfaces(Primitive& whole, const Around& around, bool turned, TextPlace place) const;
@@ -94,9 +95,9 @@ class SceneMaker {
     void drop_shadow_copies();
     void settle_materials();
     void settle_spaces();
+    void clear_overlapping();
     // lights.cpp
     void add_light(const ObjectThing& object, const Around& around);
-    void tell_of_lights() const;
     // view.cpp
     void set_camera();
     void set_background();

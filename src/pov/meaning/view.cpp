@@ -297,7 +297,7 @@ Scene SceneMaker::make() {
                            "bodies of a composite beyond " + std::to_string(most_leaves) + " that are connected");
     if (!in.options().as_text) {
         for (Primitive& body : scene.primitives) keep_faces(body);
-        settle_faces(scene), settle_slanted_faces(scene), tell_of_lights();
+        settle_faces(scene), settle_slanted_faces(scene);
         scene.settings.passed_over = 1e-4, scene.settings.farthest = 1e7;
         // What is nearer to the eye is not seen.
         scene.camera.position = off_faces(scene, scene.camera, scene.settings.passed_over);

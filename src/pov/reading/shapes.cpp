@@ -349,7 +349,7 @@ void PovReader::read_mesh(Interpreter& in, ObjectThing& object) {
         add_triangle(parts[number], points, normals, places);
     }
     bool solid = false;
-    for (; in.accept("inside_vector"); solid = true) in.read_vector();
+    for (; in.accept("inside_vector"); solid = true) object.inside_vector = in.read_vector();
     set_meshes(object, parts, textures, solid);
 }
 
@@ -408,7 +408,7 @@ void PovReader::read_mesh2(Interpreter& in, ObjectThing& object) {
         } else if (in.accept("uv_indices")) {
             read_corners(place_indices);
         } else if (in.accept("inside_vector")) {
-            in.read_vector(), solid = true;
+            object.inside_vector = in.read_vector(), solid = true;
         } else {
             break;
         }

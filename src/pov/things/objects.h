@@ -71,6 +71,7 @@ struct ObjectThing : Thing {
     std::optional<bool> global_lights;  // of a light_group
     bool inverse = false, hollow = false;
     bool thin = false;                                        // it is nothing, as no ray meets it
+    std::optional<DVec3> inside_vector;                       // of a mesh, in the scene
     bool turned_surface = false;                              // its flat triangles face where those of a mesh do not
     bool uv = false;                                          // textures that come after are by uv
     std::uint16_t word = end_code;                            // of its shape, such as "sphere"

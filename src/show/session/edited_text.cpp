@@ -172,9 +172,8 @@ bool EditedText::change(const std::string& newer, const Edit& edit) {
 }
 
 std::optional<std::string> EditedText::undo(bool back, EditOrder& order) {
-    return steps.move(back, order, [&](const Change& change) {
-        apply(change, back ? &ChangedSlot::before : &ChangedSlot::after);
-    });
+    return steps.move(back, order,
+                      [&](const Change& change) { apply(change, back ? &ChangedSlot::before : &ChangedSlot::after); });
 }
 
 bool EditedText::reload(const std::string& theirs) {

@@ -407,8 +407,8 @@ Answer Session::change_speed(double factor, double now) {
     return {text, ""};
 }
 
-Answer Session::turn_wheel(double notches, double now) {
-    if (!orbiting || bound()) return change_speed(std::pow(1.25, notches), now);
+Answer Session::turn_wheel(double notches, bool faster, double now) {
+    if (faster || bound()) return change_speed(std::pow(1.25, notches), now);
     camera = orbit(camera, {.push = {0, 0, .15 * notches}});
     return {};
 }

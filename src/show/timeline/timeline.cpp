@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "show/session/divider.h"
-#include "show/timeline/share_slider.h"
 #include "text/blocks/blocks.h"
 
 namespace strahl {
@@ -37,6 +36,7 @@ TimelineInput Timeline::draw(const TimelineView& view) {
     ImGui::SetNextWindowSizeConstraints({size.x - 2 * edge, 0}, {size.x - 2 * edge, size.y});
     ImGui::Begin("timeline", nullptr, flags);
     lanes.look(view);
+    fields.begin();
     if (!ImGui::IsAnyItemActive()) value_held = false;
     buttons(view, input);
     scale.show(view, lanes.names_width());
@@ -133,7 +133,8 @@ void Timeline::bar(const TimelineView& view, TimelineInput& input) {
     }
     if (held && end_dragged && has_path && ImGui::IsMouseDragging(0, 3)) {
         Flythrough path = lasting(view.editor.path(), std::round(100 * std::clamp(pointed, 0., scale.last())) / 100);
-        if (path != view.editor.path()) input.path = {std::move(path), "end of the path", std::exchange(drag_began, true)};
+        if (path != view.editor.path())
+            input.path = {std::move(path), "end of the path", std::exchange(drag_began, true)};
     }
     if (held && !dragged && !end_dragged) input.go_to = std::clamp(pointed, 0., view.duration);
     if (held && dragged && *dragged < keys.size() && ImGui::IsMouseDragging(0, 3)) {
@@ -186,8 +187,9 @@ void Timeline::key_menu(const TimelineView& view, TimelineInput& input) {
         ImGui::AlignTextToFramePadding();
         ImGui::Text("key %d: %s", static_cast<int>(*here) + 1, ease.name.data());
         ImGui::SameLine();
-        ImGui::SetNextItemWidth(10 * ImGui::GetFontSize());
-        if (draw_share(key.ease)) input.change = {*here, key, std::exchange(value_held, true)};
+        const auto change = fields.draw("ease", {&key.ease, 1}, shares, 10 * ImGui::GetFontSize());
+        if (change == NumberFields::Change::typed) value_held = false;
+        if (change != NumberFields::Change::none) input.change = {*here, key, std::exchange(value_held, true)};
         ImGui::TextDisabled("%s", ease.help);
     }
     ImGui::EndPopup();
@@ -252,22 +254,20 @@ void Timeline::music(const TimelineView& view, TimelineInput& input) {
         std::snprintf(draft_sound.data(), draft_sound.size(), "%s", draft_music.sound.c_str());
     }
     typing_music = false;
-    const auto number = [&](const char* name, const char* id, double& value, double least, double most, float speed,
-                            const char* form) {
+    const auto number = [&](const char* name, double& value, const NumberRange& range, const char* form) {
         ImGui::AlignTextToFramePadding();
         ImGui::TextUnformatted(name);
         ImGui::SameLine();
-        ImGui::SetNextItemWidth(4.5f * font);
-        if (ImGui::DragScalar(id, ImGuiDataType_Double, &value, speed, &least, &most, form,
-                              ImGuiSliderFlags_AlwaysClamp) &&
-            value >= least)
-            input.music = {draft_music, std::exchange(value_held, true)};
+        const auto change = fields.draw(name, {&value, 1}, range, 4.5f * font, form);
+        if (!fields.reason().empty() && input.refused.empty()) input.refused = name + (" " + fields.reason());
+        if (change == NumberFields::Change::typed) value_held = false;
+        if (change != NumberFields::Change::none) input.music = {draft_music, std::exchange(value_held, true)};
         typing_music |= ImGui::IsItemActive();
         ImGui::SameLine();
     };
-    number("music: beats per minute", "##bpm", draft_music.bpm, 1, 1000, .5f, "%.5g");
-    number("rows per beat", "##rows", draft_music.rows, 1, 256, .05f, "%.0f");
-    number("first beat at", "##offset", draft_music.offset, 0, seconds.high, .01f, "%.5g s");
+    number("music: beats per minute", draft_music.bpm, {1, 1000, "from 1 to 1000"}, "%.5g");
+    number("rows per beat", draft_music.rows, {1, 256, "from 1 to 256", true}, "%.0f");
+    number("first beat at", draft_music.offset, seconds, "%.5g s");
     const ImGuiStyle& style = ImGui::GetStyle();
     const float beside = ImGui::CalcTextSize("soundchoose").x + 2 * (style.ItemSpacing.x + style.FramePadding.x);
     if (ImGui::GetContentRegionAvail().x < 8 * font + beside) ImGui::NewLine();

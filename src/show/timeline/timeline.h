@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "show/timeline/number_fields.h"
 #include "show/timeline/time_scale.h"
 #include "show/timeline/timeline_view.h"
 #include "show/timeline/track_lanes.h"
@@ -27,6 +28,7 @@ class Timeline {
     float tall = 0;
     TimeScale scale;
     TrackLanes lanes;
+    NumberFields fields;
     std::optional<std::size_t> dragged;  // number of a key of the path
     bool end_dragged = false;            // the end of the path
     bool drag_began = false;             // a key has been moved

@@ -2,6 +2,7 @@
 #pragma once
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "scene/scene.h"
@@ -52,6 +53,7 @@ struct TimelineInput {
     };
     std::optional<NewMusic> music;
     bool choose_sound = false;  // by a dialog
+    std::string refused;        // why a number that was typed is not taken, or ""
     /// A key of a motion to be moved to other seconds, to be added there, or to be removed.
     struct MotionChange {
         enum What { move, add, remove } what;

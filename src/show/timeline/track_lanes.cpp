@@ -210,11 +210,11 @@ void TrackLanes::draw_values(const TimelineView& view, TimelineInput& input) {
             *at = key;
             input.track = {track, merged};
         };
-        ImGui::SetNextItemWidth(6 * font);
-        const double speed = std::max(std::abs(key.value), .1) / 100;
-        if (ImGui::DragScalar("##value", ImGuiDataType_Double, &key.value, float(speed), &coordinates.low,
-                              &coordinates.high, "%.4g", ImGuiSliderFlags_AlwaysClamp))
-            change(std::exchange(value_held, true));
+        fields.begin();
+        const auto changed = fields.draw("value", {&key.value, 1}, coordinates, 6 * font);
+        if (!fields.reason().empty()) input.refused = "the value " + fields.reason();
+        if (changed == NumberFields::Change::typed) value_held = false;
+        if (changed != NumberFields::Change::none) change(std::exchange(value_held, true));
         ImGui::SameLine();
         ImGui::SetNextItemWidth(6 * font);
         int way = static_cast<int>(key.way);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "show/timeline/number_fields.h"
 #include "show/timeline/time_scale.h"
 #include "show/timeline/timeline_view.h"
 
@@ -28,6 +29,7 @@ class TrackLanes {
     std::shared_ptr<const Scene> known;  // the scene of these
     std::vector<std::string> followed;   // names of tracks
     std::vector<SceneMotion> motions;
+    NumberFields fields;
     std::string chosen;  // one of the tracks
     int chosen_row = 0;  // of its key, if it has one there
     bool scrolls = false;  // to the one chosen

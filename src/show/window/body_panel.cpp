@@ -8,33 +8,24 @@
 #include <cstdio>
 #include <utility>
 
-#include "show/timeline/share_slider.h"
-
 namespace strahl {
 namespace {
 
 constexpr const char* digits = "%.4g";
 
-/// Draws a slider for a share, else numbers that are dragged or typed. Returns whether they have changed.
-bool draw_numbers(const BodyValue& value, std::vector<double>& numbers) {
-    const NumberRange& range = value.range;
-    if (range.low == 0 && range.high == 1) return draw_share(numbers[0]);
-    double largest = 0;
-    for (const double number : numbers) largest = std::max(largest, std::abs(number));
-    const float speed = range.whole ? .1f : static_cast<float>(std::clamp(largest, .1, 1e6) / 200);
-    const bool limited = std::isfinite(range.high - range.low);
-    return ImGui::DragScalarN("##numbers", ImGuiDataType_Double, numbers.data(), static_cast<int>(numbers.size()),
-                              speed, limited ? &range.low : nullptr, limited ? &range.high : nullptr,
-                              range.whole ? "%.0f" : digits, ImGuiSliderFlags_AlwaysClamp);
-}
-
-/// Draws a colour as a field that opens a list of colours. Its numbers may be above 1.
+/// Draws a button in a colour, which opens a list of colours. Its numbers may be above 1. Returns whether they have
+/// changed.
 bool draw_color(std::vector<double>& numbers) {
     std::array<float, 3> shown;
     for (std::size_t i = 0; i < 3; ++i) shown[i] = static_cast<float>(numbers[i]);
     const std::array<float, 3> before = shown;
-    ImGui::ColorEdit3("##color", shown.data(),
-                      ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR | ImGuiColorEditFlags_NoOptions);
+    const ImVec4 color{shown[0], shown[1], shown[2], 1};
+    const ImGuiColorEditFlags flags = ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR | ImGuiColorEditFlags_NoAlpha;
+    if (ImGui::ColorButton("##color", color, flags)) ImGui::OpenPopup("colors");
+    if (ImGui::BeginPopup("colors")) {
+        ImGui::ColorPicker3("##picker", shown.data(), flags | ImGuiColorEditFlags_NoOptions);
+        ImGui::EndPopup();
+    }
     for (std::size_t i = 0; i < 3; ++i)
         if (shown[i] != before[i]) numbers[i] = std::round(1000. * static_cast<double>(shown[i])) / 1000;
     return shown != before;
@@ -86,14 +77,20 @@ BodyInput BodyPanel::draw(const BodyEditor& editor, const std::string& file, flo
     if (editor.read_only())
         dim_text(editor.edited.text().empty() ? "read only: this text is changed in an editor"
                                               : "numbers that stand in the text are changed here");
-    if (body.line > 0 && ImGui::SmallButton("open text")) input.command = {Action::open_text};
-    if (editor.edited.changed()) {
+    // Buttons keep their places: those that do nothing now are grey.
+    const auto button = [](const char* label, bool open) {
+        ImGui::BeginDisabled(!open);
+        const bool pressed = ImGui::SmallButton(label);
+        ImGui::EndDisabled();
         ImGui::SameLine();
-        if (ImGui::SmallButton("write")) input.command = {Action::write_path};
-    }
-    if (body.line > 0) ImGui::SameLine();
-    if (ImGui::SmallButton("close")) input.close = true;
+        return pressed;
+    };
+    if (button("open text", body.line > 0)) input.command = {Action::open_text};
+    if (button("write", editor.edited.changed())) input.command = {Action::write_path};
+    if (button("close", true)) input.close = true;
+    ImGui::NewLine();
     ImGui::Separator();
+    fields.begin();
     for (std::size_t i = 0; i < body.values.size(); ++i) draw_value(editor, i, input);
     if (!ImGui::IsAnyItemActive()) held = false;
     own = end_panel();
@@ -120,9 +117,15 @@ void BodyPanel::draw_value(const BodyEditor& editor, std::size_t number, BodyInp
     ImGui::SameLine(std::max(7 * font, ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + font / 2));
     std::vector<double> numbers = value.numbers;
     if (open) {
-        ImGui::SetNextItemWidth(12 * font);
-        const bool changed = value.color && numbers.size() == 3 ? draw_color(numbers) : draw_numbers(value, numbers);
-        if (changed) input.change = {number, numbers, std::exchange(held, true)};
+        const bool color = value.color && numbers.size() == 3;
+        const float button = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
+        const auto change = fields.draw("numbers", numbers, value.range, 12 * font - (color ? button : 0));
+        if (!fields.reason().empty() && input.refused.empty()) input.refused = value.name + " " + fields.reason();
+        if (color) ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+        if (change == NumberFields::Change::typed)
+            input.change = {number, numbers, held = false};
+        else if ((color && draw_color(numbers)) || change == NumberFields::Change::dragged)
+            input.change = {number, numbers, std::exchange(held, true)};
         if (value.follows) draw_track(editor, number, input);
         if (value.source == no_source) ImGui::SameLine(), dim_text(value.source);
     } else {

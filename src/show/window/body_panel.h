@@ -8,6 +8,7 @@
 
 #include "show/keys/commands.h"
 #include "show/session/body_editor.h"
+#include "show/timeline/number_fields.h"
 #include "show/window/covered_area.h"
 
 namespace strahl {
@@ -31,6 +32,7 @@ struct BodyInput {
     std::optional<std::size_t> free;   // follows no tracks from now on
     std::optional<std::size_t> own;    // gets a value of the body's own
     std::optional<std::string> allow;  // changes values in this block
+    std::string refused;               // why a number that was typed is not taken, or ""
 };
 
 class BodyPanel {
@@ -47,6 +49,7 @@ class BodyPanel {
 
     float wide = 0;
     CoveredArea own;
+    NumberFields fields;
     bool held = false;  // a value has been changed since the mouse button is down
     std::array<char, 64> track_name{};  // that is being typed
 };

@@ -216,7 +216,7 @@ void Input::on_wheel(double notches) {
     if (ImGui::GetFrameCount() + 1 < settled) settle();  // notches add up until the next drawing
     if (panels.take_input())
         ImGui_ImplGlfw_ScrollCallback(screen.window(), 0, notches), pace.redraw(after_input), unsettle(1);
-    if (!fixed && !on_panel()) handlers.turn_wheel(notches);
+    if (!fixed && !on_panel()) handlers.turn_wheel(notches, steps());
 }
 
 void Input::read_gamepad() {

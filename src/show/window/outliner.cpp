@@ -90,6 +90,9 @@ OutlinerInput Outliner::draw(const std::shared_ptr<const Scene>& scene, const Bo
     if (ImGui::SmallButton("show all")) input.show_all = true;
     if (ImGui::SmallButton("camera")) input.command = {Action::reset};
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("back to the scene's camera");
+    ImGui::SameLine();
+    if (ImGui::SmallButton("from this view")) input.command = {Action::keep_view};
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("makes this view the scene's camera");
 
     const std::vector<std::size_t> shown = rows_shown(rows, sought.data(), open);
     const float line = ImGui::GetTextLineHeightWithSpacing(), all = ImGui::GetIO().DisplaySize.y - reserved;

@@ -25,6 +25,7 @@
 #include "text/music_text.h"
 #include "text/parse_body.h"
 #include "text/reading/tracks_file.h"
+#include "text/scene_warnings.h"
 #include "trace/tracer.h"
 
 namespace strahl {
@@ -164,6 +165,7 @@ class Reload::FileThread {
                 loaded.tracks = text_of(tracks_path(file)).value_or("");
             if (file == path || loaded.scene) watch(file, std::move(read));
             if (!loaded.scene) return loaded;
+            if (opened) loaded.warnings = scene_warnings(*loaded.scene);
             if (!shown_scene || !same_pictures(*shown_scene, *loaded.scene)) shown_scene = loaded.scene;
             loaded.picture = shown_scene;
             return loaded;

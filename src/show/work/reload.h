@@ -42,6 +42,7 @@ struct Loaded {
     std::shared_ptr<const Scene> picture{};  // an older scene if that gives the same picture, with the same tracks
     std::string fault{};                   // the message of the error
     std::vector<std::string> notes{};      // see OpenedScene
+    std::vector<std::string> warnings{};   // of a newly opened scene, see scene_warnings()
     bool opened = false;                   // it is a newly opened file
     bool renamed = false;                  // it is the scene as it was, in another file from now on
     EyeWords words{};                      // those of its camera

@@ -177,21 +177,21 @@ class CompositeWalk {
     /// Returns the lanes in which the surface of leaf `own` is seen at `t` as in POV-Ray: where other parts of its
     /// intersections are inside, and those of its unions are not, unless they keep surfaces.
     [[gnu::noinline]] Mask<S> shows(int own, const S& t) const {
-        struct Part {
+        struct KeptPart {
             Mask<S> inside;  // or where the surface is seen,
             bool own;        // if it is of this part
         };
         const auto part_of = [&](int i) {
-            return Part{i == own ? first_lanes<S>(width<S>) : inside_leaf(i, t), i == own};
+            return KeptPart{i == own ? first_lanes<S>(width<S>) : inside_leaf(i, t), i == own};
         };
-        Room<Part, most_leaves> stack;
+        Room<KeptPart, most_leaves> stack;
         int height = 0;
         for (int i = 0; i < step_count; ++i) {
             const auto [step, leaf] = steps[i];
             if (leaf >= 0) stack[height++] = part_of(leaf);
             if (step == CompositeStep::leaf || i == 0) continue;
-            const Part second = stack[--height];
-            Part& first = stack[height - 1];
+            const KeptPart second = stack[--height];
+            KeptPart& first = stack[height - 1];
             const bool either = first.own || second.own;
             const Mask<S> seen = first.own ? first.inside : second.inside,
                           other = first.own ? second.inside : first.inside;

@@ -292,6 +292,18 @@ TEST_CASE("completion offers what may stand there") {
     CHECK(std::string(parameters[0].at("documentation").at("value")).starts_with("**rgb**: colour of the body"));
 }
 
+TEST_CASE("completion in a .pov offers POV-Ray's words and the names of included files") {
+    const Scratch folder;
+    const std::string path = folder / "a.pov";
+    std::ofstream(folder / "more.inc") << "#declare Far = rgb 3;\n#macro Row(N) sphere { 0, N } #end\n";
+    const std::string text =
+        "#include \"more.inc\"\ncamera { location -9*z }\nlight_source { 9, rgb 1 }\n#declare Own = 1;\n"
+        "sphere { 0, 1 pigment { Far } }\n";
+    const Json words = asked("completion", text, "Far }", uri_of_path(path), 1);
+    for (const char* const word : {"checker", "light_source", "Own", "Far", "Row"}) CHECK(offers(words, word));
+    for (const char* const word : {"pow2", "defaultmaterial"}) CHECK_FALSE(offers(words, word));
+}
+
 TEST_CASE("definitions are found in the text, in included files, and beside the scene") {
     const Scratch folder;
     const std::string path = folder / "a b.rt", uri = uri_of_path(path), other = uri_of_path(folder / "more.inc");

@@ -218,11 +218,11 @@ TEST_CASE("POV-Ray: an interior_texture is the inner side of a material, in the 
 }
 
 TEST_CASE("POV-Ray: a light_group lights its bodies alone, and no others do unless it says so") {
-    const std::string lights = "light_source { y rgb 1 } light_source { z rgb -.5 } ";
+    const std::string lights = "light_source { 2*y rgb 1 } light_source { 2*z rgb -.5 } ";
     const Scene groups =
         whole(lights +
-              "light_group { light_source { x rgb 1 } sphere { 0, 1 } } light_group { union { sphere { 3*x, 1 } "
-              "light_source { x rgb 1 } } global_lights on } sphere { 9*x, 1 }");
+              "light_group { light_source { 5*x rgb 1 } sphere { 0, 1 } } light_group { union { sphere { 3*x, 1 } "
+              "light_source { 6*x rgb 1 } } global_lights on } sphere { 9*x, 1 }");
     REQUIRE(groups.lights.size() == 4);
     CHECK(groups.lights[1].color == Color(-.5));
     CHECK((groups.lights[0].group == 0 && groups.lights[2].group == 1 && groups.lights[3].group == 2));
@@ -384,7 +384,7 @@ TEST_CASE("POV-Ray: what scenes cannot hold is told with its line, once") {
     told("fog { distance 9 } light_source { 9 rgb 1 media_attenuation on }", "approximated: fog does not dim a light");
     CHECK(notes_of("sphere { 0, 1 pigment { crackle metric 2 form <-1, 1, 0> agate_turb 1 } }") == "");
     told("text { ttf \"no.ttf\" \"A\" 1, 0 }", "left out: a text: cannot find its font 'no.ttf'");
-    told("sphere_sweep { linear_spline 2, 0, 1, x, 2 texture { } interior_texture { } }",
+    told("sphere_sweep { cubic_spline 4, -x, .2, 0, .2, x, .3, 2*x+y, .2 texture { } interior_texture { } }",
          "approximated: which sides of its faces are inside");
     told(
         "light_group { sphere { 0, 1 } light_group { light_source { x rgb 1 } sphere { 0, 1 } } light_source { 0 rgb 1 "

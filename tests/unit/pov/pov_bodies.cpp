@@ -103,6 +103,32 @@ TEST_CASE("POV-Ray: a body is left out of which a part is missing that would hid
     CHECK(whole("intersection { " + ball + "sphere { 0, 0 } }").primitives.empty());
 }
 
+TEST_CASE("POV-Ray: open meshes that are parts have the inside that their inside_vector says") {
+    const std::string roof = "mesh { triangle { -x, x+z, x-z } triangle { -x, x+z, y } triangle { x+z, x-z, y } ";
+    const std::string open = "mesh { triangle { -x, x+z, y } triangle { x+z, x-z, y } triangle { x-z, -x, y } ";
+    const auto inside = [&](const std::string& text, const std::string& move, const DVec3& p) {
+        const Scene scene = opened(text).scene, lone = whole("sphere { 0, 1" + move + " }");
+        REQUIRE(scene.primitives.size() == 1);
+        return contains(scene.primitives[0], transform_point(matrix(lone.primitives[0].transformations), p));
+    };
+    for (const std::string move : {"", " rotate 20*y translate <3, 1, 2>", " scale <1, 2, .5>"}) {
+        CAPTURE(move);
+        const std::string own = open + "inside_vector y" + move + " } box { -9, 9 } }", met = "intersection { " + own;
+        CHECK(inside(met, move, {.2, .1, 0}));
+        CHECK_FALSE(inside(met, move, {.2, .9, 0}));
+        CHECK_FALSE(inside(met, move, {1.2, .1, 0}));
+        const std::string left = "difference { box { -9, 9 } " + open + "inside_vector y" + move + " } }";
+        CHECK_FALSE(inside(left, move, {.2, .1, 0}));
+        CHECK_FALSE(inside(left, move, {.2, -2, 0}));
+        CHECK(inside(left, move, {.2, .9, 0}));
+        CHECK(inside(left, move, {1.2, -2, 0}));
+    }
+    CHECK(inside("intersection { " + open + "inside_vector -y } box { -9, 9 } }", "", {.2, .9, 0}));
+    CHECK(says(notes_of("intersection { " + open + "inside_vector y } box { -9, 9 } }"), "ends at the box around it"));
+    whole("difference { box { -9, 9 } " + open + "inside_vector y } }");
+    CHECK(says(notes_of("intersection { " + roof + "inside_vector y } triangle { x, y, z } }"), "left out"));
+}
+
 TEST_CASE("POV-Ray: unions that are parts keep the surfaces inside them, where there are some") {
     const std::string clear = " pigment { rgbt .5 } }";
     const auto both = [](const std::string& place) { return "{ sphere { 0, 1 } sphere { " + place + ", 1 } } "; };
@@ -188,9 +214,7 @@ TEST_CASE("POV-Ray: a camera is beside the surface that it lies on, where it loo
     const std::string text =
         "camera { right -4/3*x location <0, 1, -3> look_at <0, 1, 0> } "
         "box { <-3, 0, -3>, <3, 4, 3> } light_source { <0, 4, 0> rgb 1 }";
-    const Scene scene = opened(text, false).scene;
-    CHECK(says(notes_of(text), "a light in the surface of a body"));
-    whole("box { <-3, 0, -3>, <3, 4, 3> } light_source { <0, 3.9, 0> rgb 1 }");
+    const Scene scene = whole(text, false);
     CHECK(scene.camera.position.z > -3);
     CHECK(scene.camera.position.z < -3 + 1e-5);
     CHECK(scene.lights.at(0).position == DVec3(0, 4, 0));

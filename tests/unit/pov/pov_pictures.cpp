@@ -223,7 +223,7 @@ TEST_CASE("POV-Ray: patterns nested more deeply than those of scenes have their 
     std::string pigment = "bozo color_map { [0 rgb x] [1 rgbt <0, 1, 0, .5>] }";
     for (int i = 0; i < 7; ++i) pigment = "gradient x pigment_map { [.2 " + pigment + " scale .9] [1 rgb z] }";
     const Opener open(small_picture);
-    const pov::OpenedPov shown = open("camera { right -4/3*x } light_source { y rgb 1 } sphere { 0, 1 pigment { " +
+    const pov::OpenedPov shown = open("camera { right -4/3*x } light_source { 2*y rgb 1 } sphere { 0, 1 pigment { " +
                                       pigment + " } } #declare F = function { pigment { " + pigment +
                                       " } } #declare C = F(.31, .42, .05); sphere { <C.red, C.green, C.blue>, 1 }");
     CHECK(shown.notes.empty());

@@ -81,18 +81,17 @@ TEST_CASE("views from the sides keep look_at, the distance and a level horizon, 
     }
 }
 
-TEST_CASE("the wheel changes the speed, or in orbit the distance; the middle button turns around what is seen") {
+TEST_CASE("the wheel changes the distance, or with Ctrl the speed; the middle button turns around what is seen") {
     Session session(scene_of(""));
-    CHECK(session.turn_wheel(1, 0).note.starts_with("speed "));
+    CHECK(session.turn_wheel(1, true, 0).note.starts_with("speed "));
     CHECK(session.camera == camera);
     session.steer({.right = .3, .around = true}, 1);
     CHECK(session.camera.look_at == camera.look_at);
     CHECK(distance(session.camera.position, camera.position) > .1);
-    session.perform({Action::change_style}, 2);
     const double before = distance(session.camera.position, camera.look_at);
-    session.turn_wheel(1, 3);
+    session.turn_wheel(1, false, 3);
     CHECK(distance(session.camera.position, camera.look_at) == doctest::Approx(before * std::exp(-.15)));
-    session.turn_wheel(-1, 4);
+    session.turn_wheel(-1, false, 4);
     CHECK(distance(session.camera.position, camera.look_at) == doctest::Approx(before));
 }
 

@@ -3,10 +3,12 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include <array>
 #include <string>
 #include <utility>
 
 #include "show/info.h"
+#include "show/timeline/number_fields.h"
 #include "show/welcome/help_panel.h"
 #include "show/window/overlay.h"
 #include "tests/unit/show/show_scene.h"
@@ -106,4 +108,59 @@ TEST_CASE("the information says what moves the camera") {
                     " key { time 2 position <1,-9,2> look_at <0,0,0> } }"));
     along.perform({Action::play}, 0);
     CHECK(moving_line(along, pace, picture) == "along the path");
+}
+
+TEST_CASE("what is typed for a number is one in its range, also with a comma; else the reason is told") {
+    std::string why;
+    CHECK(typed_number(" 1,5 ", coordinates, why) == 1.5);
+    CHECK(typed_number("-2e3", coordinates, why) == -2000);
+    CHECK(why == "");
+    CHECK(!typed_number("1.2.3", coordinates, why));
+    CHECK(why == "'1.2.3' is no number");
+    CHECK(!typed_number("inf", coordinates, why));
+    CHECK(!typed_number("-1", lengths, why));
+    CHECK(why == "has to be greater than 0 and at most 1e9");
+    CHECK(!typed_number("2.5", {1, 9, "from 1 to 9", true}, why));
+    CHECK(why == "has to be from 1 to 9, and whole");
+}
+
+TEST_CASE("typed numbers apply at Enter, Tab and when the field is left, and not after Escape") {
+    const PanelLayout layout(400, 300);
+    ImGuiIO& io = ImGui::GetIO();
+    enum { tab = 1, enter, escape };
+    io.KeyMap[ImGuiKey_Tab] = tab, io.KeyMap[ImGuiKey_Enter] = enter, io.KeyMap[ImGuiKey_Escape] = escape;
+    NumberFields fields;
+    std::array<double, 3> numbers{1, 2, 3};
+    const auto frame = [&] {
+        ImGui::NewFrame();
+        ImGui::SetNextWindowPos({0, 0});
+        ImGui::Begin("fields", nullptr, ImGuiWindowFlags_NoDecoration);
+        fields.begin();
+        fields.draw("vector", numbers, lengths, 300);
+        ImGui::End();
+        ImGui::Render();
+    };
+    const auto press = [&](int key) {
+        io.KeysDown[key] = true, frame();
+        io.KeysDown[key] = false, frame();
+    };
+    const auto click = [&](float x, bool control) {
+        io.MousePos = {x, 15}, frame();
+        io.KeyCtrl = control, io.MouseDown[0] = true, frame();
+        io.KeyCtrl = false, io.MouseDown[0] = false, frame();
+    };
+    const auto type = [&](const char* text) { io.AddInputCharactersUTF8(text), frame(); };
+    frame();
+    click(30, true), type("1,5");
+    CHECK(numbers[0] == 1);  // not before it is typed whole
+    press(tab), type("7"), press(tab), type("8"), press(enter);
+    CHECK(numbers == std::array{1.5, 7., 8.});
+    click(30, true), type("9"), press(escape);
+    CHECK(numbers[0] == 1.5);
+    click(30, true), type("-4"), io.KeysDown[enter] = true, frame();
+    CHECK(numbers[0] == 1.5);
+    CHECK(fields.reason() != "");
+    io.KeysDown[enter] = false, frame();
+    click(30, true), type("4"), click(390, false);
+    CHECK(numbers == std::array{4., 7., 8.});
 }

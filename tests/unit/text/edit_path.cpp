@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "text/camera_text.h"
 #include "text/parse.h"
 #include "text/write.h"
 
@@ -76,4 +77,21 @@ TEST_CASE("keys are written in the words of the scene's camera") {
         const Scene scene = parse_scene(text, "test");
         CHECK(parse_scene(write_camera(scene.camera, {}, eye_words(text)), "test").camera == scene.camera);
     }
+}
+
+TEST_CASE("a view becomes the camera of a text, in its words; the rest stays") {
+    const std::string text =
+        "// mine\ncamera { position <1, 2, 3> /* eye */ look_at <0, 0, 0> sky <0, 0, 1>\n angle 40 }\n";
+    const Keyframe view{0, {4, 5, 6.5}, {1, 0, 0}, {}, {}};
+    CHECK(with_camera(text, view) ==
+          "// mine\ncamera { position <4, 5, 6.5> /* eye */ look_at <1, 0, 0> sky <0, 0, 1>\n angle 40 }\n");
+    const Keyframe other{0, {4, 5, 6.5}, {1, 0, 0}, 25, DVec3(0, 1, 0)};
+    CHECK(with_camera(text, other) ==
+          "// mine\ncamera { position <4, 5, 6.5> /* eye */ look_at <1, 0, 0> sky <0, -1, 0>\n angle 50 }\n");
+    const std::string bare = "camera { position <1, 2, 3> look_at <0, 0, 0> }\n";
+    const auto added = with_camera(bare, other);
+    REQUIRE(added);
+    const Camera camera = parse_scene(*added, "").camera;
+    CHECK((camera.up == DVec3(0, 1, 0) && camera.fov == 25 && camera.position.z == 6.5));
+    CHECK(!with_camera("camera { position <track \"x\", 2, 3> look_at <0, 0, 0> }\n", view));
 }

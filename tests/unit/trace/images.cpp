@@ -99,6 +99,32 @@ TEST_CASE("where images are") {
     }
 }
 
+TEST_CASE("a sharp image shows one row of pixels on a face that lies on a border of its pixels") {
+    const auto checks = [](const std::string&) {
+        Pixels pixels{4, 4, false, {}, Color(1)};
+        for (int i = 0; i < 48; ++i) pixels.values.push_back((i / 3 % 4 + i / 12) % 2 ? 1.f : 0.f);
+        return pixels;
+    };
+    for (const Precision precision : {Precision::float32, Precision::float64, Precision::extended})
+        for (const char* const turn : {"<10, 20, 30>", "<-25, 35, 15>", "<0, 30, 0>"})
+            for (const char* const shift : {"-1", "0", ".5"}) {
+                CAPTURE(std::string(name(precision)));
+                CAPTURE(turn);
+                Scene scene = parse_scene(
+                    "global_settings { ambient_light <1, 1, 1> }\ncamera { position <9, 0, 0>  look_at <0, 0, 0>  "
+                    "sky <0, 1, 0>  fov 1 }\nbox { <-1, -1, -1>, <1, 1, 1>  rotate " +
+                        std::string(turn) + "  material { rgb image { \"checks\" sharp  scale 2  translate <" + shift +
+                        ", .25, 0> }\n  ambient 1  diffuse 0  reflection 0  specular 0 } }",
+                    "border", {}, checks);
+                // Looks straight at the middle of the face where x is 1, in whose height is the middle of a pixel.
+                const glm::dmat4 m = matrix(scene.primitives[0].transformations);
+                scene.camera.position = transform_point(m, {9, 0, .1}),
+                scene.camera.look_at = transform_point(m, {1, 0, .1});
+                const Frame frame = picture(scene, precision, 24, 18);
+                CHECK(std::ranges::count(frame.rgb, frame.rgb[0]) == std::ptrdiff_t(frame.rgb.size()));
+            }
+}
+
 TEST_CASE("an image by uv is where the places of its mesh's corners say") {
     // Places that are x and y of the corners make it a planar image, which the body's transformations take along.
     const auto random = [](const std::string&) { return made_up_pixels("8-7-4"); };

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <random>
+#include <string>
 
 #include "num/thread_pool.h"
 #include "tests/referee/random_scene.h"
@@ -281,4 +283,34 @@ TEST_CASE_TEMPLATE("no pixel is ever without a number", P, Single, Twice, Extend
     }
     SUBCASE("an index that bends almost nothing through") { scene.materials[0].ior = 1e-3; }
     finite(scene, 33 / coarse | 1, 25 / coarse | 1);
+}
+
+TEST_CASE_TEMPLATE("a camera on a flat face sees it whole or not at all, in every direction and precision", P, Single,
+                   Twice, Extended) {
+    std::mt19937 random(7);
+    const auto number = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
+    const std::string bright = " material { rgb <1, 0, 0>  ambient 1  reflection 0  diffuse 0  specular 0 } ";
+    for (int i = 0; i < 12; ++i) {
+        const std::string bodies[]{
+            "box { <-12, -12, -9>, <12, 12, 0>" + bright, "disc { <0, 0, 0>, <0, 0, 1>, 12" + bright,
+            "cylinder { <0, 0, -9>, <0, 0, 0>, 12" + bright, "plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0>" + bright};
+        Scene scene = parse_scene(
+            "camera { position <0, 0, 5> look_at <0, 0, 0> sky <0, 1, 0> fov 50 } background { color <0, 0, 1> } "
+            "global_settings { ambient_light <1, 1, 1> } " +
+                bodies[i % 4] + " rotate <" + std::to_string(number(-80, 80)) + ", 20, 30> }",
+            "face");
+        const glm::dmat4 m = matrix(scene.primitives[0].transformations);
+        // It looks away from the face by 60 degrees, so that no ray looks back at it.
+        scene.camera.position = transform_point(m, {number(-3, 3), number(-3, 3), 0});
+        const DVec3 outwards = transform_point(m, {0, 0, 1}) - transform_point(m, {0, 0, 0});
+        const DVec3 aside = transform_point(m, {1, 0, 0}) - transform_point(m, {0, 0, 0});
+        scene.camera.look_at = scene.camera.position + outwards + .5 * aside;
+        scene.camera.fov = 50, scene.camera.up = {.2, 1, .1};
+        const Frame frame = render(scene, view_of(scene, 40, 30), P::precision);
+        CAPTURE(i);
+        CHECK(std::ranges::count(frame.rgb, 1.) == 40 * 30);
+        bool blue = true;
+        for (std::size_t k = 0; k < frame.rgb.size(); k += 3) blue &= frame.rgb[k] == 0;
+        CHECK(blue);
+    }
 }
