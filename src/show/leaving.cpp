@@ -19,24 +19,24 @@ void Leaving::follow(bool unwritten) {
     std::exchange(go, nullptr)();
 }
 
-Leaving::Answer Leaving::answer_of(int key) {
-    return key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER ? Answer::write
-           : key == GLFW_KEY_D                               ? Answer::drop
-           : key == GLFW_KEY_ESCAPE                          ? Answer::stay
-                                                             : Answer::none;
+Leaving::Decision Leaving::answer_of(int key) {
+    return key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER ? Decision::write
+           : key == GLFW_KEY_D                               ? Decision::drop
+           : key == GLFW_KEY_ESCAPE                          ? Decision::stay
+                                                             : Decision::none;
 }
 
-bool Leaving::take(Answer answer) {
-    if (!go || answer == Answer::none) return false;
-    writes = answer == Answer::write;
-    if (answer == Answer::stay) go = nullptr;
-    if (answer == Answer::drop) std::exchange(go, nullptr)();
+bool Leaving::take(Decision answer) {
+    if (!go || answer == Decision::none) return false;
+    writes = answer == Decision::write;
+    if (answer == Decision::stay) go = nullptr;
+    if (answer == Decision::drop) std::exchange(go, nullptr)();
     return writes;
 }
 
-Leaving::Answer Leaving::draw(const KeyMap& keys) const {
+Leaving::Decision Leaving::draw(const KeyMap& keys) const {
     constexpr std::size_t most = 5;  // lines of what is not written
-    Answer answer = Answer::none;
+    Decision answer = Decision::none;
     begin_panel("leaving", .5f, .4f, 0);
     ImGui::Text("%s is not written:", name.c_str());
     ImGui::PushTextWrapPos(30 * ImGui::GetFontSize());
@@ -44,13 +44,13 @@ Leaving::Answer Leaving::draw(const KeyMap& keys) const {
     if (list.size() > most) ImGui::TextDisabled("and %d lines more", static_cast<int>(list.size() - most));
     ImGui::PopTextWrapPos();
     ImGui::Spacing();
-    const auto button = [&](const std::string& label, Answer given) {
+    const auto button = [&](const std::string& label, Decision given) {
         if (ImGui::Button(label.c_str())) answer = given;
         ImGui::SameLine();
     };
-    button("write it (Enter, " + keys.name(Action::write_path) + ")", Answer::write);
-    button("drop it (D)", Answer::drop);
-    button("stay (Esc)", Answer::stay);
+    button("write it (Enter, " + keys.name(Action::write_path) + ")", Decision::write);
+    button("drop it (D)", Decision::drop);
+    button("stay (Esc)", Decision::stay);
     if (writes) ImGui::NewLine(), ImGui::TextUnformatted("It goes on once this is written.");
     end_panel();
     return answer;

@@ -17,13 +17,13 @@ class Leaving {
     /// To be called regularly: goes on if the answer was to write, and `unwritten` is false by now.
     void follow(bool unwritten);
 
-    enum class Answer { none, write, drop, stay };
+    enum class Decision { none, write, drop, stay };
     /// Returns the answer that a key of GLFW gives.
-    static Answer answer_of(int key);
+    static Decision answer_of(int key);
     /// Takes an answer. Returns whether everything is to be written now.
-    bool take(Answer answer);
+    bool take(Decision answer);
     /// Draws the question, and returns what was clicked. To be called while ImGui makes a frame.
-    Answer draw(const KeyMap& keys) const;
+    Decision draw(const KeyMap& keys) const;
 
   private:
     std::string name;

@@ -59,8 +59,8 @@ Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::unique_ptr<Reload
              .browse =
                  [this](int key) {
                      if (leaving.asking()) {
-                         const Leaving::Answer given = Leaving::answer_of(key);
-                         return answer(given), given != Leaving::Answer::none;
+                         const Leaving::Decision given = Leaving::answer_of(key);
+                         return answer(given), given != Leaving::Decision::none;
                      }
                      if (key != GLFW_KEY_ESCAPE || file.waiting()) return chooser.key(key);
                      return perform({Action::gallery}), true;
@@ -103,7 +103,7 @@ Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::unique_ptr<Reload
 
 void Viewer::perform(Command command) {
     if (leaving.asking())
-        return answer(command.action == Action::write_path ? Leaving::Answer::write : Leaving::Answer::none);
+        return answer(command.action == Action::write_path ? Leaving::Decision::write : Leaving::Decision::none);
     const bool playing = command.action == Action::quit || command.action == Action::back ||
                          command.action == Action::full_screen ||
                          (command.action == Action::pause && !options.benchmark);
@@ -240,7 +240,7 @@ void Viewer::leave(std::function<void()> go) {
     pace.redraw(3);
 }
 
-void Viewer::answer(Leaving::Answer given) {
+void Viewer::answer(Leaving::Decision given) {
     if (leaving.take(given)) write();
     panels.asking = leaving.asking();
     pace.redraw(3);
@@ -374,7 +374,7 @@ void Viewer::draw() {
     const NewBlock* added = nullptr;
     OutlinerInput on_outline;
     std::optional<GalleryItem> from_gallery;
-    Leaving::Answer answered = Leaving::Answer::none;
+    Leaving::Decision answered = Leaving::Decision::none;
     screen.draw([&] {
         draw_overlay(over);
         if (leaving.asking()) answered = leaving.draw(keys.keys);
@@ -399,7 +399,7 @@ void Viewer::draw() {
     apply(done), apply(on_body), apply(on_outline);
     if (added) bodies.begin_adding(*added);
     if (from_gallery && !leaving.asking()) chooser.take(*from_gallery);
-    if (answered != Leaving::Answer::none) answer(answered);
+    if (answered != Leaving::Decision::none) answer(answered);
     if (update && picture.newest()) playback.tracks.shown();
     if (!update || before > 0) return;
     char text[80];

@@ -47,7 +47,7 @@ class Viewer {
     void keep_view();
     bool unsaved() const;
     void leave(std::function<void()> go);
-    void answer(Leaving::Answer given);
+    void answer(Leaving::Decision given);
     void take_sound(const std::string& path);
     void take_music(const Music& music, bool merged);
     void apply(const TimelineInput& input);

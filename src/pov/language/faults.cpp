@@ -17,32 +17,32 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A word of other programs, or of daily life, and POV-Ray's word for it.
-struct Foreign {
+struct ForeignWord {
     std::string_view word, own;
 };
 constexpr std::array foreign{
-    Foreign{"ball", "sphere"},
-    Foreign{"cube", "box"},
-    Foreign{"light", "light_source"},
-    Foreign{"group", "union"},
-    Foreign{"subtract", "difference"},
-    Foreign{"substract", "difference"},
-    Foreign{"extrude", "prism"},
-    Foreign{"revolve", "lathe"},
-    Foreign{"floor", "plane"},
-    Foreign{"position", "location"},
-    Foreign{"eye", "location"},
-    Foreign{"target", "look_at"},
-    Foreign{"fov", "angle"},
-    Foreign{"opacity", "transmit"},
-    Foreign{"transparency", "transmit"},
-    Foreign{"shininess", "phong_size"},
-    Foreign{"reflect", "reflection"},
-    Foreign{"glow", "emission"},
-    Foreign{"move", "translate"},
-    Foreign{"turn", "rotate"},
-    Foreign{"resize", "scale"},
-    Foreign{"gamma", "assumed_gamma"},
+    ForeignWord{"ball", "sphere"},
+    ForeignWord{"cube", "box"},
+    ForeignWord{"light", "light_source"},
+    ForeignWord{"group", "union"},
+    ForeignWord{"subtract", "difference"},
+    ForeignWord{"substract", "difference"},
+    ForeignWord{"extrude", "prism"},
+    ForeignWord{"revolve", "lathe"},
+    ForeignWord{"floor", "plane"},
+    ForeignWord{"position", "location"},
+    ForeignWord{"eye", "location"},
+    ForeignWord{"target", "look_at"},
+    ForeignWord{"fov", "angle"},
+    ForeignWord{"opacity", "transmit"},
+    ForeignWord{"transparency", "transmit"},
+    ForeignWord{"shininess", "phong_size"},
+    ForeignWord{"reflect", "reflection"},
+    ForeignWord{"glow", "emission"},
+    ForeignWord{"move", "translate"},
+    ForeignWord{"turn", "rotate"},
+    ForeignWord{"resize", "scale"},
+    ForeignWord{"gamma", "assumed_gamma"},
 };
 
 /// A word that one kind of block has, and a form of that block.
@@ -200,7 +200,7 @@ std::string Interpreter::State::advice_on_name(const std::string& name, const st
         if (same_word(own, name)) return meant(own);
     if (const std::string file = declaring_file(options.library, name); !file.empty())
         return "; " + file + " declares it: #include \"" + file + "\"";
-    for (const Foreign& row : foreign)
+    for (const ForeignWord& row : foreign)
         if (same_word(row.word, name)) return meant(row.own);
     if (const std::string_view similar = nearest(name, declared); !similar.empty()) return meant(similar);
     const auto exists = [](const std::string& folder) {
@@ -247,7 +247,7 @@ void Interpreter::State::wrong_token(const std::string& what) {
     const bool after_axis = before.ends_with(" x ") || before.ends_with(" y ") || before.ends_with(" z ");
     const auto* const row = found < first_word_code
                                 ? foreign.end()
-                                : std::ranges::find(foreign, reserved_words[found - first_word_code], &Foreign::word);
+                                : std::ranges::find(foreign, reserved_words[found - first_word_code], &ForeignWord::word);
     if ((found == ',' || found == number_code) && has_decimal_comma(number_around(text, next.place.at)))
         advice = "; decimals have a point, as in 0.5";
     else if (found == number_code && after_axis)
@@ -267,7 +267,7 @@ void Interpreter::State::wrong_token(const std::string& what) {
 }
 
 void Interpreter::State::tell_open_block(bool at_end_of_block) {
-    const Block& open = blocks.back();
+    const OpenBlock& open = blocks.back();
     const std::string_view own = token_of(text_at(open.word));
     const std::string name = open.word.file == open.brace.file && is_letter(own[0]) ? std::string(own) + " {" : "{";
     const std::string line = open.brace.file == next.place.file

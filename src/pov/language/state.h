@@ -58,7 +58,7 @@ struct Interpreter::State {
         double end = 0, step = 0;          // of #for; `end` is the value of a #switch
     };
     /// A block of the scene that is open: the token before its '{', and its '{'.
-    struct Block {
+    struct OpenBlock {
         TextPlace word, brace;
     };
     /// The next token.
@@ -239,7 +239,7 @@ struct Interpreter::State {
     std::vector<std::string> paths;  // of all files that were read or found
     std::vector<Reading> readings;
     std::vector<Control> controls;
-    std::vector<Block> blocks;
+    std::vector<OpenBlock> blocks;
     std::optional<TextPlace> closed;   // '{' of the block that was closed last
     const RawToken* cursor = nullptr;  // of the text that is being read
     NextToken next;

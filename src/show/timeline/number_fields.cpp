@@ -44,19 +44,19 @@ void NumberFields::begin() {
     count = 0, refused.clear();
 }
 
-NumberFields::Change NumberFields::draw(const char* id, std::span<double> numbers, const NumberRange& range,
+NumberFields::Edit NumberFields::draw(const char* id, std::span<double> numbers, const NumberRange& range,
                                         float width, const char* form) {
     const float space = ImGui::GetStyle().ItemInnerSpacing.x, fields = static_cast<float>(numbers.size());
     const float one = std::floor((width - (fields - 1) * space) / fields);
     double largest = 0;
     for (const double number : numbers) largest = std::max(largest, std::abs(number));
     const bool slider = numbers.size() == 1 && range.low == 0 && range.high == 1 && !range.whole;
-    Change change = Change::none;
+    Edit change = Edit::none;
     ImGui::PushID(id);
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         if (i > 0) ImGui::SameLine(0, space);
         ImGui::PushID(static_cast<int>(i));
-        if (const Change done = field(numbers[i], range, one, largest, slider, form); done != Change::none)
+        if (const Edit done = field(numbers[i], range, one, largest, slider, form); done != Edit::none)
             change = done;
         ImGui::PopID();
     }
@@ -64,7 +64,7 @@ NumberFields::Change NumberFields::draw(const char* id, std::span<double> number
     return change;
 }
 
-NumberFields::Change NumberFields::field(double& number, const NumberRange& range, float width, double largest,
+NumberFields::Edit NumberFields::field(double& number, const NumberRange& range, float width, double largest,
                                          bool slider, const char* form) {
     constexpr const char* label = "##number";
     const ImGuiID id = ImGui::GetID(label);
@@ -72,7 +72,7 @@ NumberFields::Change NumberFields::field(double& number, const NumberRange& rang
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const ImRect box(corner, {corner.x + width, corner.y + ImGui::GetFrameHeight()});
     bool typing = ImGui::TempInputIsActive(id), begins = next == own;
-    Change change = Change::none;
+    Edit change = Edit::none;
     if (typing || begins) {
         ImGui::ItemSize(box);
         ImGui::ItemAdd(box, id, &box);
@@ -88,12 +88,12 @@ NumberFields::Change NumberFields::field(double& number, const NumberRange& rang
         else
             ImGui::DragScalar(label, ImGuiDataType_Double, &number, speed, limited ? &low : nullptr,
                               limited ? &range.high : nullptr, digits, flags);
-        if (number != before) change = Change::dragged;
+        if (number != before) change = Edit::dragged;
         const bool double_click = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
         const bool with_control = ImGui::GetIO().KeyCtrl && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
         if (!ImGui::IsItemHovered() || !(double_click || with_control)) return change;
         begins = true;
-        if (with_control) number = before, change = Change::none;
+        if (with_control) number = before, change = Edit::none;
     }
     if (begins) {
         next.reset();
@@ -108,9 +108,9 @@ NumberFields::Change NumberFields::field(double& number, const NumberRange& rang
     if (tab) next = own + (ImGui::GetIO().KeyShift ? -1 : 1), ImGui::ClearActiveID();
     if (begins || escaped || (typing && !tab && !entered)) return change;
     const auto typed = typed_number(text.data(), range, refused);
-    if (!typed || text_of(*typed) == text_of(number)) return Change::none;
+    if (!typed || text_of(*typed) == text_of(number)) return Edit::none;
     number = *typed;
-    return Change::typed;
+    return Edit::typed;
 }
 
 }  // namespace strahl

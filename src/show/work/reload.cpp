@@ -141,10 +141,10 @@ class Reload::FileThread {
             throw;
         }
     }
-    TextFile read(const std::string& file) {
+    TextOnDisk read(const std::string& file) {
         return answer([&] { return read_text_file(file); });
     }
-    void write(const std::string& file, const TextFile& content) {
+    void write(const std::string& file, const TextOnDisk& content) {
         answer([&] { return write_text_file(file, content), true; });
     }
     bool gone(const std::string& file) {
@@ -415,7 +415,7 @@ Written Reload::FileThread::write_path(const ToWrite& wanted) {
         return {.fault = "the scene came from standard input, so there is no file to write", .refused = true};
     const bool was_gone = gone(path);
     if (is_pov(path) && !bodies && !was_gone) return write_flight(wanted.flythrough);
-    const TextFile there = was_gone ? TextFile{text} : read(path);
+    const TextOnDisk there = was_gone ? TextOnDisk{text} : read(path);
     const std::string& content = there.text;
     if (content != text && !wanted.anyway) return {.file = path, .asks = true};
     // Throws: in texts with errors no block can be found.
@@ -452,7 +452,7 @@ Written Reload::FileThread::write_path(const ToWrite& wanted) {
 /// Writes the flight of a scene of POV-Ray into the file beside it.
 Written Reload::FileThread::write_flight(const std::optional<Flythrough>& flight) {
     Written done{.file = pov::flight_path(path), .what = "path"};
-    const TextFile old = gone(done.file) ? TextFile{} : read(done.file);
+    const TextOnDisk old = gone(done.file) ? TextOnDisk{} : read(done.file);
     const Loaded now = load(path, text, false);
     if (!now.scene) return {.fault = "the path cannot be written: " + now.fault};
     const std::string changed = pov::with_flight(old.text, flight, now.mirrored);
@@ -469,7 +469,7 @@ Written Reload::FileThread::write_tracks(const std::vector<Track>& tracks) {
         return {.fault = "the scene came from standard input, so there is no file to save its tracks beside",
                 .refused = true};
     Written done{.file = tracks_path(path)};
-    const TextFile old = gone(done.file) ? TextFile{} : read(done.file);
+    const TextOnDisk old = gone(done.file) ? TextOnDisk{} : read(done.file);
     std::string text_now = old.text;
     for (const Track& track : tracks) text_now = with_keys(text_now, track);
     if (text_now == old.text) return done.unchanged = true, done;
@@ -504,7 +504,7 @@ Written Reload::FileThread::write_elsewhere(const Request& request) {
     // What belongs to the scene is there before the scene itself is.
     std::string keys = path == "-" || pov ? "" : text_of(tracks_path(path)).value_or("");
     for (const Track& track : *request.tracks) keys = with_keys(keys, track);
-    const auto replace = [&](const std::string& file, const TextFile& newer) {
+    const auto replace = [&](const std::string& file, const TextOnDisk& newer) {
         if (!gone(file)) keep_copy(file, read(file).text, "");
         write(file, newer);
     };

@@ -11,8 +11,8 @@
 
 namespace strahl {
 
-TextFile read_text_file(const std::string& path) {
-    TextFile file{read_text(path)};
+TextOnDisk read_text_file(const std::string& path) {
+    TextOnDisk file{read_text(path)};
     std::string& text = file.text;
     if (text.find('\r') == text.npos) return file;
     std::size_t ends = 0;
@@ -24,7 +24,7 @@ TextFile read_text_file(const std::string& path) {
     return file;
 }
 
-void write_text_file(const std::string& path, const TextFile& file) {
+void write_text_file(const std::string& path, const TextOnDisk& file) {
     if (!file.crlf) return write_file(path, file.text);
     std::string bytes;
     for (const char c : file.text) bytes.append(c == '\n' ? "\r\n" : std::string(1, c));

@@ -6,14 +6,14 @@
 namespace strahl {
 
 /// A text whose lines end in line feeds here, whatever ends them in the file.
-struct TextFile {
+struct TextOnDisk {
     std::string text;
     bool crlf = false;  // all lines of the file end in a carriage return and a line feed
 };
 /// Reads a file, or standard input for "-". Throws FileError.
-TextFile read_text_file(const std::string& path);
+TextOnDisk read_text_file(const std::string& path);
 /// Writes a whole file. Throws OutputError.
-void write_text_file(const std::string& path, const TextFile& file);
+void write_text_file(const std::string& path, const TextOnDisk& file);
 /// Does nothing stand at this path, in a folder that can be searched?
 bool is_gone(const std::string& path);
 

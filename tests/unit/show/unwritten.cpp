@@ -164,7 +164,7 @@ TEST_CASE("a scene is saved as another file, in another folder with its music, a
 }
 
 TEST_CASE("a scene is left once it is written or dropped, and not if the user stays") {
-    using Answer = Leaving::Answer;
+    using Answer = Leaving::Decision;
     Leaving leaving;
     int left = 0;
     const auto ask = [&] { leaving.ask("a.rt", {"line 1"}, [&] { ++left; }); };
