@@ -245,9 +245,10 @@ void Interpreter::State::wrong_token(const std::string& what) {
         message += name_of_code(found);
     const std::string_view before = text.substr(0, next.place.at);
     const bool after_axis = before.ends_with(" x ") || before.ends_with(" y ") || before.ends_with(" z ");
-    const auto* const row = found < first_word_code
-                                ? foreign.end()
-                                : std::ranges::find(foreign, reserved_words[found - first_word_code], &ForeignWord::word);
+    const auto* const row =
+        found < first_word_code
+            ? foreign.end()
+            : std::ranges::find(foreign, reserved_words[found - first_word_code], &ForeignWord::word);
     if ((found == ',' || found == number_code) && has_decimal_comma(number_around(text, next.place.at)))
         advice = "; decimals have a point, as in 0.5";
     else if (found == number_code && after_axis)

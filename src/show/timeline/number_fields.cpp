@@ -44,19 +44,19 @@ void NumberFields::begin() {
     count = 0, refused.clear();
 }
 
-NumberFields::Edit NumberFields::draw(const char* id, std::span<double> numbers, const NumberRange& range,
-                                        float width, const char* form) {
+NumberFields::FieldEdit NumberFields::draw(const char* id, std::span<double> numbers, const NumberRange& range,
+                                           float width, const char* form) {
     const float space = ImGui::GetStyle().ItemInnerSpacing.x, fields = static_cast<float>(numbers.size());
     const float one = std::floor((width - (fields - 1) * space) / fields);
     double largest = 0;
     for (const double number : numbers) largest = std::max(largest, std::abs(number));
     const bool slider = numbers.size() == 1 && range.low == 0 && range.high == 1 && !range.whole;
-    Edit change = Edit::none;
+    FieldEdit change = FieldEdit::none;
     ImGui::PushID(id);
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         if (i > 0) ImGui::SameLine(0, space);
         ImGui::PushID(static_cast<int>(i));
-        if (const Edit done = field(numbers[i], range, one, largest, slider, form); done != Edit::none)
+        if (const FieldEdit done = field(numbers[i], range, one, largest, slider, form); done != FieldEdit::none)
             change = done;
         ImGui::PopID();
     }
@@ -64,15 +64,15 @@ NumberFields::Edit NumberFields::draw(const char* id, std::span<double> numbers,
     return change;
 }
 
-NumberFields::Edit NumberFields::field(double& number, const NumberRange& range, float width, double largest,
-                                         bool slider, const char* form) {
+NumberFields::FieldEdit NumberFields::field(double& number, const NumberRange& range, float width, double largest,
+                                            bool slider, const char* form) {
     constexpr const char* label = "##number";
     const ImGuiID id = ImGui::GetID(label);
     const int own = count++;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const ImRect box(corner, {corner.x + width, corner.y + ImGui::GetFrameHeight()});
     bool typing = ImGui::TempInputIsActive(id), begins = next == own;
-    Edit change = Edit::none;
+    FieldEdit change = FieldEdit::none;
     if (typing || begins) {
         ImGui::ItemSize(box);
         ImGui::ItemAdd(box, id, &box);
@@ -88,12 +88,12 @@ NumberFields::Edit NumberFields::field(double& number, const NumberRange& range,
         else
             ImGui::DragScalar(label, ImGuiDataType_Double, &number, speed, limited ? &low : nullptr,
                               limited ? &range.high : nullptr, digits, flags);
-        if (number != before) change = Edit::dragged;
+        if (number != before) change = FieldEdit::dragged;
         const bool double_click = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
         const bool with_control = ImGui::GetIO().KeyCtrl && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
         if (!ImGui::IsItemHovered() || !(double_click || with_control)) return change;
         begins = true;
-        if (with_control) number = before, change = Edit::none;
+        if (with_control) number = before, change = FieldEdit::none;
     }
     if (begins) {
         next.reset();
@@ -108,9 +108,9 @@ NumberFields::Edit NumberFields::field(double& number, const NumberRange& range,
     if (tab) next = own + (ImGui::GetIO().KeyShift ? -1 : 1), ImGui::ClearActiveID();
     if (begins || escaped || (typing && !tab && !entered)) return change;
     const auto typed = typed_number(text.data(), range, refused);
-    if (!typed || text_of(*typed) == text_of(number)) return Edit::none;
+    if (!typed || text_of(*typed) == text_of(number)) return FieldEdit::none;
     number = *typed;
-    return Edit::typed;
+    return FieldEdit::typed;
 }
 
 }  // namespace strahl

@@ -16,18 +16,19 @@ std::optional<double> typed_number(std::string text, const NumberRange& range, s
 
 class NumberFields {
   public:
-    enum class Edit { none, dragged, typed };
+    enum class FieldEdit { none, dragged, typed };
     /// To be called before the fields of a picture are drawn.
     void begin();
     /// Draws fields beside each other, together of this width in pixels; a single number between 0 and 1 as a slider.
     /// Returns how a number has changed. To be called while ImGui makes a frame.
-    Edit draw(const char* id, std::span<double> numbers, const NumberRange& range, float width,
-                const char* form = "%.4g");
+    FieldEdit draw(const char* id, std::span<double> numbers, const NumberRange& range, float width,
+                   const char* form = "%.4g");
     /// Why the number typed last was not taken; "" if it was, or if none was typed.
     const std::string& reason() const { return refused; }
 
   private:
-    Edit field(double& number, const NumberRange& range, float width, double largest, bool slider, const char* form);
+    FieldEdit field(double& number, const NumberRange& range, float width, double largest, bool slider,
+                    const char* form);
 
     int count = 0;            // of the fields drawn in this picture
     std::optional<int> next;  // the field that Tab has gone to

@@ -188,8 +188,8 @@ void Timeline::key_menu(const TimelineView& view, TimelineInput& input) {
         ImGui::Text("key %d: %s", static_cast<int>(*here) + 1, ease.name.data());
         ImGui::SameLine();
         const auto change = fields.draw("ease", {&key.ease, 1}, shares, 10 * ImGui::GetFontSize());
-        if (change == NumberFields::Edit::typed) value_held = false;
-        if (change != NumberFields::Edit::none) input.change = {*here, key, std::exchange(value_held, true)};
+        if (change == NumberFields::FieldEdit::typed) value_held = false;
+        if (change != NumberFields::FieldEdit::none) input.change = {*here, key, std::exchange(value_held, true)};
         ImGui::TextDisabled("%s", ease.help);
     }
     ImGui::EndPopup();
@@ -260,8 +260,8 @@ void Timeline::music(const TimelineView& view, TimelineInput& input) {
         ImGui::SameLine();
         const auto change = fields.draw(name, {&value, 1}, range, 4.5f * font, form);
         if (!fields.reason().empty() && input.refused.empty()) input.refused = name + (" " + fields.reason());
-        if (change == NumberFields::Edit::typed) value_held = false;
-        if (change != NumberFields::Edit::none) input.music = {draft_music, std::exchange(value_held, true)};
+        if (change == NumberFields::FieldEdit::typed) value_held = false;
+        if (change != NumberFields::FieldEdit::none) input.music = {draft_music, std::exchange(value_held, true)};
         typing_music |= ImGui::IsItemActive();
         ImGui::SameLine();
     };

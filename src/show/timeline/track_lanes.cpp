@@ -213,8 +213,8 @@ void TrackLanes::draw_values(const TimelineView& view, TimelineInput& input) {
         fields.begin();
         const auto changed = fields.draw("value", {&key.value, 1}, coordinates, 6 * font);
         if (!fields.reason().empty()) input.refused = "the value " + fields.reason();
-        if (changed == NumberFields::Edit::typed) value_held = false;
-        if (changed != NumberFields::Edit::none) change(std::exchange(value_held, true));
+        if (changed == NumberFields::FieldEdit::typed) value_held = false;
+        if (changed != NumberFields::FieldEdit::none) change(std::exchange(value_held, true));
         ImGui::SameLine();
         ImGui::SetNextItemWidth(6 * font);
         int way = static_cast<int>(key.way);

@@ -122,9 +122,9 @@ void BodyPanel::draw_value(const BodyEditor& editor, std::size_t number, BodyInp
         const auto change = fields.draw("numbers", numbers, value.range, 12 * font - (color ? button : 0));
         if (!fields.reason().empty() && input.refused.empty()) input.refused = value.name + " " + fields.reason();
         if (color) ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
-        if (change == NumberFields::Change::typed)
+        if (change == NumberFields::FieldEdit::typed)
             input.change = {number, numbers, held = false};
-        else if ((color && draw_color(numbers)) || change == NumberFields::Change::dragged)
+        else if ((color && draw_color(numbers)) || change == NumberFields::FieldEdit::dragged)
             input.change = {number, numbers, std::exchange(held, true)};
         if (value.follows) draw_track(editor, number, input);
         if (value.source == no_source) ImGui::SameLine(), dim_text(value.source);

@@ -71,8 +71,8 @@ double most_facing(const Material& m, bool bends) {
 /// Returns the share that a surface sends on at most: reflected, or refracted, or reflected totally.
 double sent_on(const Material& m) {
     const double reflected = sum_of_layers(m, [&](const Material& layer) {
-        return layer.reflection * largest(layer.mirror) * most_tint(layer.gilding, layer.rgb.color) *
-               (1 + layer.irid) * most_facing(layer, m.bends());
+        return layer.reflection * largest(layer.mirror) * most_tint(layer.gilding, layer.rgb.color) * (1 + layer.irid) *
+               most_facing(layer, m.bends());
     });
     double through = m.clarity * std::max(m.refraction, largest(m.passed(Color(m.refraction))));
     const bool clear = m.transmits() && m.rgb.clear();
