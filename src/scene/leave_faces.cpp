@@ -28,6 +28,7 @@ DVec3 off_faces(const Scene& scene, const Camera& camera, double reach, double r
     const double away = length(way);
     if (!(away > 0)) return eye;
     const DVec3 towards = way / away;
+    const double far = length(eye) + away;  // what a hair is measured by, whatever the unit of length
     for (const Primitive& body : scene.primitives) {
         if (!is_flat(body.shape)) continue;
         const Box box = world_bounds(body);
@@ -38,8 +39,8 @@ DVec3 off_faces(const Scene& scene, const Camera& camera, double reach, double r
         if (hits.empty()) continue;
         const DVec3 normal = hits[0].normal * (dot_product(hits[0].normal, towards) < 0 ? -1. : 1.);
         const double behind = (hits[0].t - reach) * dot_product(normal, towards);
-        const double size = box.finite() ? length(box.high - box.low) : length(eye);
-        eye = eye + (std::max(behind, 0.) + 1e-7 * (1 + away) + rounding * (1 + size)) * normal;
+        const double size = box.finite() ? length(box.high - box.low) : 0;
+        eye = eye + (std::max(behind, 0.) + 1e-7 * far + rounding * (far + size)) * normal;
     }
     return eye;
 }

@@ -267,7 +267,9 @@ class TracerOf : public AnyTracer {
         if (known && known->camera == camera) return;
         constexpr std::size_t most = 1000;  // bodies; among more it would take too long for each picture of a film
         const bool looks = scene().primitives.size() <= most;
-        const double reach = 1e-12 * (1 + length(camera.position)), rounding = 16. * std::numeric_limits<T>::epsilon();
+        // In proportion to the scene, whatever its unit of length.
+        const double reach = 1e-12 * length(camera.position) + 1e-16 * length(camera.look_at - camera.position);
+        constexpr double rounding = 16. * std::numeric_limits<T>::epsilon();
         const DVec3 eye = looks ? off_faces(scene(), camera, reach, rounding) : camera.position;
         known = {camera, eye, built->bodies_around(eye)};
     }
