@@ -1,5 +1,5 @@
 // The referee's formulas for lathes: a polynomial of up to the sixth degree for each curve of a contour, and its roots
-// by halving between those of its derivative.
+// between those of its derivative.
 #pragma once
 #include <vector>
 

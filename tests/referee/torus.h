@@ -1,4 +1,4 @@
-// The referee's formulas for tori: the quartic, and its roots by halving between those of its derivative.
+// The referee's formulas for tori: the quartic, and its roots between those of its derivative.
 #pragma once
 #include <vector>
 

@@ -143,7 +143,7 @@ bool ThinBodies::hides_in(const std::array<CellCorner, 4>& corners, double least
     const bool in_sight = wide && hides_camera(corners, sights, furthest, seen, least, part);
     if (in_sight && (!part || !*part)) return true;
     if (!one_surface || (lit == 0 && !mirrors)) return in_sight;
-    // What else is hidden makes more of the cell than that part and the rest.
+    // Drops the part: with something else hidden, the cell is more than that part and the rest.
     const auto besides = [&] {
         if (part) part->reset();
         return true;

@@ -202,11 +202,10 @@ void CapsuleTree::add(std::span<TreeLeaf> leaves) {
     nodes[own].next = static_cast<std::int32_t>(nodes.size());
 }
 
-bool CapsuleTree::meets(const Tube& tube, const RayBundle& bundle, double least, FacetsSeen seen,
-                        std::span<const DVec3> own) const {
-    const glm::dmat3 to_own = facets.empty() ? glm::dmat3(1) : bundle.coordinates();
-    constexpr unsigned all = 15;
-    double largest[all + 1] = {};  // share of the facets that these corners meet
+/// Calls visit(leaf, radius) for the leaves that reach into the tube and are thinner than it is there, with a bound on
+/// its radius, until one returns true; returns whether one did.
+template <class Visit>
+bool CapsuleTree::any_thin(const Tube& tube, const Visit& visit) const {
     for (std::size_t i = 0; i < nodes.size();) {
         const CapsuleNode& node = nodes[i];
         const double radius = radius_at(tube, node.around);
@@ -215,21 +214,32 @@ bool CapsuleTree::meets(const Tube& tube, const RayBundle& bundle, double least,
             continue;
         }
         ++i;
-        if (!node.is_leaf) continue;
+        if (node.is_leaf && visit(node, radius)) return true;
+    }
+    return false;
+}
+
+bool CapsuleTree::meets(const Tube& tube, const RayBundle& bundle, double least, FacetsSeen seen,
+                        std::span<const DVec3> own) const {
+    const glm::dmat3 to_own = facets.empty() ? glm::dmat3(1) : bundle.coordinates();
+    constexpr unsigned all = 15;
+    double largest[all + 1] = {};  // share of the facets that these corners meet
+    const bool found = any_thin(tube, [&](const CapsuleNode& node, double radius) {
         if (node.facet >= 0) {
             const auto [share, corners, sides] = bundle.met(facets[node.facet].corners, to_own);
-            if (corners == 0 && share >= least) return true;
-            if (corners == 0 || corners == all) continue;
+            if (corners == 0) return share >= least;
+            if (corners == all) return false;
             if (seen == FacetsSeen::split && sides > 1 && std::min(share, 1 - share) >= least) return true;
             largest[corners] = std::max(largest[corners], share);
-            continue;
+            return false;
         }
         const Capsule& body = node.around;
         const double width = 2 * body.radius, across = std::min(2 * radius, quick_length(body.to - body.from)) + width;
-        if (width * across < least * tube.area * radius * radius) continue;
+        if (width * across < least * tube.area * radius * radius) return false;
         const auto inside = [&](const DVec3& p) { return distance_to(body, p) < body.radius * (1 + 1e-3); };
-        if (own.empty() || !std::ranges::all_of(own, inside)) return true;
-    }
+        return own.empty() || !std::ranges::all_of(own, inside);
+    });
+    if (found) return true;
     for (unsigned corners = 1; corners < all; ++corners) {
         const double share = largest[corners], other = largest[all - corners];
         const bool whole = other > 0 && share + other > 1 - least;
@@ -247,27 +257,20 @@ std::optional<FlatPart> CapsuleTree::flat_part(const Tube& tube, const RayBundle
     double largest = 0;
     std::vector<std::array<glm::dvec2, 2>> ends;  // corners of the polygons, and their middles
     std::vector<glm::dvec2> outline;
-    for (std::size_t i = 0; i < nodes.size();) {
-        const CapsuleNode& node = nodes[i];
-        const double radius = radius_at(tube, node.around);
-        if (!(radius >= 0 && radius >= node.least)) {
-            i = std::size_t(node.next);
-            continue;
-        }
-        ++i;
-        if (!node.is_leaf) continue;
-        if (node.facet < 0) return std::nullopt;
+    const bool others = any_thin(tube, [&](const CapsuleNode& node, double) {
+        if (node.facet < 0) return true;
         const auto [share, corners, sides] = bundle.met(facets[node.facet].corners, to_own, &outline);
-        if (share == 0) continue;
-        if (!facets[node.facet].whole || (body >= 0 && bodies[node.facet] != body)) return std::nullopt;
+        if (share == 0) return false;
+        if (!facets[node.facet].whole || (body >= 0 && bodies[node.facet] != body)) return true;
         body = bodies[node.facet];
         part.share += share, part.corners |= corners;
         glm::dvec2 middle(0);
         for (const glm::dvec2& point : outline) middle += 1. / static_cast<double>(outline.size()) * point;
         for (const glm::dvec2& point : outline) ends.push_back({point, middle});
         if (share > largest) largest = share, part.places[0] = middle;
-    }
-    if (body < 0) return std::nullopt;
+        return false;
+    });
+    if (others || body < 0) return std::nullopt;
     glm::dvec2 from = part.places[0];
     for (const int k : {1, 2}) {
         const auto distance = [&](const auto& end) { return std::hypot(end[0].x - from.x, end[0].y - from.y); };

@@ -97,6 +97,8 @@ class CapsuleTree {
         std::int32_t facet;
     };
     void add(std::span<TreeLeaf> leaves);
+    template <class Visit>
+    bool any_thin(const Tube& tube, const Visit& visit) const;
 
     std::vector<CapsuleNode> nodes;  // each before those below it
     std::vector<Facet> facets;
