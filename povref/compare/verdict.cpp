@@ -26,7 +26,7 @@ int steps_apart(Values a, int channels_a, Values b, int channels_b, std::size_t 
     return apart;
 }
 
-/// So many pixels on each side of those in question are rendered again as well.
+/// So many pixels around the pixels in question are rendered again as well.
 constexpr int margin = 16;
 
 /// The comparison of two pictures, ours and theirs, of which pixel i differs by apart[i] steps.
@@ -51,8 +51,8 @@ struct Disagreement {
         }
         return part;
     }
-    /// Are most pixels of a part the same of those in which ours is? A camera that cannot be moved would show another
-    /// view.
+    /// Among the pixels of a part in which our picture equals POV-Ray's, does `other` equal it in most? A camera that
+    /// cannot be moved would show another view.
     bool same_view(const Picture& other, const PicturePart& part) const {
         std::size_t same = 0, all = 0;
         for (int y = part.top; y <= part.bottom; ++y)
@@ -139,8 +139,8 @@ Verdict judge(Tracer& tracer, const View& view, const Frame& ours, const Picture
             verdict.worst_off_edges = std::max(verdict.worst_off_edges, apart[i]);
     }
     const auto pixel = [&](std::size_t i) { return Pixel{int(i % ours.width), int(i / ours.width)}; };
-    std::vector<std::size_t> off;   // of those asked about, the pixels that are on no edge
-    std::vector<std::size_t> amid;  // and those on edges among other edges
+    std::vector<std::size_t> off;   // pixels asked about that are on no edge
+    std::vector<std::size_t> amid;  // pixels asked about on edges among other edges
     const Disagreement compared{theirs, apart};
     const auto decided = [&] { return compared.many(off.size()); };
     std::size_t asked = 0;

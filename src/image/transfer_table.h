@@ -28,7 +28,7 @@ class TransferTable {
         return (*this)(rgb[2]) | (*this)(rgb[1]) << 8 | (*this)(rgb[0]) << 16 | 0xff000000u;
     }
 
-    /// Returns the value in the middle of those with this code; of the last code, the least one.
+    /// Returns the middle of the values with this code; for the last code, its least value.
     double light(std::uint32_t code) const { return code < 255 ? (least[code] + least[code + 1]) / 2 : least[255]; }
 
   private:

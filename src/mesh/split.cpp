@@ -29,8 +29,8 @@ std::span<const FaceSplitter::Triangle> FaceSplitter::split(const std::vector<DV
     return triangles;
 }
 
-/// Does the face turn to the same side, or not at all, at every corner? Sets its `normal`: the sum of those of the
-/// triangles around its first corner.
+/// Does the face turn to the same side, or not at all, at every corner? Sets its `normal`: the sum of the normals of
+/// the triangles around its first corner.
 bool FaceSplitter::convex(const std::vector<DVec3>& points, std::span<const std::int32_t> corners) {
     const DVec3 origin = points[corners[0]];
     normal = {};

@@ -84,7 +84,7 @@ class BlockNumbers {
     std::size_t closing(std::size_t i) const;
     /// Reads a number at `i`, which may have a sign. Returns the number of the token behind it.
     std::optional<std::size_t> read_number(std::size_t i, BodyValue& value) const;
-    /// Reads a number or a vector of them at `i`, likewise.
+    /// Reads a number or a vector at `i`. Returns the number of the token behind it.
     std::optional<std::size_t> read_value(std::size_t i, BodyValue& value) const;
     void read_block(std::size_t begin, const std::string& source, int level, const std::string& part);
     void read_name(std::size_t i, const std::string& name, int level);

@@ -33,7 +33,7 @@ struct OpenedPov {
     SourceLines lines{};
     bool mirrored = false;              // the scene is the file's mirror image in z
     bool clock_used = false;            // see Interpreter
-    bool size_used = false;             // likewise
+    bool size_used = false;             // see Interpreter
     std::vector<PovNote> notes;         // in the order of files and lines, each once
     std::vector<std::string> warnings;  // about the text itself
     std::vector<std::string> files;     // all that were read, the scene's first

@@ -19,6 +19,13 @@ namespace strahl {
 
 bool is_pov(const std::string& path) { return path.ends_with(".pov") || path.ends_with(".POV"); }
 
+bool follow_ini(std::string& scene, OpeningOptions& options) {
+    if (!pov::is_ini(scene)) return false;
+    options.ini = pov::read_ini(scene);
+    scene = options.ini->scene;
+    return true;
+}
+
 namespace {
 
 /// Returns what the folders of an .ini file may add to those that may be read: none that lie outside of them.

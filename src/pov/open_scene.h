@@ -45,6 +45,10 @@ struct OpenedScene {
 /// Does the path end like a scene of POV-Ray?
 bool is_pov(const std::string& path);
 
+/// If `scene` is an .ini file, or FILE.ini[SECTION], replaces it by the scene that this names, and sets options.ini;
+/// returns whether it is. Throws FileError.
+bool follow_ini(std::string& scene, OpeningOptions& options);
+
 /// Throws UsageError if `written`, which `option` names, is the scene, or the .ini file or the flight of a .pov.
 void refuse_overwriting_scene(const std::string& option, const std::string& written, const std::string& scene,
                               const OpeningOptions& options);

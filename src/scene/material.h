@@ -165,11 +165,11 @@ struct Material {
         Field{"both_sides", &Material::both_sides, "1: lights behind the surface light it as those before it do",
               Range::zero_to_one},
         Field{"share", &Material::share,
-              "factors of its light; a coat that has some begins other layers, whose light is added to that of those "
-              "before, so that with a pattern and its reverse two materials are mixed",
+              "factors of its light; a coat with `share` starts a second material, and the light of both is added: a "
+              "pattern and its reverse mix them",
               Range::zero_or_more},
-        Field{"clarity", &Material::clarity, "factor of what is seen through the body, its shadow stays as it is",
-              Range::zero_or_more},
+        Field{"clarity", &Material::clarity,
+              "factor of the light that is seen through the body; shadows stay as they are", Range::zero_or_more},
         Field{"irid", &Material::irid,
               "strength of colours as of a thin film; they vary with the angles of eye and light", Range::zero_or_more},
         Field{"film", &Material::film, "thickness of that film, in thousandths of a millimetre", Range::zero_or_more},
@@ -182,11 +182,10 @@ struct Material {
         Field{"seen", &Material::seen, "0: the eye looks through the body, and only mirrors show it",
               Range::zero_to_one},
         Field{"mirrored", &Material::mirrored, "0: mirrors do not show the body", Range::zero_to_one},
-        Field{
-            "outside", &Material::outside,
-            "factor of its light where rays come from outside the body; it begins layers as `share` does, so that two "
-            "materials are those of two sides",
-            Range::zero_to_one},
+        Field{"outside", &Material::outside,
+              "factor of its light where rays come from outside the body; it starts a second material as `share` does, "
+              "so that each side can have its own",
+              Range::zero_to_one},
         Field{"inside", &Material::inside, "factor of its light where rays come from inside the body",
               Range::zero_to_one},
         Field{"group", &Material::group, "lights whose `group` is this number shine on the body as well; 0: none do",

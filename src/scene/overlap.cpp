@@ -18,7 +18,7 @@ namespace {
 struct TransparentBody {
     Box box;
     std::optional<Ball> ball;        // if it is one
-    std::optional<HalfSpace> space;  // likewise
+    std::optional<HalfSpace> space;  // if it is one
     double distance = 0;             // of the half-space normal . x < distance
 };
 

@@ -79,6 +79,12 @@ void BodyTools::apply(const BodyInput& input) {
     if (input.own) changed = bodies.make_own(values[*input.own], session.edits);
     if (changed) show();
     if (input.track) follow_track(*input.track);
+    if (input.preset && bodies.body().material) {
+        const Box box = world_bounds(session.scene->primitives[std::size_t(bodies.number())]);
+        const double size = box.finite() ? round_length(length(box.high - box.low) / 2) : 1;
+        change_text(with_material(bodies.edited.text(), bodies.body(), *input.preset, size),
+                    bodies.name() + " of " + input.preset->name);
+    }
     if (input.free)
         change_text(without_tracks(bodies.edited.text(), values[*input.free]),
                     values[*input.free].name + " of " + bodies.name() + " follows no track");

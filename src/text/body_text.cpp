@@ -33,6 +33,7 @@ class ValueFinder {
     void add_shape(const Shape& shape, std::vector<BodyValue>& values) const;
     void add_transformations(std::vector<BodyValue>& values) const;
     void add_material(std::vector<BodyValue>& values) const;
+    std::optional<TextSlice> material_place() const;
 
   private:
     /// A block that may give a value, and how it is called; "" for the body's own.
@@ -184,6 +185,15 @@ void ValueFinder::set_own_place(BodyValue& value) const {
     value.before = " material {" + value.before, value.after += "} ";
 }
 
+std::optional<TextSlice> ValueFinder::material_place() const {
+    const auto [item, define] = chain.back();
+    if (!define.empty()) return std::nullopt;  // every use of the definition would change
+    if (const TextItem* const own = item->item("material"))
+        return TextSlice{at(own->word), own->end.empty() ? at(own->name) + own->name.size() : at(own->end) + 1};
+    if (item->end.empty()) return std::nullopt;
+    return TextSlice{at(item->end), at(item->end)};
+}
+
 void ValueFinder::add_material(std::vector<BodyValue>& values) const {
     std::vector<ValueSource> sources;
     for (std::size_t i = chain.size(); i-- > 0;) {
@@ -298,6 +308,7 @@ BodyText body_text(const std::string& text, const Scene& scene, int body, int le
     finder.add_shape(own->shape, result.values);
     finder.add_transformations(result.values);
     finder.add_material(result.values);
+    result.material = finder.material_place();
     return result;
 }
 

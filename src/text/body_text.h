@@ -2,6 +2,7 @@
 // leave the rest of the text as it is.
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -42,6 +43,8 @@ struct BodyText {
     std::size_t at = 0;  // where its first word stands in the text
     int line = 0;        // of that, counted from 1; 0 if there is no text of it
     std::vector<BodyValue> values;
+    /// The material of its own in the text, or the empty slice where one would stand; none if other bodies share it.
+    std::optional<TextSlice> material{};
     /// The block of the body of the top level, in the text; and the blocks `define` and `defaultmaterial` before it.
     std::size_t block_begin = 0, block_end = 0;
     std::string context{};

@@ -22,14 +22,19 @@ struct Decimals {
 constexpr Decimals for_directions{3};
 
 /// A matt grey, whatever the defaultmaterial.
-std::string body(const char* word, const std::string& arguments) {
+std::string body(const char* word, const std::string& arguments, const std::string& placed = {}) {
     return std::string(word) + " { " + arguments +
-           "  material { rgb <.8, .8, .8>  reflection 0  refraction 0  diffuse .8  ambient .1  specular .3 } }";
+           "  material { rgb <.8, .8, .8>  reflection 0  refraction 0  diffuse .8  ambient .1  specular .3 }" + placed +
+           " }";
+}
+/// Stands with its middle at the origin before it is moved to `centre`, so that turning and scaling leave it there.
+std::string body_at(const std::string& centre, const char* word, const std::string& arguments) {
+    return body(word, arguments, "  translate " + centre);
 }
 
 std::string sphere(const DVec3& point, const DVec3& normal, double size, int decimals) {
     const Decimals text{decimals};
-    return body("sphere", text(point + size * normal) + ", " + text(size));
+    return body_at(text(point + size * normal), "sphere", "<0, 0, 0>, " + text(size));
 }
 
 /// A box lies along the axes, with one side on the surface.
@@ -40,29 +45,32 @@ std::string box(const DVec3& point, const DVec3& normal, double size, int decima
         if (std::abs(normal[i]) > std::abs(normal[axis])) axis = i;
     DVec3 centre = point;
     centre[axis] += std::copysign(size, normal[axis]);
-    return body("box", text(centre - DVec3(size)) + ", " + text(centre + DVec3(size)));
+    return body_at(text(centre), "box", text(DVec3(-size)) + ", " + text(DVec3(size)));
 }
 
 std::string cylinder(const DVec3& point, const DVec3& normal, double size, int decimals) {
     const Decimals text{decimals};
-    return body("cylinder", text(point) + ", " + text(point + 2. * size * normal) + ", " + text(size / 2));
+    const DVec3 half = size * normal;
+    return body_at(text(point + half), "cylinder", text(-half) + ", " + text(half) + ", " + text(size / 2));
 }
 
 std::string cone(const DVec3& point, const DVec3& normal, double size, int decimals) {
     const Decimals text{decimals};
-    return body("cone", text(point) + ", " + text(size) + ", " + text(point + 2. * size * normal) + ", 0");
+    const DVec3 half = size * normal;
+    return body_at(text(point + half), "cone", text(-half) + ", " + text(size) + ", " + text(half) + ", 0");
 }
 
 std::string torus(const DVec3& point, const DVec3& normal, double size, int decimals) {
     const Decimals text{decimals};
-    return body("torus", text(point + size / 4 * normal) + ", " + for_directions(normal) + ", " + text(size) + ", " +
-                             text(size / 4));
+    return body_at(text(point + size / 4 * normal), "torus",
+                   "<0, 0, 0>, " + for_directions(normal) + ", " + text(size) + ", " + text(size / 4));
 }
 
 /// A disc is a little above the surface, which would hide parts of it else.
 std::string disc(const DVec3& point, const DVec3& normal, double size, int decimals) {
     const Decimals text{decimals};
-    return body("disc", text(point + size / 20 * normal) + ", " + for_directions(normal) + ", " + text(size));
+    return body_at(text(point + size / 20 * normal), "disc",
+                   "<0, 0, 0>, " + for_directions(normal) + ", " + text(size));
 }
 
 /// A plane through the point, parallel to the surface there.

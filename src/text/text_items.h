@@ -30,10 +30,11 @@ struct BodyItems {
 /// Finds the body with this number among those of the top level, counted from 0, in a text without errors; in others
 /// perhaps none. The slices are of `text`.
 BodyItems items_of_body(std::string_view text, int number);
-/// Finds the light with this number likewise. Returns an item without a word if there is none.
+/// Finds the light with this number, counted from 0, in a text without errors. Returns an item without a word if there
+/// is none.
 TextItem item_of_light(std::string_view text, int number);
 
-/// Finds the first block of the top level with this word likewise.
+/// Finds the first block of the top level with this word; an item without a word if there is none.
 TextItem item_of_block(std::string_view text, std::string_view word);
 
 /// Is this the word of a kind of body?

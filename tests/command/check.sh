@@ -9,6 +9,12 @@ for line in "scene.rt: no errors" "4: 2 spheres, 1 plane, 1 cylinder" "transpare
 done
 [[ $("$strahl" check - <scene.rt) == "standard input: no errors"* ]] || fault "standard input is not checked"
 
+# Of several scenes each is reported, also after one with an error.
+echo 'ball {' >wrong.rt
+expect 3 "wrong.rt:1:1" check scene.rt wrong.rt scene.rt
+[[ $("$strahl" check scene.rt wrong.rt scene.rt 2>/dev/null | grep -c 'no errors') == 2 ]] ||
+    fault "an error ends the check of other scenes"
+
 expect 0 "camera {" check --print scene.rt
 "$strahl" check --print scene.rt >printed.rt
 "$strahl" check --print printed.rt >again.rt

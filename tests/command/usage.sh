@@ -6,6 +6,10 @@ unset DISPLAY WAYLAND_DISPLAY
 
 expect 0 "Usage: strahl" --help
 expect 0 "--size WxH" render --help
+for columns in 60 100; do
+    long=$(COLUMNS=$columns "$strahl" render --help | sed '1,/^Options:/d; /^Still:/,$d' | awk -v "most=$columns" 'length > most')
+    [[ -z $long ]] || fault "--help is wider than $columns columns: $long"
+done
 expect 0 "--print" check --help
 expect 0 "--benchmark" play --help
 expect 0 "--tolerance" compare --help

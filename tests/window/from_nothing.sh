@@ -87,19 +87,19 @@ echo "-- a ball: added, made larger, lifted by its arrow, and red"
 add 0 430 470
 change 726 124 1.2
 drag 429 358 0 -29
-color 176 .85 .12 .1
-change 726 202 .25
+color 202 .85 .12 .1
+change 726 228 .25
 shot 2
 
 echo "-- a ring and a cone"
 add 4 250 560
-change 662 98 -.61
-change 718 98 -.03
+change 662 202 -.61
+change 718 202 -.03
 change 726 150 1.7
-color 228 .95 .7 .25
-change 726 254 .3
+color 254 .95 .7 .25
+change 726 280 .3
 add 3 520 330
-color 228 .2 .4 .75
+color 254 .2 .4 .75
 shot 3
 
 echo "-- a spotlight, whose mark is shown"
@@ -130,7 +130,7 @@ way 2
 for _ in 1 2 3 4 5 6 7 8; do point 88 596 4; done
 point 160 590
 point 310 662 # set key
-type_at 320 662 1.2
+type_at 320 662 2.3
 way 3
 point 620 662
 shot 6
@@ -169,12 +169,12 @@ quit
 grep -q '2 with keys' checked || fault "the tracks: $(<checked)"
 has() { grep -qF -- "$1" untitled.rt || fault "no '$1' in $(<untitled.rt)"; }
 has 'music { bpm 125  rows 8  sound "beat.ogg" }'
-has 'sphere { <-0.61, -0.03, 1.1>, 1.2  material { rgb <0.85, 0.12, 0.1>  reflection 0.25 '
-has 'translate <0, 0, track "bounce" 0> }'
+has 'sphere { <0, 0, 0>, 1.2  material { rgb <0.85, 0.12, 0.1>  reflection 0.25 '
+has 'translate <-0.61, -0.03, track "bounce" 1.1> }'
 has '1.7, 0.125  material { rgb <0.95, 0.7, 0.25>  reflection 0.3 '
 has 'material { rgb <0.2, 0.4, 0.75> '
 has 'color <track "flash" .9, track "flash" .9, track "flash" .9>  spot {'
-(($(grep -c ' 1.2 ramp' untitled.tracks) == 12)) || fault "the track of the ball: $(<untitled.tracks)"
+(($(grep -c ' 2.3 ramp' untitled.tracks) == 12)) || fault "the track of the ball: $(<untitled.tracks)"
 (($(grep -c ' 0.25 linear' untitled.tracks) == 12)) || fault "the track of the light: $(<untitled.tracks)"
 [[ -z $folder ]] || {
     montage [1-9].png -resize 400x300 -tile 3x3 -geometry +2+2 -strip -quality 80 "$folder/from_nothing.jpg"

@@ -19,7 +19,7 @@ own_display() {
         pid=
         trap '[[ -n $pid ]] && kill "$pid" 2>/dev/null; rm -rf "$work"' EXIT
         cd "$work" || exit 1
-        export XDG_STATE_HOME=$work/state XDG_CONFIG_HOME=$work/config
+        export XDG_STATE_HOME=$work/state XDG_CONFIG_HOME=$work/config XDG_CACHE_HOME=$work/cache
         return
     fi
     local size=$1 tools tool

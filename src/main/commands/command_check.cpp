@@ -136,26 +136,38 @@ std::string summary(const Scene& scene, const std::string& path) {
     return text.str();
 }
 
-}  // namespace
-
-int check_command(const CheckOptions& options) {
+void check_scene(const CheckOptions& options, std::string path) {
     OpeningOptions opening = options.opening;
     opening.as_text = options.print;
-    const OpenedScene opened = open_scene(read_text(options.scene), options.scene, opening, read_pixels);
+    follow_ini(path, opening);
+    const OpenedScene opened = open_scene(read_text(path), path, opening, read_pixels);
     std::string text;
     if (options.print) {
         text = write_scene(opened.scene);
     } else {
-        text = show(shown_name(options.scene)).text + ": no errors\n" + summary(opened.scene, options.scene);
+        text = show(shown_name(path)).text + ": no errors\n" + summary(opened.scene, path);
         if (!opened.summary.empty()) text += "  as POV-Ray   " + opened.summary + '\n';
         for (const std::string& note : opened.notes) text += show(note).text + '\n';
     }
     write_file("-", text);
-    if (options.print) return exit_status::done;
+    if (options.print) return;
     print_warnings(opened.warnings);
     for (const std::string& warning : scene_warnings(opened.scene))
         std::cerr << "strahl: warning: " << warning << '\n';
-    return exit_status::done;
+}
+
+}  // namespace
+
+int check_command(const CheckOptions& options) {
+    int status = exit_status::done;
+    for (const std::string& scene : options.scenes) try {
+            check_scene(options, scene);
+        } catch (const FileError& error) {
+            if (options.scenes.size() == 1) throw;
+            std::cerr << printable(error.what()) << '\n';
+            status = exit_status::bad_file;
+        }
+    return status;
 }
 
 }  // namespace strahl

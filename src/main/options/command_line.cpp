@@ -14,6 +14,7 @@
 #include "files/streams.h"
 #include "main/commands/command_view.h"
 #include "main/options/options.h"
+#include "main/process/terminal.h"
 #include "main/reference/reference.h"
 #include "scene/error.h"
 #include "text/manual/syntax.h"
@@ -31,6 +32,30 @@ std::string version() {
          << lanes(Precision::float64, simd) << " double)";
     return text.str();
 }
+
+/// Breaks the lines of --help where the terminal ends.
+class WrappedHelp : public CLI::Formatter {
+  public:
+    std::string make_option_desc(const CLI::Option* option) const override {
+        const std::string text = CLI::Formatter::make_option_desc(option);
+        const std::size_t names = get_column_width(), columns = static_cast<std::size_t>(terminal_columns());
+        if (columns < names + 20) return text;  // no terminal, or one that is too narrow
+        return wrapped(text, columns - names);
+    }
+
+  private:
+    /// Breaks `text` between words into lines of up to `width` bytes.
+    static std::string wrapped(std::string text, std::size_t width) {
+        for (std::size_t start = 0; text.size() - start > width;) {
+            std::size_t space = text.rfind(' ', start + width);
+            if (space == text.npos || space <= start) space = text.find(' ', start);  // a long word
+            if (space == text.npos) break;
+            text[space] = '\n';
+            start = space + 1;
+        }
+        return text;
+    }
+};
 
 std::vector<const CLI::App*> commands_of(const CLI::App& app) {
     return app.get_subcommands([](const CLI::App*) { return true; });
@@ -167,7 +192,9 @@ int run_command_line(int argc, char** argv) {
     app.set_help_flag("-h,--help", "Print this help; strahl COMMAND --help describes a command");
     add_reference(app);
     app.require_subcommand(1);
-    app.get_formatter()->column_width(26);
+    const auto help = std::make_shared<WrappedHelp>();
+    help->column_width(26);
+    app.formatter(help);
     ChosenCommand chosen;
     add_commands(app, chosen);
     app.footer(

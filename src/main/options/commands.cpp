@@ -227,9 +227,10 @@ void add_play(CLI::App& app, ChosenCommand& chosen) {
 
 void add_check(CLI::App& app, ChosenCommand& chosen) {
     auto [command, o] =
-        add_command(app, chosen, "check", "Report errors in a scene, or list what is in it", check_command);
-    add_scene(command, o->scene, o->opening);
+        add_command(app, chosen, "check", "Report errors in scenes, or list what is in them", check_command);
+    add_argument(command, "SCENE", o->scenes, scene_help)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     command->add_flag("--print", o->print, "Print the scene as text instead");
+    add_opening(command, o->opening);
 }
 
 void add_compare(CLI::App& app, ChosenCommand& chosen) {

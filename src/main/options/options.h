@@ -113,41 +113,42 @@ inline CLI::Validator numbers(double low, double high) {
         "");
 }
 
-/// Adds the options for scenes of POV-Ray.
+/// Adds the options for scenes of POV-Ray, which --help shows last.
 inline void add_opening(CLI::App* command, OpeningOptions& options) {
+    constexpr const char* group = "Options for scenes of POV-Ray";
     command
         ->add_option("--clock", options.clock,
                      "Value of clock in a .pov file at all times; by default it runs from 0 to 1 during the flight, or "
                      "as an .ini file says")
         ->check(numbers(-1e9, 1e9))
-        ->type_name("T");
+        ->type_name("T")
+        ->group(group);
     command
         ->add_option("--library", options.library,
                      "A folder of files that a .pov file includes, searched before those of POV-Ray's package; may be "
                      "given several times")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->allow_extra_args(false)
-        ->type_name("DIR");
-    command->add_flag("--strict", options.strict,
-                      "Treat whatever in a .pov file cannot be shown as it is meant as an error");
+        ->type_name("DIR")
+        ->group(group);
+    command
+        ->add_flag("--strict", options.strict,
+                   "Treat whatever in a .pov file cannot be shown as it is meant as an error")
+        ->group(group);
 }
+constexpr const char* scene_help =
+    "The scene: an .rt file or -, which is standard input; a .pov file, or an .ini file of POV-Ray, also a section of "
+    "it, FILE.ini[NAME]";
 /// Adds the scene; of an .ini file, FILE.ini or FILE.ini[SECTION], the scene in it. Options that are added later
 /// replace what an .ini file says: `follow` is called with it first.
 inline CLI::Option* add_scene(CLI::App* command, std::string& value, OpeningOptions& options,
                               const std::function<void(const pov::IniFile&)>& follow = {}) {
     const auto take = [&value, &options, follow](const std::string& given) {
         value = given;
-        if (!pov::is_ini(given)) return;
-        options.ini = pov::read_ini(given);
-        value = options.ini->scene;
-        if (follow) follow(*options.ini);
+        if (follow_ini(value, options) && follow) follow(*options.ini);
     };
     CLI::Option* const scene =
-        command->add_option_function<std::string>("SCENE", take,
-                                                  "The scene: an .rt file or -, which is standard input; a .pov file, "
-                                                  "or an .ini file of POV-Ray, also a section of it, FILE.ini[NAME]")
-            ->required()
-            ->type_name(" ");
+        command->add_option_function<std::string>("SCENE", take, scene_help)->required()->type_name(" ");
     add_opening(command, options);
     return scene;
 }

@@ -6,9 +6,9 @@
 
 namespace strahl::pov {
 
-/// Grows the first parts of differences by a hair where a part that is taken away has a face in the place of theirs:
-/// POV-Ray keeps that face, as a point on it is, by its rounding, inside both parts or neither. Grows boxes and planes
-/// of intersections likewise where they only touch, which POV-Ray shows as a face.
+/// Grows the first parts of differences by a hair where a part that is taken away has a face in the same place: POV-Ray
+/// keeps that face, since by its rounding a point on it is inside both parts or neither. Grows boxes and planes of
+/// intersections by a hair where they only touch, which POV-Ray shows as a face.
 void keep_faces(Primitive& body);
 
 /// Moves faces of bodies by a hair away from the eye where a plane is seen in their place, which POV-Ray shows.

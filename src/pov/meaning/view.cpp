@@ -15,7 +15,7 @@
 namespace strahl::pov {
 namespace {
 
-/// Returns the angle of 0 to 90 degrees with this tangent: of those that give it, up to rounding, the one with the
+/// Returns the angle of 0 to 90 degrees with this tangent. Of all angles that give it up to rounding, this one has the
 /// fewest digits.
 double angle_of(double tan) {
     const double angle = std::atan(tan) * 180 / std::numbers::pi;
@@ -26,7 +26,7 @@ double angle_of(double tan) {
     return angle;
 }
 
-/// Returns a camera's projection; perspective in place of those that scenes do not have.
+/// Returns a camera's projection; perspective in place of projections that scenes do not have.
 Projection projection_of(const CameraThing& camera) {
     const auto known = std::ranges::find(projection_words, camera.projection, find_word);
     if (known == projection_words.end()) return Projection::perspective;

@@ -257,10 +257,11 @@ struct Superellipsoid {
     static constexpr bool bounded = true, convex = true, closed = true, hot = false, arguments_move = false;
     static constexpr auto fields = std::make_tuple(
         Field{"roundness across", &Superellipsoid::e,
-              "of its outline seen along the z axis: near 0 it is a square, 1 a circle, 2 a square on its corner",
+              "roundness of its outline seen along the z axis: near 0 it is a square, 1 a circle, 2 a square on its "
+              "corner",
               Range::positive},
         Field{"roundness along", &Superellipsoid::n,
-              "of its outline seen across the z axis, likewise; both are from .000001 to 2", Range::positive});
+              "roundness of its outline seen across the z axis; both are from .000001 to 2", Range::positive});
     static constexpr double least = 1e-6, most = 2;
     const char* fault() const {
         return std::min(e, n) >= least && std::max(e, n) <= most ? nullptr : "its roundness is not from .000001 to 2";

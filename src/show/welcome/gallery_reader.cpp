@@ -34,7 +34,7 @@ struct GalleryReader::Desk {
     std::atomic<bool> stop = false;  // what is under way
     std::set<std::string> made;
     std::optional<std::vector<GallerySection>> listed;
-    std::vector<std::pair<std::string, ScreenImage>> pictures;
+    std::vector<std::pair<std::string, SmallPicture>> pictures;
 
     /// Does one thing that is asked for, or waits. Returns false at the end.
     bool work(ThreadPool& pool, const std::function<void()>& notify);
@@ -57,11 +57,11 @@ bool GalleryReader::Desk::work(ThreadPool& pool, const std::function<void()>& no
         const std::string path = under_way;
         const int columns = width, rows = height;
         lock.unlock();
-        ScreenImage image = small_picture(path, columns, rows, pool, stop);
+        SmallPicture picture = small_picture(path, columns, rows, pool, stop);
         lock.lock();
         under_way.clear();
         if (stop) return !quit;
-        made.insert(path), pictures.emplace_back(path, std::move(image));
+        made.insert(path), pictures.emplace_back(path, std::move(picture));
     }
     if (quit) return false;
     lock.unlock();
@@ -115,25 +115,34 @@ std::optional<std::vector<GallerySection>> GalleryReader::take_list() {
     return std::exchange(desk->listed, std::nullopt);
 }
 
-std::vector<std::pair<std::string, ScreenImage>> GalleryReader::take_pictures() {
+std::vector<std::pair<std::string, SmallPicture>> GalleryReader::take_pictures() {
     std::lock_guard lock(desk->mutex);
     return std::exchange(desk->pictures, {});
 }
 
-ScreenImage small_picture(const std::string& path, int width, int height, ThreadPool& pool,
-                          const std::atomic<bool>& stop) try {
+SmallPicture small_picture(const std::string& path, int width, int height, ThreadPool& pool,
+                           const std::atomic<bool>& stop) try {
     static_cast<void>(RegularFile(path));  // throws for a pipe, which might never end
+    if (ScreenImage kept = kept_picture(path, width, height); kept.width > 0) return {std::move(kept)};
+    SmallPicture picture;
+    FilesRead named;
     OpeningOptions options;
-    options.stop = &stop;
-    const Scene scene = scene_for_window(read_text(path), path, options).scene;
+    options.stop = &stop, options.files = &picture.files;
+    const Scene scene = open_scene(read_text(path), path, options, read_pixels, &named).scene;
+    check_capacity(scene, Precision::float32);
     const Framing frame = framing(own_camera_at(scene, 0, nullptr), width, height, true);
     const View view{.camera = frame.camera, .width = width, .height = height, .depth = scene.settings.max_trace_level};
     Tracer tracer(scene, Precision::float32);
-    return traced_picture(tracer, view, pool, TransferTable(scene.settings.assumed_gamma), {.grid = 2}, &stop);
-} catch (const FileError&) {
-    return {};
+    picture.image = traced_picture(tracer, view, pool, TransferTable(scene.settings.assumed_gamma), {.grid = 2}, &stop);
+    for (const auto& names : {named.meshes, named.pictures})
+        for (const std::string& name : names) picture.files.push_back(path_beside(path, name));
+    picture.files.push_back(path);
+    if (!stop && picture.image.width > 0) keep_picture(path, picture);
+    return picture;
+} catch (const FileError& error) {
+    return {.fault = error.what()};
 } catch (const std::bad_alloc&) {
-    return {};
+    return {.fault = path + ": too large for the memory"};
 }
 
 }  // namespace strahl

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "show/motion/screen_image.h"
 #include "show/welcome/gallery.h"
+#include "show/welcome/kept_pictures.h"
 
 namespace strahl {
 
@@ -30,9 +30,8 @@ class GalleryReader {
 
     /// Returns what was listed since the last call.
     std::optional<std::vector<GallerySection>> take_list();
-    /// Returns the pictures that were made since the last call, with the paths of their scenes. A picture is empty if
-    /// its scene cannot be read.
-    std::vector<std::pair<std::string, ScreenImage>> take_pictures();
+    /// Returns the pictures that were made since the last call, with the paths of their scenes.
+    std::vector<std::pair<std::string, SmallPicture>> take_pictures();
 
   private:
     struct Desk;
@@ -40,9 +39,9 @@ class GalleryReader {
     std::thread thread;
 };
 
-/// Traces a small picture of a scene at the start of its flight, as the window would show it. Empty if the scene cannot
-/// be read, or `stop` became true.
-ScreenImage small_picture(const std::string& path, int width, int height, class ThreadPool& pool,
-                          const std::atomic<bool>& stop);
+/// Traces a small picture of a scene, or takes the one that is kept. Empty if the scene cannot be read, or `stop`
+/// became true.
+SmallPicture small_picture(const std::string& path, int width, int height, class ThreadPool& pool,
+                           const std::atomic<bool>& stop);
 
 }  // namespace strahl

@@ -41,8 +41,8 @@ void Welcome::take(const Screen& screen) {
         notes.log("gallery of " + std::to_string(count) + " scenes after " + seconds_text(pace.now()));
         pace.redraw();
     }
-    for (const auto& [path, image] : reader->take_pictures()) {
-        pictures[path] = image.width > 0 ? screen.make_texture(image) : 0;
+    for (const auto& [path, picture] : reader->take_pictures()) {
+        pictures[path] = {picture.image.width > 0 ? screen.make_texture(picture.image) : 0, picture.fault};
         pace.redraw();
     }
 }
@@ -59,11 +59,15 @@ bool Welcome::draw_item(const GalleryItem& item, bool marked) {
     if (marked || ImGui::IsItemHovered())
         list.AddRectFilled(from, end, marked ? IM_COL32(92, 173, 237, 150) : IM_COL32(255, 255, 255, 40), edge);
     const auto found = pictures.find(item.path);
-    if (found != pictures.end() && found->second != 0)
-        list.AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(found->second)), inner, picture);
+    const GalleryTile tile = found == pictures.end() ? GalleryTile{} : found->second;
+    if (tile.texture != 0)
+        list.AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(tile.texture)), inner, picture);
     else
         list.AddRectFilled(inner, picture, IM_COL32(255, 255, 255, 20));
     list.PushClipRect(from, end, true);
+    if (!tile.fault.empty())
+        list.AddText(ImGui::GetFont(), font, {inner.x + edge, inner.y + edge}, IM_COL32(255, 150, 130, 255),
+                     tile.fault.c_str(), nullptr, width - 4 * edge);
     list.AddText({inner.x, picture.y + edge / 2}, ImGui::GetColorU32(ImGuiCol_Text), item.name.c_str());
     list.PopClipRect();
     if (ImGui::IsItemHovered() && !item.begins) ImGui::SetTooltip("%s", item.path.c_str());

@@ -44,7 +44,11 @@ class Welcome {
     std::optional<GalleryReader> reader;  // from the first time on
     std::optional<std::vector<GallerySection>> sections;
     std::string missing;                       // where no installed scenes were found
-    std::map<std::string, unsigned> pictures;  // textures by paths of scenes; 0 if a scene cannot be read
+    struct GalleryTile {
+        unsigned texture = 0;  // 0 if the scene cannot be read
+        std::string fault{};   // why
+    };
+    std::map<std::string, GalleryTile> pictures;  // by paths of scenes
     GalleryPlace chosen;
     int columns = 1, rows_seen = 1;
     float width = 1;                      // of an item, in pixels

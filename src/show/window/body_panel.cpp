@@ -45,6 +45,18 @@ bool button_beside(const char* label, const char* help) {
     return pressed;
 }
 
+/// Draws the list of materials above the values of the body's own. Returns the one that was chosen, or nullptr.
+const MaterialPreset* draw_presets() {
+    const MaterialPreset* chosen = nullptr;
+    ImGui::SetNextItemWidth(12 * ImGui::GetFontSize());
+    if (ImGui::BeginCombo("##preset", "material: choose one")) {
+        for (const MaterialPreset& preset : material_presets)
+            if (ImGui::Selectable(preset.name)) chosen = &preset;
+        ImGui::EndCombo();
+    }
+    return chosen;
+}
+
 std::string numbers_text(const std::vector<double>& numbers) {
     std::string text;
     for (const double number : numbers) {
@@ -91,21 +103,39 @@ BodyInput BodyPanel::draw(const BodyEditor& editor, const std::string& file, flo
     ImGui::NewLine();
     ImGui::Separator();
     fields.begin();
-    for (std::size_t i = 0; i < body.values.size(); ++i) draw_value(editor, i, input);
+    const std::vector<BodyValue>& values = body.values;
+    const auto material = std::size_t(std::ranges::find(values, "rgb", &BodyValue::name) - values.begin());
+    // Values of the material that nothing in the text gives are folded away, and those that cannot be changed here.
+    const auto folded = [&](std::size_t i) {
+        return (i > material && values[i].source == no_source) || values[i].fixed == "from the file";
+    };
+    std::string source;
+    std::vector<std::size_t> more;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (i == material && body.material && !editor.read_only()) input.preset = draw_presets();
+        if (folded(i))
+            more.push_back(i);
+        else
+            draw_value(editor, i, source, input);
+    }
+    if (!more.empty() && ImGui::TreeNode("more")) {
+        for (const std::size_t i : more) draw_value(editor, i, source, input);
+        ImGui::TreePop();
+    }
     if (!ImGui::IsAnyItemActive()) held = false;
     own = end_panel();
     wide = own.right - own.left + ImGui::GetFontSize() * .8f;
     return input;
 }
 
-void BodyPanel::draw_value(const BodyEditor& editor, std::size_t number, BodyInput& input) {
-    const std::vector<BodyValue>& values = editor.body().values;
-    const BodyValue& value = values[number];
+/// `source` is that of the value above, and becomes this one's.
+void BodyPanel::draw_value(const BodyEditor& editor, std::size_t number, std::string& source, BodyInput& input) {
+    const BodyValue& value = editor.body().values[number];
     const float font = ImGui::GetFontSize();
     const bool open = editor.open_to_change(value), elsewhere = !value.source.empty() && value.source != no_source;
     ImGui::PushID(static_cast<int>(number));
     // Values from the same block stand together below its name.
-    if (elsewhere && (number == 0 || values[number - 1].source != value.source)) {
+    if (std::exchange(source, value.source) != value.source && elsewhere) {
         dim_text("from " + value.source);
         if (!open && value.fixed.empty() && button_beside("change", "changes values there, for all that have them"))
             input.allow = value.source;

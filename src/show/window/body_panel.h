@@ -10,6 +10,7 @@
 #include "show/session/body_editor.h"
 #include "show/timeline/number_fields.h"
 #include "show/window/covered_area.h"
+#include "text/material_presets.h"
 
 namespace strahl {
 
@@ -32,6 +33,7 @@ struct BodyInput {
     std::optional<std::size_t> free;   // follows no tracks from now on
     std::optional<std::size_t> own;    // gets a value of the body's own
     std::optional<std::string> allow;  // changes values in this block
+    const MaterialPreset* preset = nullptr;  // gets this material
     std::string refused;               // why a number that was typed is not taken, or ""
 };
 
@@ -44,7 +46,7 @@ class BodyPanel {
     const CoveredArea& area() const { return own; }
 
   private:
-    void draw_value(const BodyEditor& editor, std::size_t number, BodyInput& input);
+    void draw_value(const BodyEditor& editor, std::size_t number, std::string& source, BodyInput& input);
     void draw_track(const BodyEditor& editor, std::size_t number, BodyInput& input);
 
     float wide = 0;

@@ -45,9 +45,9 @@ struct Loaded {
     std::vector<std::string> warnings{};   // of a newly opened scene, see scene_warnings()
     bool opened = false;                   // it is a newly opened file
     bool renamed = false;                  // it is the scene as it was, in another file from now on
-    EyeWords words{};                      // those of its camera
+    EyeWords words{};                      // of its camera
     bool mirrored = false;                 // see OpenedScene
-    bool changes = false;                  // likewise
+    bool changes = false;                  // see OpenedScene
     bool sized = false;                    // see OpenedScene
     bool moved = false;                    // the file is the same, read for another moment or size
     ReadFor read_for{};                    // the moment and the size that it was read for
@@ -122,7 +122,7 @@ class Reload {
     /// changes; then watches that file in place of the old one. An empty text is that of the old file. Names of files
     /// in the text are made to lead to the same files.
     void write_as(std::string path, std::string text, std::optional<Flythrough> flythrough, std::vector<Track> tracks);
-    /// Writes the keys of these tracks into the file beside the watched one, with a copy likewise. The rest of it
+    /// Writes the keys of these tracks into the file beside the watched one, and keeps a copy, FILE~. The rest of it
     /// stays; tracks without keys are removed.
     void write(std::vector<Track> tracks);
     std::optional<Written> take_written();

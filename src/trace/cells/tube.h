@@ -38,8 +38,8 @@ struct RayBundle {
 
     /// Takes vectors to w u, w v and w.
     glm::dmat3 coordinates() const;
-    /// The share of the rays that meet a convex polygon, in this part of them, and which of those at the corners do:
-    /// bits 0 to 3, around the parallelogram from `corner` on; and how many of the polygon's sides lie in between.
+    /// The share of the rays in this part that meet a convex polygon, and which of the four corner rays do: bits 0 to
+    /// 3, around the parallelogram from `corner` on; and how many of the polygon's sides lie in between.
     struct Met {
         double share = 0;
         unsigned corners = 0;

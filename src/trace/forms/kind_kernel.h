@@ -7,7 +7,7 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// Is a form one of those of meshes?
+/// Does a form belong to meshes?
 template <class Form>
 inline constexpr bool of_triangles = Form::compact && !Form::hot;
 

@@ -14,7 +14,7 @@ namespace strahl {
 /// Most pixels in a batch, and most rays in each queue of a generation.
 inline constexpr int batch_pixels = 256, batch_rays = 4096;
 
-/// The last generation of rays, also of those that go straight on without a new one as POV-Ray counts.
+/// The last generation of rays; rays that go straight on count too, though POV-Ray does not count them.
 inline constexpr int deepest_ray = 256;
 
 /// How a ray's place and direction change from a sample to those beside it, right of it and below it: by a side of the
@@ -59,7 +59,7 @@ struct RayQueue {
 /// Says which rays have an array: all; those inside an enclosed body; those of a policy that keeps more; those with
 /// differentials or cones; those that carry colours and counts.
 enum class RayPart { all, inside, extra, beside, cone, carried };
-inline constexpr int ray_arrays = 11;  // number of those of the first two parts
+inline constexpr int ray_arrays = 11;  // number of arrays in the first two parts
 
 /// Calls visit(part, arrays...) for each array of a queue, or of several queues side by side.
 template <class Visit, class... Queues>

@@ -254,7 +254,7 @@ class AreaSum {
     Start<S> start;
     bool clear = false, glossy = false;
     std::array<std::uint8_t, row * row> known;  // by corner: 0 if not known, else on which side of the surface it is
-    std::array<T, row * row> shares[3];         // by corner, of those on the side it faces: the share of light
+    std::array<T, row * row> shares[3];  // by corner: the share of light on the side of the surface that it faces
 };
 
 /// Computes the mean over a grid for one hit after the other.

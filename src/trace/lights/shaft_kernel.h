@@ -99,7 +99,7 @@ bool beside_items(const Shaft<T>& shaft, const Group& group, int first, int coun
     return true;
 }
 
-/// Returns the bodies that may reach into the shaft, of those that can keep this light from the body where it starts.
+/// Returns the bodies that may reach into the shaft and can keep this light from the body where it starts.
 /// For worlds where each item has a bin.
 template <class S, class T>
 BodySet bodies_in(const World<T>& world, const Shaft<T>& shaft, const ShaftStart<T>& start) {

@@ -4,8 +4,8 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// Bounds the first crossing ahead of a body that is not convex: `near` of rays that start outside, `far` of those that
-/// start inside. There may be more from `later` on.
+/// Bounds the first crossing ahead of a body that is not convex: `near` if the ray starts outside, `far` if it starts
+/// inside. There may be more from `later` on.
 template <class S>
 struct FirstBounds : SpanBounds<S> {
     S later;

@@ -9,7 +9,7 @@ namespace strahl::inline STRAHL_LEVEL {
 /// be inside the sides by more than E + 3 own, and x a point of the exact plane no further than E from p: then x is in
 /// the exact triangle. Otherwise there is a point of an exact side on the way to x from what corresponds to p, which is
 /// no longer than E + own, and what corresponds to that point on a side here is nearer to p than own + E + own + own.
-/// Points outside are decided likewise.
+/// The same holds for points outside.
 ///
 /// Roundings: n = e x f is off by 2 units of |e| |f|, which is `narrow` times its length, and by 1/2 of this.
 template <class S>

@@ -203,7 +203,7 @@ void WorldArrays<T>::bound_bodies() {
         for (int c = 0; c < 3; ++c) balls[c * stride + i] = static_cast<T>(centre[c]);
         balls[3 * stride + i] = volumes[i].plane ? std::numeric_limits<T>::infinity() : static_cast<T>(radius + margin);
         boxes.push_back({cast<T>(volumes[i].box.low - DVec3(margin)), cast<T>(volumes[i].box.high + DVec3(margin))});
-        // In nested worlds rays need more than the queue of those inside bodies has.
+        // In nested worlds rays carry more than the queue of rays inside bodies holds.
         if ((glass & world.few.convex) >> i & 1 && !world.nested && isolated(volumes, i, margin))
             world.few.enclosed |= BodySet(1) << i;
     }

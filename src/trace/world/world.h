@@ -198,7 +198,8 @@ struct FewBodies {
     const T* radii = nullptr;             // of these; infinite for planes, and -infinite past the end
     const BodyBox<T>* boxes = nullptr;    // around the bodies
     const LightCone<T>* cones = nullptr;  // by light * bins + bin: each body as seen from the light
-    const BodySet* occluders = nullptr;   // likewise: bodies that can keep the light from it, itself only from inside
+    const BodySet* occluders =
+        nullptr;  // by light * bins + bin: bodies that can keep the light from it, itself only from inside
     BodySet cold = 0;                     // bodies of other than hot forms
     BodySet convex = 0;                   // bodies that never shadow their own outside
     // Transparent convex bodies that nothing else reaches into: a ray inside meets the same body again.
@@ -229,7 +230,7 @@ template <class T>
 struct PatternTables {
     int first = std::numeric_limits<int>::max();  // the first material with patterns
     const PatternKernel<T>* list = nullptr;       // of the materials from there on; null if there are none
-    const BendKernel<T>* bends = nullptr;         // likewise; null if no normals are bent
+    const BendKernel<T>* bends = nullptr;         // of the same materials; null if no normals are bent
     const ColorStopKernel<T>* stops = nullptr;
     const MipMapKernel* mip_maps = nullptr;    // by the numbers of images; null where these are not filtered
     bool has_quick_means = false;              // some patterns have
@@ -323,7 +324,7 @@ struct World {
     FogKernel<T> fog;
     // Kernels do not look for what the scene does not contain.
     bool transparent = false;  // some body lets light through
-    bool nested = false;       // such bodies overlap, or bumps bend rays back: rays carry the list of those entered
+    bool nested = false;  // transparent bodies overlap, or bumps bend rays back: rays list the bodies that they are in
 };
 
 /// A composite by its item.

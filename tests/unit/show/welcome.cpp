@@ -109,17 +109,18 @@ TEST_CASE("a new scene is a copy of its template and replaces no file") {
 
 TEST_CASE("small pictures are made of what is wanted, and none of what cannot be read") {
     const Scratch folder;
+    ::setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1);
     std::ofstream(folder / "scene.rt") << scene_text;
     std::ofstream(folder / "broken.rt") << "sphere {";
     std::ofstream(folder / "endless.rt") << "#while (1)\n#end\n";
     ThreadPool pool(1);
     std::atomic<bool> stop = false;
-    const ScreenImage picture = small_picture(folder / "scene.rt", 20, 15, pool, stop);
+    const ScreenImage picture = small_picture(folder / "scene.rt", 20, 15, pool, stop).image;
     CHECK(picture.width == 20);
     CHECK(std::set(picture.pixels.begin(), picture.pixels.end()).size() > 10);
-    CHECK(small_picture(folder / "missing.rt", 20, 15, pool, stop).width == 0);
+    CHECK(small_picture(folder / "missing.rt", 20, 15, pool, stop).image.width == 0);
 
-    std::vector<std::pair<std::string, ScreenImage>> made;
+    std::vector<std::pair<std::string, SmallPicture>> made;
     GalleryReader reader(1, [] {});
     const auto take = [&] {
         for (auto& one : reader.take_pictures()) made.push_back(std::move(one));
@@ -129,10 +130,41 @@ TEST_CASE("small pictures are made of what is wanted, and none of what cannot be
     CHECK(soon([&] { return reader.take_list().has_value(); }));
     reader.want({folder / "broken.rt", folder / "endless.rt", folder / "scene.rt"}, 20, 15);
     CHECK(soon([&] { return take() == 1; }));
-    CHECK(made[0].second.width == 0);
+    CHECK(made[0].second.image.width == 0);
+    CHECK(made[0].second.fault.find("broken.rt:1:9") != std::string::npos);
     reader.want({folder / "scene.rt", folder / "broken.rt"}, 20, 15);  // the endless one is given up
     CHECK(soon([&] { return take() == 2; }));
     CHECK(made[1].first == folder / "scene.rt");
-    CHECK(made[1].second.pixels == picture.pixels);
+    CHECK(made[1].second.image.pixels == picture.pixels);
     reader.want({folder / "endless.rt"}, 20, 15);  // so it is at the end
+    ::unsetenv("XDG_CACHE_HOME");
+}
+
+TEST_CASE("small pictures are kept until a file that was read for them changes") {
+    const Scratch folder;
+    ::setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1);
+    const std::string scene = folder / "scene.rt";
+    std::ofstream(scene) << "#include \"ball.inc\"\n" << scene_text;
+    const auto write_ball = [&](const char* color, int hours) {
+        std::ofstream(folder / "ball.inc") << "sphere { <0,0,0>, 1 material { rgb " << color << " ambient 1 } }\n";
+        std::filesystem::last_write_time(folder / "ball.inc",
+                                         std::filesystem::file_time_type::clock::now() - std::chrono::hours(hours));
+    };
+    write_ball("<1,0,0>", 3);
+    ThreadPool pool(1);
+    std::atomic<bool> stop = false;
+    CHECK(kept_picture(scene, 20, 15).width == 0);
+    const ScreenImage red = small_picture(scene, 20, 15, pool, stop).image;
+    REQUIRE(red.width == 20);
+    CHECK(kept_picture(scene, 20, 15).pixels == red.pixels);
+    CHECK(kept_picture(scene, 20, 16).width == 0);
+    write_ball("<0,1,0>", 2);
+    CHECK(kept_picture(scene, 20, 15).width == 0);
+    const ScreenImage green = small_picture(scene, 20, 15, pool, stop).image;
+    CHECK(green.pixels != red.pixels);
+    CHECK(kept_picture(scene, 20, 15).pixels == green.pixels);
+    for (const auto& file : std::filesystem::directory_iterator(folder / "cache/strahl/pictures"))
+        std::filesystem::resize_file(file, 100);
+    CHECK(kept_picture(scene, 20, 15).width == 0);
+    ::unsetenv("XDG_CACHE_HOME");
 }

@@ -8,6 +8,7 @@
 #include "scene/leaves.h"
 #include "tests/unit/scenes.h"
 #include "tests/unit/text/random_texts.h"
+#include "text/material_presets.h"
 #include "text/parse.h"
 #include "text/text_items.h"
 #include "text/write.h"
@@ -178,4 +179,43 @@ TEST_CASE("all leaves of scenes are found, and changing a number changes only th
         } catch (const FileError&) {  // a body transformed out of range
         }
     }
+}
+
+TEST_CASE("a material of the list replaces the body's own, and changes no other body") {
+    const std::string text = start +
+                             "define red material { rgb <1, 0, 0> }\n"
+                             "define ball sphere { <0,0,0>, 1  material red }\n"
+                             "sphere { <0,0,0>, 1 /* bare */ }\n"
+                             "sphere { <0,0,0>, 1  material red { pow 7 } /* own */ }\n"
+                             "sphere { <0,0,0>, 1  material red }\n"
+                             "difference { box { <0,0,0>, <1,1,1> } sphere { <0,0,0>, 1 } material { rgb <0,1,0> } }\n"
+                             "ball { }\nball { material red }\n";
+    const Scene before = parse_scene(text, "test");
+    for (const MaterialPreset& preset : material_presets)
+        for (int i = 0; i < std::ssize(before.primitives); ++i) {
+            CAPTURE(preset.name);
+            CAPTURE(i);
+            const BodyText body = body_of(text, i);
+            REQUIRE(body.material);
+            const std::string changed = with_material(text, body, preset, 2);
+            const Scene after = parse_scene(changed, "test");
+            const auto material = [](const Scene& scene, int number) {
+                const Primitive& own = scene.primitives[std::size_t(number)];
+                const Primitive* leaf = nullptr;  // the first
+                for_each_leaf(own, [&](const Primitive& part, const glm::dmat4&) { leaf = leaf ? leaf : &part; });
+                return scene.materials[std::size_t(leaf->material)];
+            };
+            for (int other = 0; other < std::ssize(before.primitives); ++other)
+                if (other != i) CHECK(material(after, other) == material(before, other));
+            CHECK(material(after, i) != material(before, i));
+            CHECK(changed.find("/* bare */") != std::string::npos);
+            CHECK(changed.find("/* own */") != std::string::npos);
+            if (std::string(preset.name) == "matt")
+                CHECK(material(after, i).rgb.color == material(before, i).rgb.color);
+            // Given once more it is replaced, not added.
+            CHECK(with_material(changed, body_of(changed, i), preset, 2) == changed);
+        }
+    // A part of a definition is that of all its uses.
+    CHECK(
+        !body_of(start + "define two union { sphere { <0,0,0>, 1 } sphere { <3,0,0>, 1 } }\ntwo { }\n", 0, 0).material);
 }

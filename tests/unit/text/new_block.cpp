@@ -45,8 +45,8 @@ TEST_CASE("a new block is one that a person would write, behind the last body or
     const std::string with = with_new_block(text, block_of("sphere"), 2, {1.23456, 2, -.00001}, {0, 0, 1}, .5, 2);
     CHECK(with == empty_scene +
                       "sphere { <0,0,0>, 1 }  // one\n  box { <0,0,0>,\n    <1,1,1>\n  }  // two\n"
-                      "  sphere { <1.23, 2, 0.5>, 0.5  material { rgb <.8, .8, .8>  reflection 0  refraction 0  "
-                      "diffuse .8  ambient .1  specular .3 } }\n" +
+                      "  sphere { <0, 0, 0>, 0.5  material { rgb <.8, .8, .8>  reflection 0  refraction 0  "
+                      "diffuse .8  ambient .1  specular .3 }  translate <1.23, 2, 0.5> }\n" +
                       text.substr(text.find("light")));
     CHECK(with_new_block(text, block_of("light"), 1, {0, 0, 0}, {0, 0, 1}, 1, 2).find(
               "} light { position <0, 0, 4>  color <.7, .7, .7> } background") != std::string::npos);
@@ -106,7 +106,9 @@ TEST_CASE("a new body is the last one of any scene, and undone it leaves the tex
         const std::string with = with_new_block(whole, new_blocks[0], bodies, {1, 2, 3}, {0, 0, 1}, 1, 2);
         const Scene longer = parse_scene(with, "test", {}, made_up_pixels);
         REQUIRE(std::ssize(longer.primitives) == bodies + 1);
-        CHECK(longer.primitives.back().shape == Shape(Sphere{{1, 2, 4}, 1}));
+        const Box box = world_bounds(longer.primitives.back());
+        CHECK(box.low == DVec3(0, 1, 3));
+        CHECK(box.high == DVec3(2, 3, 5));
         if (bodies > 0) CHECK(without_block(with, TopBlock::body, bodies) == whole);
         const std::string lit = with_new_block(whole, block_of("spotlight"), lights, {1, 2, 3}, {0, 0, 1}, 1, 2);
         CHECK(parse_scene(lit, "test", {}, made_up_pixels).lights.size() == scene.lights.size() + 1);

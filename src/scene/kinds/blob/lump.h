@@ -27,8 +27,8 @@ struct Lump {
         Field{"strength", &Lump::strength, "what it adds in its middle; below 0 it takes away"},
         Field{"x axis", &Lump::x, "where <1, 0, 0> goes if the lump is stretched or turned about the blob's origin",
               Range::any, Given::optional},
-        Field{"y axis", &Lump::y, "the same of <0, 1, 0>", Range::any, Given::optional},
-        Field{"z axis", &Lump::z, "the same of <0, 0, 1>", Range::any, Given::optional});
+        Field{"y axis", &Lump::y, "where <0, 1, 0> goes then", Range::any, Given::optional},
+        Field{"z axis", &Lump::z, "where <0, 0, 1> goes then", Range::any, Given::optional});
 };
 
 /// A lump, or a part of one around a line: one half of a ball at each end, and the cylinder between. In a space of its
