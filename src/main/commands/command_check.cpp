@@ -141,7 +141,7 @@ std::string summary(const Scene& scene, const std::string& path) {
 int check_command(const CheckOptions& options) {
     OpeningOptions opening = options.opening;
     opening.as_text = options.print;
-    const OpenedScene opened = open_scene(read_text(options.scene), options.scene, opening, read_pixels);
+    const OpenedScene opened = open_scene(read_scene_text(options.scene), options.scene, opening, read_pixels);
     std::string text;
     if (options.print) {
         text = write_scene(opened.scene);

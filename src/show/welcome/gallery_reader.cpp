@@ -125,7 +125,7 @@ ScreenImage small_picture(const std::string& path, int width, int height, Thread
     static_cast<void>(RegularFile(path));  // throws for a pipe, which might never end
     OpeningOptions options;
     options.stop = &stop;
-    const Scene scene = scene_for_window(read_text(path), path, options).scene;
+    const Scene scene = scene_for_window(read_scene_text(path), path, options).scene;
     const Framing frame = framing(own_camera_at(scene, 0, nullptr), width, height, true);
     const View view{.camera = frame.camera, .width = width, .height = height, .depth = scene.settings.max_trace_level};
     Tracer tracer(scene, Precision::float32);
