@@ -163,17 +163,17 @@ Model read_mesh_model(const std::string& path, const ReadPixels& read_pixels) {
     model.files = {path};
     MeshData mesh = read_mesh(path, {}, &model.warnings, &look);
     if (ends_with_word(path, ".stl")) model.up = {0, 0, 1}, model.front = {0, -1, 0};
+    add_materials(look, read_pixels, model);
     const bool by_triangle = !look.triangle_colors.empty();
-    if (by_triangle || (!look.point_colors.empty() && look.materials.empty())) {
-        const Pigment colors = color_corners(
-            mesh, {.colors = by_triangle ? look.triangle_colors : look.point_colors, .by_triangle = by_triangle});
+    const bool pictured = std::ranges::any_of(model.materials, &Material::patterned);
+    if (!pictured && (by_triangle || !look.point_colors.empty())) {
         Material own = plain_material();
-        own.rgb = colors;
+        own.rgb = color_corners(
+            mesh, {.colors = by_triangle ? look.triangle_colors : look.point_colors, .by_triangle = by_triangle});
         model.materials = {own};
         model.parts = {{.name = "", .mesh = std::make_shared<const MeshData>(std::move(mesh))}};
         return model;
     }
-    add_materials(look, read_pixels, model);
     add_parts(std::move(mesh), look, model);
     return model;
 }

@@ -102,6 +102,13 @@ Flythrough flight_around(const Stage& stage) {
     return flight;
 }
 
+/// A flight of a camera that stays where it is, for models that move.
+Flythrough still_flight(const Camera& camera, double duration) {
+    return {.duration = duration,
+            .loop = true,
+            .keys = {{.time = 0, .position = camera.position, .look_at = camera.look_at, .fov = {}, .up = {}}}};
+}
+
 /// Adds a floor just below the model that is as bright as the background.
 void add_floor(const Stage& stage, Scene& scene, Materials& materials) {
     double lit = 0;
@@ -135,9 +142,10 @@ Scene staged(const Model& model, double aspect) {
             scene.lights.push_back({.color = Color(light.strength),
                                     .direction = -stage.direction(azimuth + light.azimuth, light.elevation)});
     if (!model.camera && model.lights.empty()) add_floor(stage, scene, materials);
-    if (!model.camera) scene.flythrough = flight_around(stage);
-    if (model.seconds > 0 && !scene.flythrough)
-        scene.flythrough = Flythrough{.duration = model.seconds, .loop = true, .keys = {}};
+    if (model.seconds > 0)
+        scene.flythrough = still_flight(scene.camera, model.seconds);
+    else if (!model.camera)
+        scene.flythrough = flight_around(stage);
     scene.materials = std::move(materials.list);
     return scene;
 }

@@ -11,8 +11,8 @@
 
 namespace strahl {
 
-/// How a picture lies on a mesh: the place (u, v) of the mesh is at scale * (turned by `degrees`, v towards u) + offset
-/// in the picture.
+/// How a picture lies on a mesh: the place p = (u, v) of the mesh is where scale * p, turned by `degrees` from u to v, plus
+/// `offset` is in the picture.
 struct TexturePlace {
     DVec3 scale{1}, offset{0};
     double degrees = 0;
