@@ -99,12 +99,12 @@ GltfMaterials::Use GltfMaterials::use(const GltfValue& texture, GltfMaterial& re
     use.picture = picture(source);
     if (own["sampler"])
         use.sharp = file.entry("samplers", own["sampler"])["magFilter"].count(9729, 99999) == 9728;
-    // Their v goes down, and angles turn the other way.
+    // Their v goes down.
     const DVec3 offset = moved["offset"].numbers<2>(DVec3(0)), scale = moved["scale"].numbers<2>(DVec3(1));
     const double angle = moved["rotation"].number(0);
     if (scale.x == 0 || scale.y == 0) moved.fail("scale should not be 0");
-    use.place.scale = {scale.x, scale.y, 1}, use.place.degrees = -angle * 180 / std::acos(-1.);
-    use.place.offset = {offset.x - std::sin(angle) * scale.y, 1 - offset.y - std::cos(angle) * scale.y, 0};
+    use.place.scale = {scale.x, scale.y, 1}, use.place.degrees = angle * 180 / std::acos(-1.);
+    use.place.offset = {offset.x + std::sin(angle) * scale.y, 1 - offset.y - std::cos(angle) * scale.y, 0};
     return use;
 }
 

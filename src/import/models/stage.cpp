@@ -56,6 +56,7 @@ class Stage {
         // A point (x, y, z), z towards the camera, is seen if |x - shift| <= tan (distance - z), and so for y.
         const double slope = margin * std::tan(fov * std::numbers::pi / 180);
         double distance = 0;
+        for (const DVec3& point : points) distance = std::max(distance, dot_product(point - middle, back) + .1 * size);
         DVec3 target = middle;
         for (const auto& [axis, tan] : {std::pair(across, slope), {above, slope / aspect}}) {
             double most = -1e300, least = -1e300;
@@ -67,7 +68,7 @@ class Stage {
             target += .5 * (most - least) * axis;
             distance = std::max(distance, .5 * (most + least) / tan);
         }
-        return {.position = target + std::max(distance, 1e-3 * size) * back,
+        return {.position = target + distance * back,
                 .look_at = target,
                 .up = -up,
                 .fov = fov,
