@@ -1,5 +1,5 @@
 # The program and the launcher as users see them: one bash script per topic.
-foreach(topic usage pictures frames sheet film resume interrupt files stats stability check import pov_scenes broken_scenes install launcher readme tutorial gallery crosscheck crosscheck_strangers farm bundle lsp ci)
+foreach(topic usage pictures frames sheet film resume interrupt files stats stability check import models pov_scenes broken_scenes install launcher readme tutorial gallery crosscheck crosscheck_strangers farm bundle lsp ci)
   add_test(NAME command_${topic}
            COMMAND bash ${CMAKE_SOURCE_DIR}/tests/command/${topic}.sh $<TARGET_FILE:strahl> ${CMAKE_SOURCE_DIR}
                    ${CMAKE_BINARY_DIR})
@@ -8,7 +8,7 @@ endforeach()
 set_tests_properties(command_pictures command_farm command_film command_resume command_install command_gallery
                      command_readme command_crosscheck command_crosscheck_strangers PROPERTIES LABELS slow)
 # These show the same in every build.
-set_tests_properties(command_usage command_files command_check command_import command_broken_scenes
+set_tests_properties(command_usage command_files command_check command_import command_models command_broken_scenes
                      PROPERTIES LABELS memory)
 # These start other programs only.
 set_tests_properties(command_launcher command_ci PROPERTIES LABELS figures)

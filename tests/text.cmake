@@ -5,7 +5,7 @@ strahl_tests(test_text unit/text "strahl_text;strahl_image" language language_er
              language_patterns language_lights language_define hostile_text roundtrip edit_path body_text motion_text place_body new_block manual)
 # With sanitizers the language's other tests and attack_parser read and write as much.
 set_tests_properties(roundtrip PROPERTIES LABELS figures)
-strahl_tests(test_import unit/import strahl_import import_nff import_tachyon)
+strahl_tests(test_import unit/import strahl_import import_nff import_tachyon models model_materials gltf)
 
 # The tables of the manual: the test fails if they are stale, the target `manual` writes them.
 add_executable(write_manual EXCLUDE_FROM_ALL manual/main.cpp)

@@ -1,5 +1,5 @@
-// Reads OBJ: points, normals, places in a texture and faces, a line each. All other lines are about materials, groups,
-// lines and curves.
+// Reads OBJ: points, normals, places in a texture and faces, a line each, and names of groups and materials. All other
+// lines are about lines and curves.
 // tinyobjloader would read these too, but of 90,000 numbers with six decimals it reads 42,262 as not the nearest
 // double, and it takes 'x' for 0, 1e400 for infinity and index 4294967299 for 3.
 #include <algorithm>
@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <unordered_map>
 
 #include "mesh/faces.h"
 #include "mesh/source.h"
@@ -37,15 +38,15 @@ class ObjReader {
         for_lines([&](std::string_view keyword, Words& words) {
             points += keyword == "v", normals += keyword == "vn", places += keyword == "vt";
             if (keyword == "f" || keyword == "fo") read_face(words);
-            if (keyword == "mtllib")
-                source.lose({"read no materials: the mesh has that of the scene; ignored ", "line", " 'mtllib'"},
-                            [&] { return words.line(); });
+            if (keyword == "g" || keyword == "o" || keyword == "usemtl" || keyword == "mtllib")
+                read_name(keyword, words);
             if (keyword == "surf")
                 source.lose({"skipped ", "curved surface", ""}, [&] { return words.line(); });
         });
         if (mesh.triangles.empty()) source.fail("there are no faces in this file; a mesh needs lines 'f'");
         faces.finish();
         if (mesh.corner_places.empty()) mesh.places = {};
+        if (source.look && colored < mesh.points.size()) source.look->point_colors.clear();
         return std::move(mesh);
     }
 
@@ -55,6 +56,8 @@ class ObjReader {
     void read_point(Words& words);
     void read_place(Words& words);
     void read_face(Words& words);
+    void read_name(std::string_view keyword, Words& words);
+    void begin_run();
     void read_corner(std::string_view word, const Words& words);
     std::int32_t resolved(std::int64_t index, std::size_t all, std::size_t so_far, const char* noun,
                           const Words& words) const;
@@ -64,12 +67,17 @@ class ObjReader {
     Faces faces;
     std::size_t points = 0, normals = 0, places = 0;  // so far, for negative indices
     Face face;
+    std::size_t colored = 0;  // points with a colour
+    MeshLook::Run run;        // of the next face
+    using Numbers = std::unordered_map<std::string_view, std::int32_t>;
+    Numbers names, materials;
 };
 
 /// Calls `read` with the first word of each line and those that follow.
 template <class Read>
 void ObjReader::for_lines(Read read) {
-    constexpr std::array<std::string_view, 7> known{"v", "vn", "vt", "f", "fo", "mtllib", "surf"};
+    constexpr std::array<std::string_view, 10> known{"v", "f",  "vn", "vt",     "g",
+                                                     "o", "fo", "usemtl", "mtllib", "surf"};
     const std::string_view bytes = source.bytes;
     // A file may end some of its lines in one way and some in another. One search for both characters would be slower.
     const auto end_of_line = [&](std::size_t start) {
@@ -96,9 +104,52 @@ void ObjReader::read_point(Words& words) {
     if (const std::string fault = Source::fault(point); !fault.empty()) words.fail("this point " + fault);
     source.check_points(mesh.points.size() + 1);
     mesh.points.push_back(point);
-    int more = 0;
-    for (std::string_view word = words.next(); !word.empty() && word[0] != '#'; word = words.next()) ++more;
-    if (more >= 3) source.lose({"ignored the colours of ", "point", ""}, [&] { return words.line(); });
+    std::array<std::string_view, 4> more;
+    std::size_t count = 0;
+    for (std::string_view word = words.next(); !word.empty() && word[0] != '#'; word = words.next())
+        more[std::min<std::size_t>(count++, 3)] = word;
+    if (count < 3) return;
+    if (!source.look) return source.lose({"ignored the colours of ", "point", ""}, [&] { return words.line(); });
+    MeshLook::Rgb color;
+    for (std::size_t c = 0; c < 3; ++c) {
+        double value = 0;
+        read_number(more[c + (count > 3)], value);
+        color[c] = MeshLook::share(value, 0);
+    }
+    source.look->point_colors.resize(mesh.points.size(), color), ++colored;
+}
+
+/// Reads the name of a group, an object or a material, or of a file of materials.
+void ObjReader::read_name(std::string_view keyword, Words& words) {
+    if (!source.look) {
+        if (keyword == "mtllib")
+            source.lose({"read no materials: the mesh has that of the scene; ignored ", "line", " 'mtllib'"},
+                        [&] { return words.line(); });
+        return;
+    }
+    const std::string_view name = words.rest_of_line();
+    const auto number_in = [&](std::vector<std::string>& list, Numbers& numbers) {
+        const auto [known, is_new] = numbers.try_emplace(name, static_cast<std::int32_t>(list.size()));
+        if (is_new) list.emplace_back(name);
+        return known->second;
+    };
+    if (keyword == "mtllib")
+        source.look->libraries.emplace_back(name);
+    else if (keyword == "usemtl")
+        run.material = name.empty() ? -1 : number_in(source.look->materials, materials);
+    else
+        run.name = name.empty() ? -1 : number_in(source.look->names, names);
+}
+
+/// Begins a run of faces if the next one has another name or material than the last.
+void ObjReader::begin_run() {
+    std::vector<MeshLook::Run>& runs = source.look->runs;
+    if (runs.empty() ? run.name < 0 && run.material < 0
+                     : runs.back().name == run.name && runs.back().material == run.material)
+        return;
+    if (runs.empty() && !mesh.triangles.empty()) runs.push_back({});
+    run.first = mesh.triangles.size();
+    runs.push_back(run);
 }
 
 /// Reads one number or two; the third is for solid textures.
@@ -114,6 +165,7 @@ void ObjReader::read_place(Words& words) {
 }
 
 void ObjReader::read_face(Words& words) {
+    if (source.look) begin_run();
     face.clear();
     const char* const line = words.start();
     for (std::string_view word = words.next(); !word.empty() && word[0] != '#'; word = words.next())

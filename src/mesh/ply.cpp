@@ -1,9 +1,11 @@
 // Reads the values of a PLY file: the elements `vertex` and `face`, in the form that its header describes.
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
 #include <numeric>
+#include <optional>
 
 #include "mesh/faces.h"
 #include "mesh/ply_header.h"
@@ -99,6 +101,21 @@ class BinaryValues {
     const char *place, *end;
 };
 
+/// The properties of an element that are its colour.
+struct PlyColors {
+    static constexpr std::array<std::string_view, 3> channels{"red", "green", "blue"};
+    static constexpr std::size_t none = ~std::size_t(0);
+    std::array<std::size_t, 3> columns{none, none, none};  // indices of red, green and blue
+    double most = 0;                                       // the value of full colour; 0: colours are shares
+
+    std::size_t first() const { return std::ranges::min(columns); }
+    /// Takes the value of a property, if that is part of the colour.
+    void take(std::size_t column, double value, MeshLook::Rgb& color) const {
+        for (std::size_t c = 0; c < 3; ++c)
+            if (columns[c] == column) color[c] = MeshLook::share(value, most);
+    }
+};
+
 /// Reads the elements, whose values are text or binary.
 template <class Values>
 class PlyReader {
@@ -191,7 +208,7 @@ class PlyReader {
     void add_places();
     void add_strips();
     void add_face();
-    void lose_colours() const;
+    std::optional<PlyColors> find_colors() const;
 
     const Source& source;
     const PlyHeader& header;
@@ -210,6 +227,8 @@ template <class Values>
 void PlyReader<Values>::read_vertices() {
     constexpr std::string_view names[]{"x", "y", "z", "nx", "ny", "nz", "u", "v", "s", "t", "texture_u", "texture_v"};
     constexpr int others = 12;
+    const std::optional<PlyColors> colors = find_colors();
+    if (colors && source.look) source.look->point_colors.resize(element->count);
     std::vector<int> meanings;
     bool found[others + 1]{};
     for (const PlyProperty& property : element->properties) {
@@ -219,7 +238,6 @@ void PlyReader<Values>::read_vertices() {
     }
     if (!found[0] || !found[1] || !found[2]) source.fail("the vertices of this file lack one of x, y and z");
     smooth = found[3] && found[4] && found[5];
-    lose_colours();
     int place = 6;  // index in the names of the first of a pair: u, v; s, t
     while (place < others && !(found[place] && found[place + 1])) place += 2;
     source.check_points(element->count);
@@ -231,8 +249,10 @@ void PlyReader<Values>::read_vertices() {
         for (std::size_t i = 0; i < meanings.size(); ++i) {
             if (element->properties[i].count)
                 skip(element->properties[i]);
-            else
-                v[meanings[i]] = value(element->properties[i].type);
+            else if (const double own = value(element->properties[i].type); meanings[i] < others)
+                v[meanings[i]] = own;
+            else if (colors && source.look)
+                colors->take(i, own, source.look->point_colors[number]);
         }
         const DVec3 point{v[0], v[1], v[2]};
         if (const std::string fault = Source::fault(point); !fault.empty()) values.fail(here() + " " + fault);
@@ -244,12 +264,23 @@ void PlyReader<Values>::read_vertices() {
     gaps = std::ranges::any_of(mesh.places, [](const MeshData::Place& own) { return std::isnan(own[0] + own[1]); });
 }
 
+/// Finds the properties of the element that are its colour, and warns if nobody wants them.
 template <class Values>
-void PlyReader<Values>::lose_colours() const {
-    for (const PlyProperty& property : element->properties)
-        if (property.name == "red" || property.name == "diffuse_red")
-            return source.lose({"ignored the colours of ", "element", ""},
-                               [&] { return source.line_at(property.name.data()); }, element->count);
+std::optional<PlyColors> PlyReader<Values>::find_colors() const {
+    std::optional<PlyColors> colors;
+    const auto& properties = element->properties;
+    for (std::size_t i = 0; i < properties.size(); ++i)
+        for (std::size_t c = 0; c < 3; ++c) {
+            const std::string_view name = properties[i].name, channel = PlyColors::channels[c];
+            if (properties[i].count || (name != channel && name != "diffuse_" + std::string(channel))) continue;
+            if (!colors) colors.emplace();
+            colors->columns[c] = i;
+            colors->most = properties[i].type == PlyType::uint8 ? 255 : properties[i].type == PlyType::uint16 ? 65535 : 0;
+        }
+    if (colors && !source.look)
+        source.lose({"ignored the colours of ", "element", ""},
+                    [&] { return source.line_at(properties[colors->first()].name.data()); }, element->count);
+    return colors;
 }
 
 template <class Values>
@@ -265,7 +296,8 @@ void PlyReader<Values>::read_faces() {
     const bool strips = element->name == "tristrips", own_places = std::ranges::any_of(properties, is_places);
     if (own_places) places_of_points = false;
     if (own_places && mesh.corner_places.empty()) mesh.places.clear();
-    lose_colours();
+    const std::optional<PlyColors> colors = find_colors();
+    MeshLook::Rgb color{};
     has_faces = true;
     if (!strips) {
         source.check_triangles(element->count);
@@ -279,6 +311,8 @@ void PlyReader<Values>::read_faces() {
                 read_corners(property);
             else if (is_places(property))
                 read_places(property);
+            else if (!property.count && colors && source.look)
+                colors->take(std::size_t(&property - properties.data()), value(property.type), color);
             else
                 skip(property);
         if (own_places)
@@ -289,6 +323,7 @@ void PlyReader<Values>::read_faces() {
             add_strips();
         else
             add_face();
+        if (colors && source.look) source.look->triangle_colors.resize(mesh.triangles.size(), color);
     }
 }
 

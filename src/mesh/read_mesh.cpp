@@ -28,26 +28,31 @@ MeshFormat format_of(const Source& source) {
 }
 
 /// Removes triangles whose corners are not three different points.
-void remove_empty(MeshData& mesh) {
+void remove_empty(MeshData& mesh, MeshLook* look) {
     const bool smooth = !mesh.corner_normals.empty(), placed = !mesh.corner_places.empty();
-    std::size_t kept = 0;
+    const bool colored = look && !look->triangle_colors.empty();
+    std::size_t kept = 0, run = 0;
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        for (; look && run < look->runs.size() && look->runs[run].first == i; ++run) look->runs[run].first = kept;
         const MeshData::Corners corners = mesh.triangles[i];
         const DVec3 &a = mesh.points[corners[0]], &b = mesh.points[corners[1]], &c = mesh.points[corners[2]];
         if (a == b || b == c || c == a) continue;
         mesh.triangles[kept] = corners;
         if (smooth) mesh.corner_normals[kept] = mesh.corner_normals[i];
         if (placed) mesh.corner_places[kept] = mesh.corner_places[i];
+        if (colored) look->triangle_colors[kept] = look->triangle_colors[i];
         ++kept;
     }
     mesh.triangles.resize(kept);
     if (smooth) mesh.corner_normals.resize(kept);
     if (placed) mesh.corner_places.resize(kept);
+    if (colored) look->triangle_colors.resize(kept);
 }
 
 }  // namespace
 
-MeshData read_mesh(const std::string& path, const MeshLimits& limits, std::vector<std::string>* warnings) {
+MeshData read_mesh(const std::string& path, const MeshLimits& limits, std::vector<std::string>* warnings,
+                   MeshLook* look) {
     const RegularFile file(path);
     const auto fail = [&](const std::string& why) { throw FileError("cannot read '" + path + "': " + why); };
     if (file.size() == 0) fail("it is empty");
@@ -56,12 +61,12 @@ MeshData read_mesh(const std::string& path, const MeshLimits& limits, std::vecto
     const Buffer<char> buffer = uninitialized_buffer<char>(file.size());
     const std::string_view bytes(buffer.get(), file.read(0, buffer.get(), file.size()));
     Losses losses;
-    const Source source{path, is_binary_stl(bytes) ? bytes : utf8_text(bytes, path), limits, losses};
+    const Source source{path, is_binary_stl(bytes) ? bytes : utf8_text(bytes, path), limits, losses, look};
     const MeshFormat format = format_of(source);
     MeshData mesh = format == MeshFormat::ply   ? read_ply(source)
                     : format == MeshFormat::obj ? read_obj(source)
                                                 : read_stl(source);
-    remove_empty(mesh);
+    remove_empty(mesh, look);
     mesh.points.shrink_to_fit(), mesh.triangles.shrink_to_fit();
     if (mesh.triangles.empty()) source.fail("there is no face in this file that has three different corners");
     if (warnings) std::ranges::move(losses.warnings(path), std::back_inserter(*warnings));

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "mesh/mesh_look.h"
 #include "scene/error.h"
 #include "scene/kinds/mesh_data.h"
 
@@ -31,7 +32,8 @@ struct MeshLimits {
 /// Every index is in range, every coordinate from -1e9 to 1e9, and every normal that a corner uses has a direction.
 /// Only regular files are opened. Throws FileError, whose message says where in the file the error is and what to do.
 /// `warnings` receives sentences on what of the file is not read as it stands.
+/// `look` receives colours and names; without it they are ignored with a warning.
 MeshData read_mesh(const std::string& path, const MeshLimits& limits = {},
-                   std::vector<std::string>* warnings = nullptr);
+                   std::vector<std::string>* warnings = nullptr, MeshLook* look = nullptr);
 
 }  // namespace strahl

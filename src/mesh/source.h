@@ -42,6 +42,7 @@ struct Source {
     std::string_view bytes;
     MeshLimits limits;
     Losses& losses;
+    MeshLook* look;  // null if nobody wants colours and names
 
     /// Throws FileError. `at` is a place in the bytes of a text; the message says in which line it is.
     [[noreturn]] void fail(const std::string& message, const char* at = nullptr) const;
@@ -90,6 +91,15 @@ class Words {
         if (place < end && !ends_line()) return next();
         begin = place;
         return {};
+    }
+    /// The rest of the line, without blanks around it.
+    std::string_view rest_of_line() {
+        skip_blanks([this] { return ends_line(); });
+        const char* const start = place;
+        skip_line();
+        std::string_view rest(start, place);
+        while (!rest.empty() && is_blank(rest.back())) rest.remove_suffix(1);
+        return rest;
     }
     void skip_line() {
         while (place < end && !ends_line()) ++place;

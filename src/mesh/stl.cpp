@@ -1,4 +1,5 @@
 // Reads STL: triangles with three points each, as text or as floats.
+#include <algorithm>
 #include <bit>
 
 #include "files/bytes.h"
@@ -39,16 +40,35 @@ std::uint64_t count_of(const Source& source) {
     return count;
 }
 
+/// Reads colours as Materialise Magics writes them: that of the whole body after "COLOR=", and those of triangles, in 5
+/// bits for each of red, green and blue. The highest bit says that a triangle has that of the body.
+void read_colors(const Source& source, std::uint64_t count) {
+    const std::size_t at = std::min<std::size_t>(source.bytes.find("COLOR=") + 6, header_size - 4);
+    MeshLook::Rgb body;
+    for (std::size_t c = 0; c < 3; ++c)
+        body[c] = MeshLook::share(static_cast<unsigned char>(source.bytes[at + c]), 255);
+    source.look->triangle_colors.assign(count, body);
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const unsigned bits =
+            get_little<std::uint16_t>(source.bytes, header_size + triangle_size * (i + 1) - sizeof(std::uint16_t));
+        if (bits >> 15) continue;
+        for (unsigned c = 0; c < 3; ++c)
+            source.look->triangle_colors[i][c] = MeshLook::share(bits >> (5 * c) & 31, 31);
+    }
+}
+
 MeshData read_binary(const Source& source) {
     const std::string_view bytes = source.bytes;
     const std::uint64_t count = count_of(source);
-    if (bytes.substr(0, header_size).find("COLOR=") != bytes.npos)
+    const bool colored = bytes.substr(0, header_size).find("COLOR=") != bytes.npos;
+    if (colored && !source.look)
         source.lose({"ignored the colours of ", "triangle", ""}, [] { return std::string("by 'COLOR=' at its start"); },
                     count);
     source.check_triangles(count);
     MeshData mesh;
     PointJoiner points;
     mesh.triangles.resize(count);
+    if (colored && source.look) read_colors(source, count);
     for (std::uint64_t i = 0; i < count; ++i) {
         std::size_t place = header_size + triangle_size * i + 12;  // after the normal
         for (std::int32_t& corner : mesh.triangles[i]) {

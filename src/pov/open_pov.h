@@ -26,6 +26,7 @@ struct SourceLines {
     };
     std::vector<std::string> files{};           // their paths
     std::vector<BlockLine> bodies{}, lights{};  // by the number of the body or the light
+    std::vector<std::string> names{};           // of the first bodies of a model; may be empty
 };
 
 struct OpenedPov {

@@ -6,9 +6,11 @@
 
 #include "files/output_file.h"
 #include "files/read_file.h"
+#include "files/regular_file.h"
 #include "files/shell.h"
 #include "files/utf8.h"
 #include "files/words.h"
+#include "import/models/stage.h"
 #include "pov/animation.h"
 #include "pov/expand.h"
 #include "pov/flight_file.h"
@@ -103,6 +105,17 @@ OpenedScene open_scene_of_povray(const std::string& text, const std::string& pat
     return result;
 }
 
+OpenedScene open_scene_of_model(const std::string& path, const OpeningOptions& options,
+                                const ReadPixels& read_pixels) {
+    Model model = read_model(path, read_pixels);
+    OpenedScene result{.scene = staged(model, double(options.width) / options.height),
+                       .notes = std::move(model.warnings),
+                       .files = std::move(model.files)};
+    for (ModelPart& part : model.parts) result.lines.names.push_back(std::move(part.name));
+    if (options.files) *options.files = result.files;
+    return result;
+}
+
 }  // namespace
 
 void refuse_overwriting_scene(const std::string& option, const std::string& written, const std::string& scene,
@@ -113,8 +126,17 @@ void refuse_overwriting_scene(const std::string& option, const std::string& writ
     if (is_pov(scene)) refuse_overwriting(option, written, "the scene's flight", pov::flight_path(scene));
 }
 
+std::string read_scene_text(const std::string& path) {
+    if (!is_model(path)) return read_text(path);
+    const RegularFile file(path);
+    std::error_code error;
+    const auto written = std::filesystem::last_write_time(path, error).time_since_epoch().count();
+    return "// a model of " + std::to_string(file.size()) + " bytes, written at " + std::to_string(written) + "\n";
+}
+
 OpenedScene open_scene(const std::string& text, const std::string& path, const OpeningOptions& options,
                        const ReadPixels& read_pixels, FilesRead* read) {
+    if (is_model(path)) return open_scene_of_model(path, options, read_pixels);
     pov::InterpreterOptions how;
     how.file = path, how.library = options.library, how.width = options.width, how.height = options.height;
     for (const std::string& folder : pov::standard_library()) how.library.push_back(folder);

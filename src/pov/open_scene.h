@@ -1,4 +1,4 @@
-// Opens a scene by its ending: POV-Ray's .pov, or else scene text.
+// Opens a scene by its ending: POV-Ray's .pov, a model, or else scene text.
 #pragma once
 #include <atomic>
 #include <optional>
@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "import/models/model.h"
 #include "pov/ini_file.h"
 #include "pov/open_pov.h"
 #include "scene/scene.h"
@@ -29,13 +30,13 @@ struct OpeningOptions {
 struct OpenedScene {
     Scene scene;
     // Messages for the user: "scene.pov:12: left out: media" for what a .pov has approximated or left out, and warnings
-    // about the meshes and pictures of scene text.
+    // about models, and the meshes and pictures of scene text.
     std::vector<std::string> notes{};
     std::vector<std::string> warnings{};  // "scene.pov:12: ';' is missing", about the text of a .pov
     std::string summary{};             // of the notes; empty for scene text
-    pov::SourceLines lines{};          // of the bodies and lights of a .pov
+    pov::SourceLines lines{};          // of the bodies and lights of a .pov, or names of bodies
     bool mirrored = false;             // the scene is the mirror image in z of that of a .pov
-    std::vector<std::string> files{};  // of a .pov, or of a text with directives: all that were read, the scene's first
+    std::vector<std::string> files{};  // of a .pov, a model, or a text with directives: all that were read, its own first
     bool changes = false;              // a .pov that uses its clock: it has to be read again for each moment
     bool sized = false;                // a .pov that asks for the picture's size: it is another scene in each size
     std::optional<double> clock;       // of a .pov: its value, if POV-Ray's clock is on
@@ -52,6 +53,10 @@ bool follow_ini(std::string& scene, OpeningOptions& options);
 /// Throws UsageError if `written`, which `option` names, is the scene, or the .ini file or the flight of a .pov.
 void refuse_overwriting_scene(const std::string& option, const std::string& written, const std::string& scene,
                               const OpeningOptions& options);
+
+/// Returns the text of a scene's file, or of standard input for "-". Models, which may be large and no text, have a line
+/// in its place that changes when the file does. Throws FileError.
+std::string read_scene_text(const std::string& path);
 
 /// Reads a scene whose text is that of the file `path`. Throws FileError. `read` receives the names of files in scene
 /// text.

@@ -23,7 +23,7 @@ void BodyTools::loaded(const Loaded& scene) {
     const bool on_its_way = !scene.opened && scene.text == bodies.edited.text();
     if (scene.opened) not_shown.show_all();
     if (scene.opened)
-        bodies.open(scene.text, is_pov(scene.path));
+        bodies.open(scene.text, is_pov(scene.path) || is_model(scene.path));
     else
         reload(scene.text);
     handles.let_go();

@@ -35,23 +35,24 @@ const std::map<std::string, Module> modules{
     {"trace",
      {{"num", "scene"},
       {"hierarchy", "world", "patterns", "forms", "lights", "kernel", "proof", "cells", "", "measure"}}},
-    {"import", {{"num", "scene", "files", "mesh", "text"}}},
-    {"pov", {{"num", "scene", "files", "mesh", "text"}, {"language", "things", "reading", "meaning", ""}}},
+    {"import", {{"num", "scene", "files", "mesh", "text"}, {"models", ""}}},
+    {"pov", {{"num", "scene", "files", "mesh", "text", "import"}, {"language", "things", "reading", "meaning", ""}}},
     {"image", {{"num", "scene", "files", "text"}, {"", "oiio"}}},
     {"povref", {{"num", "scene", "files", "text", "trace", "image"}, {"convert", "compare"}}},
     {"show",
-     {{"num", "scene", "files", "text", "pov", "trace", "image", "povref"},
+     {{"num", "scene", "files", "text", "import", "pov", "trace", "image", "povref"},
       {"keys", "session", "motion", "work", "second", "timeline", "window", "welcome", ""}}},
     {"main",
      {{"num", "scene", "files", "text", "import", "pov", "trace", "image", "povref", "show"},
       {"process", "reference", "render", "lsp", "commands", "options", ""}}},
 };
-/// Headers of libraries, and the only module that may include them.
-const std::vector<std::pair<std::regex, std::string>> libraries{
-    {std::regex("OpenImageIO/.*|zlib\\.h"), "image"},
-    {std::regex("(GLFW|GL|GLES[0-9]*|EGL|AL|vorbis)/.*|imgui.*"), "show"},
-    {std::regex("(CLI(11)?|nlohmann)/.*"), "main"},
-    {std::regex("[a-z0-9]*intrin\\.h|arm_neon\\.h"), "num"},
+/// Headers of libraries, and the only modules that may include them.
+const std::vector<std::pair<std::regex, std::set<std::string>>> libraries{
+    {std::regex("OpenImageIO/.*|zlib\\.h"), {"image"}},
+    {std::regex("(GLFW|GL|GLES[0-9]*|EGL|AL|vorbis)/.*|imgui.*"), {"show"}},
+    {std::regex("CLI(11)?/.*"), {"main"}},
+    {std::regex("nlohmann/.*"), {"import", "main"}},
+    {std::regex("[a-z0-9]*intrin\\.h|arm_neon\\.h"), {"num"}},
 };
 
 /// The room of a file, from its path below the folder of modules: "kernel" of trace/kernel/shade.h, "" of
@@ -79,9 +80,9 @@ std::string fault(const std::string& file, const std::string& line) {
     const auto include = include_in(line);
     if (!include) return "";
     const std::string module = module_of(file), &path = include->path, first = module_of(path);
-    for (const auto& [pattern, home] : libraries)
-        if (std::regex_match(path, pattern) && module != home)
-            return module + " includes " + path + ", which is for " + home;
+    for (const auto& [pattern, homes] : libraries)
+        if (std::regex_match(path, pattern) && !homes.contains(module))
+            return module + " includes " + path + ", which is for " + *homes.begin();
     if (!include->quoted) return "";
     if (first == module) {
         if (path == "main/licence.h") return "";  // generated

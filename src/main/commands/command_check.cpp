@@ -140,7 +140,7 @@ void check_scene(const CheckOptions& options, std::string path) {
     OpeningOptions opening = options.opening;
     opening.as_text = options.print;
     follow_ini(path, opening);
-    const OpenedScene opened = open_scene(read_text(path), path, opening, read_pixels);
+    const OpenedScene opened = open_scene(read_scene_text(path), path, opening, read_pixels);
     std::string text;
     if (options.print) {
         text = write_scene(opened.scene);

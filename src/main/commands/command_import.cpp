@@ -1,11 +1,14 @@
 // strahl import: reads another program's scene, reports unsupported features, and writes the rest as text.
 #include "main/commands/command_import.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <map>
 
 #include "files/output_file.h"
 #include "files/read_file.h"
 #include "files/utf8.h"
+#include "image/picture.h"
 #include "image/pixels.h"
 #include "import/import.h"
 #include "main/commands/scene_file.h"
@@ -17,7 +20,77 @@ namespace strahl {
 
 namespace {
 
+/// Gives the pictures of a model names that a scene at the path `to` can use. Pictures that are in no file, or have been
+/// changed, are written beside it as NAME-1.png and so on; `warnings` tells of what they lose.
+class PictureNames {
+  public:
+    PictureNames(const std::string& model, const std::string& to, std::vector<std::string>& warnings)
+        : model(model), to(to), warnings(warnings) {}
+
+    void set(std::shared_ptr<const Pattern>& pattern) {
+        if (!pattern) return;
+        Pattern own = *pattern;
+        if (std::holds_alternative<SolidPattern>(own.kind)) {
+            // Scene text has no pattern of the opacity of a picture.
+            if (!told) warnings.push_back(model + ": places of pictures that are not opaque are so in the scene");
+            told = true;
+            own = own.colors.back().pattern ? *own.colors.back().pattern : own;
+        }
+        if (auto* const image = std::get_if<ImagePattern>(&own.kind)) set(*image);
+        pattern = std::make_shared<const Pattern>(std::move(own));
+    }
+
+  private:
+    void set(ImagePattern& image) {
+        namespace fs = std::filesystem;
+        const fs::path folder = to == "-" ? fs::path() : fs::path(to).parent_path();
+        if (!image.file.empty()) {
+            const fs::path path = fs::path(model).parent_path() / image.file;
+            image.file = path.is_absolute() ? path.string() : path.lexically_proximate(folder).string();
+            return;
+        }
+        std::string& name = written[image.pixels.get()];
+        if (name.empty()) {
+            if (to == "-") throw UsageError("the model has pictures of its own, which need files; add -o SCENE.rt");
+            name = fs::path(to).stem().string() + "-" + std::to_string(written.size()) +
+                   (image.pixels->linear ? ".exr" : ".png");
+            Picture picture{image.pixels->width, image.pixels->height, 3, {}};
+            for (const float value : image.pixels->values) picture.values.push_back(std::max(value, 0.F));
+            FileFormat format{};
+            format.bits = image.pixels->linear ? 32 : 8;
+            write_picture(picture, (folder / name).string(), format);
+        }
+        image.file = name;
+    }
+
+    const std::string &model, &to;
+    std::vector<std::string>& warnings;
+    std::map<const Pixels*, std::string> written;
+    bool told = false;
+};
+
+Imported import_model(const ImportOptions& options) {
+    OpenedScene opened = open_scene(read_scene_text(options.file), options.file, options.opening, read_pixels);
+    Imported result{.scene = std::move(opened.scene), .size = {}, .warnings = std::move(opened.notes)};
+    PictureNames names(options.file, options.output, result.warnings);
+    for (Material& material : result.scene.materials) {
+        const bool clear = material.rgb.clear();
+        names.set(material.rgb.pattern);
+        if (clear && material.rgb.pattern) material.rgb = Pigment(*material.rgb.pattern);
+        names.set(material.bump.pattern), names.set(material.normal.pattern);
+    }
+    namespace fs = std::filesystem;
+    const fs::path folder = options.output == "-" ? fs::path() : fs::path(options.output).parent_path();
+    for (Primitive& primitive : result.scene.primitives)
+        if (auto* const mesh = std::get_if<Mesh>(&primitive.shape); mesh && !mesh->file.empty()) {
+            const fs::path path = options.file;
+            mesh->file = path.is_absolute() ? path.string() : path.lexically_proximate(folder).string();
+        }
+    return result;
+}
+
 Imported import_any(const ImportOptions& options) {
+    if (is_model(options.file)) return import_model(options);
     if (!is_pov(options.file)) return import_scene(read_text(options.file), shown_name(options.file));
     OpeningOptions opening = options.opening;
     opening.as_text = true;

@@ -129,7 +129,7 @@ HashedScene read_and_hash(const std::string& path, const OpeningOptions& opening
         hash += unsigned(pixels.width);
         return pixels;
     };
-    const std::string text = read_text(path);
+    const std::string text = read_scene_text(path);
     OpenedScene opened = open_scene(text, path, opening, read);
     tell_notes(opened, false);
     const Scene& scene = opened.scene;
@@ -224,7 +224,7 @@ int render_command(const RenderOptions& asked) {
     // A scene that uses POV-Ray's clock is another one in each frame.
     SceneAt scene_at;
     if (opened.changes)
-        scene_at = [&, text = read_text(options.scene)](double time, const std::atomic<bool>* stop) {
+        scene_at = [&, text = read_scene_text(options.scene)](double time, const std::atomic<bool>* stop) {
             OpeningOptions opening = options.opening;
             opening.time = time, opening.stop = stop;
             return open_scene(text, options.scene, opening, read_pixels).scene;

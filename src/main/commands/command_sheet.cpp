@@ -76,7 +76,7 @@ int sheet_command(const SheetOptions& options, const std::atomic<bool>* stop) tr
     if (const std::string fault = format_fault(options.output, 0); !fault.empty()) throw UsageError(fault);
     refuse_overwriting_scene("-o", options.output, options.scene, options.opening);
     require_writable(options.output);
-    const std::string text = read_text(options.scene);
+    const std::string text = read_scene_text(options.scene);
     OpeningOptions opening = options.opening;
     const Size asked = options.size.value_or(Size{320, 240});
     opening.stop = stop, opening.width = asked.width, opening.height = asked.height;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <iostream>
 
-#include "files/read_file.h"
 #include "files/utf8.h"
 #include "image/pixels.h"
 
@@ -23,7 +22,7 @@ void tell_notes(const OpenedScene& scene, bool all) {
 
 OpenedScene load_opened(const std::string& path, OpeningOptions options, std::optional<double> time) {
     options.time = time;
-    OpenedScene opened = open_scene(read_text(path), path, options, read_pixels);
+    OpenedScene opened = open_scene(read_scene_text(path), path, options, read_pixels);
     tell_notes(opened, false);
     return opened;
 }

@@ -118,6 +118,9 @@ void BodyEditor::look(const Scene& scene) {
     const std::string before = description.kind;
     description = body_text(text, scene, chosen->at.body, chosen->at.hit.leaf);
     look_at_literals(lines.bodies, chosen->at.body);
+    const auto body = std::size_t(chosen->at.body);
+    if (body < lines.names.size() && !lines.names[body].empty() && !description.kind.empty())
+        description.kind += " '" + lines.names[body] + "'";
     if (description.kind.empty() || (!before.empty() && description.kind != before)) close();
 }
 

@@ -128,7 +128,8 @@ SmallPicture small_picture(const std::string& path, int width, int height, Threa
     FilesRead named;
     OpeningOptions options;
     options.stop = &stop, options.files = &picture.files;
-    const Scene scene = open_scene(read_text(path), path, options, read_pixels, &named).scene;
+    OpenedScene opened = open_scene(read_scene_text(path), path, options, read_pixels, &named);
+    const Scene scene = std::move(opened.scene);
     check_capacity(scene, Precision::float32);
     const Framing frame = framing(own_camera_at(scene, 0, nullptr), width, height, true);
     const View view{.camera = frame.camera, .width = width, .height = height, .depth = scene.settings.max_trace_level};
@@ -136,6 +137,7 @@ SmallPicture small_picture(const std::string& path, int width, int height, Threa
     picture.image = traced_picture(tracer, view, pool, TransferTable(scene.settings.assumed_gamma), {.grid = 2}, &stop);
     for (const auto& names : {named.meshes, named.pictures})
         for (const std::string& name : names) picture.files.push_back(path_beside(path, name));
+    picture.files.insert(picture.files.end(), opened.files.begin(), opened.files.end());
     picture.files.push_back(path);
     if (!stop && picture.image.width > 0) keep_picture(path, picture);
     return picture;

@@ -48,7 +48,7 @@ Loaded loaded_scene(const std::string& path, const std::string& text, bool opene
     if (opened)
         for (const std::string& note : read.notes) std::cerr << "strahl: warning: " << printable(note) << '\n';
     auto scene = std::make_shared<const Scene>(std::move(read.scene));
-    const EyeWords words = is_pov(path) ? EyeWords{} : eye_words(text);
+    const EyeWords words = is_pov(path) || is_model(path) ? EyeWords{} : eye_words(text);
     return {.path = path,
             .scene = std::move(scene),
             .notes = std::move(read.notes),
@@ -161,7 +161,7 @@ class Reload::FileThread {
             OpeningOptions how = options;
             how.files = &read;
             Loaded loaded = loaded_scene(file, content, opened, how);
-            if (loaded.scene && !loaded.text.empty() && file != "-" && !is_pov(file))
+            if (loaded.scene && !loaded.text.empty() && file != "-" && !is_pov(file) && !is_model(file))
                 loaded.tracks = text_of(tracks_path(file)).value_or("");
             if (file == path || loaded.scene) watch(file, std::move(read));
             if (!loaded.scene) return loaded;
@@ -175,7 +175,7 @@ class Reload::FileThread {
     void watch(const std::string& file, std::vector<std::string> read) {
         std::erase(read, file);
         if (is_pov(file)) read.push_back(pov::flight_path(file)), read.push_back(pov::beside(file, ".ini"));
-        if (!is_pov(file)) read.push_back(tracks_path(file));
+        if (!is_pov(file) && !is_model(file)) read.push_back(tracks_path(file));
         others = std::move(read), known_others = stamps_of(others);
     }
     void tell(Loaded loaded);
@@ -413,6 +413,9 @@ Written Reload::FileThread::write_path(const ToWrite& wanted) {
     const bool bodies = wanted.changes.changed != wanted.changes.in_file;
     if (path == "-")
         return {.fault = "the scene came from standard input, so there is no file to write", .refused = true};
+    if (is_model(path))
+        return {.fault = "a model has no text to change: strahl import " + path + " -o SCENE.rt makes a scene of it",
+                .refused = true};
     const bool was_gone = gone(path);
     if (is_pov(path) && !bodies && !was_gone) return write_flight(wanted.flythrough);
     const TextOnDisk there = was_gone ? TextOnDisk{text} : read(path);
@@ -486,6 +489,9 @@ Written Reload::FileThread::write_tracks(const std::vector<Track>& tracks) {
 /// Writes the scene with all changes into another file, which is watched from now on.
 Written Reload::FileThread::write_elsewhere(const Request& request) {
     const std::string& to = request.path;
+    if (is_model(path))
+        return {.fault = "a model has no text: strahl import " + path + " -o SCENE.rt makes a scene of it",
+                .refused = true};
     if (answer([&] { return same_file(path, to); }))
         return {.fault = "this is the scene's own file: choose another name"};
     std::string content = request.text.empty() ? text : request.text;

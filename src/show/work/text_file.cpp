@@ -8,11 +8,12 @@
 
 #include "files/output_file.h"
 #include "files/read_file.h"
+#include "pov/open_scene.h"
 
 namespace strahl {
 
 TextOnDisk read_text_file(const std::string& path) {
-    TextOnDisk file{read_text(path)};
+    TextOnDisk file{read_scene_text(path)};
     std::string& text = file.text;
     if (text.find('\r') == text.npos) return file;
     std::size_t ends = 0;

@@ -1,0 +1,40 @@
+#include "import/models/model.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "files/words.h"
+#include "import/models/formats.h"
+
+namespace strahl {
+
+bool ends_with_word(std::string_view path, std::string_view ending) {
+    return path.size() > ending.size() && same_word(path.substr(path.size() - ending.size()), ending);
+}
+
+bool is_model(std::string_view path) {
+    constexpr std::array<std::string_view, 5> endings{".obj", ".ply", ".stl", ".gltf", ".glb"};
+    return std::ranges::any_of(endings, [&](std::string_view ending) { return ends_with_word(path, ending); });
+}
+
+Model read_model(const std::string& path, const ReadPixels& read_pixels) {
+    const bool gltf = ends_with_word(path, ".gltf") || ends_with_word(path, ".glb");
+    return gltf ? read_gltf(path, read_pixels) : read_mesh_model(path, read_pixels);
+}
+
+Material plain_material(const Color& color) {
+    Material material;
+    material.rgb = color, material.reflection = 0, material.specular = .1, material.pow = 40;
+    material.diffuse = 1, material.ambient = .1;
+    return material;
+}
+
+double linear_light(double encoded) {
+    return encoded <= .04045 ? encoded / 12.92 : std::pow((encoded + .055) / 1.055, 2.4);
+}
+Color linear_light(const Color& encoded) {
+    return {linear_light(encoded.x), linear_light(encoded.y), linear_light(encoded.z)};
+}
+
+}  // namespace strahl

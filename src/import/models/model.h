@@ -1,0 +1,47 @@
+// What a file of a model holds, ready to be shown: meshes with their materials, and what the file says of its view.
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+#include "text/reading/scene_files.h"
+
+namespace strahl {
+
+struct ModelPart {
+    std::string name;  // of the object or the group; may be empty
+    std::shared_ptr<const MeshData> mesh;
+    int material = 0;               // index of Model::materials
+    std::vector<Transformation> transformations{};  // motions
+};
+
+/// Lengths and axes are those of the file; colours are linear light.
+struct Model {
+    std::vector<ModelPart> parts;
+    std::vector<Material> materials;
+    DVec3 up{0, 1, 0}, front{0, 0, 1};  // perpendicular axes; `front` points from the model to who looks at it
+    std::optional<Camera> camera{};
+    std::vector<Light> lights{};
+    double seconds = 0;  // of its motions; 0 if nothing moves
+    bool whole = false;  // the meshes are all of one file, unchanged, which a scene can name
+    std::vector<std::string> files{};     // that were read, the model's own first
+    std::vector<std::string> warnings{};  // sentences on what is not shown as the file means it
+};
+
+/// Does the path end like that of a model: .obj, .ply, .stl, .gltf or .glb?
+bool is_model(std::string_view path);
+
+/// Reads a model with its materials and pictures. Throws FileError. Files that it names may be missing: that is a
+/// warning.
+Model read_model(const std::string& path, const ReadPixels& read_pixels);
+
+/// The material of what has none: light grey.
+Material plain_material(const Color& color = Color(.55));
+
+/// Returns the linear light of an sRGB-encoded value from 0 to 1 (IEC 61966-2-1).
+double linear_light(double encoded);
+Color linear_light(const Color& encoded);
+
+}  // namespace strahl
