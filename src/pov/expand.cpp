@@ -1,7 +1,6 @@
 #include "pov/expand.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <map>
 #include <memory>
@@ -14,12 +13,6 @@ namespace strahl::pov {
 namespace {
 
 constexpr std::size_t most_bytes = std::size_t(256) << 20;
-
-/// The words that follow '#' in a program.
-constexpr std::array<std::string_view, 26> directives{
-    "break",  "case",  "debug",  "declare", "default", "else",    "elseif",  "end",   "error",
-    "fclose", "fopen", "for",    "if",      "ifdef",   "ifndef",  "include", "local", "macro",
-    "range",  "read",  "switch", "undef",   "version", "warning", "while",   "write"};
 
 /// Declarations of scene text have values only: no bodies, textures or cameras.
 struct ValuesAlone final : SceneLayer {
@@ -67,7 +60,7 @@ bool has_directives(std::string_view text) {
         const std::string_view rest = text.substr(i);
         if (rest[0] == '#') {
             const std::string_view behind = rest.substr(std::min(rest.find_first_not_of(" \t", 1), rest.size()));
-            if (std::ranges::find(directives, behind.substr(0, word_length(behind))) != directives.end()) return true;
+            if (is_directive(behind.substr(0, word_length(behind)))) return true;
         }
         const bool line = rest.starts_with("//"), quotes = rest[0] == '"';
         const std::size_t end = line ? rest.find('\n') : quotes ? rest.find_first_of("\"\n", 1) : 0;

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "files/read_file.h"
+#include "files/utf8.h"
 #include "files/words.h"
 #include "scene/error.h"
 
@@ -210,7 +211,7 @@ bool is_ini(std::string_view path) {
 }
 
 IniFile parse_ini(std::string_view text, const std::string& path, std::string_view section) {
-    IniReader reader(text, path, section);
+    IniReader reader(utf8_text(text, path), path, section);
     IniFile ini = reader.run();
     if (!reader.found_section()) throw FileError(path + ": there is no section " + strahl::quoted(section));
     return ini;

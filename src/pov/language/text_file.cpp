@@ -122,14 +122,18 @@ class Cutter {
         }
         add(number_code, start).number = value;
     }
-    /// Makes one token of '#' and the word after it, and links it to the block that it opens, divides or closes.
+    /// Makes one token of '#' and a directive after it, and links it to the block that it opens, divides or closes.
+    /// '#' before any other word is a token of its own.
     void cut_directive(std::size_t start) {
         while (next < text.size() && is_blank(text[next])) ++next;
         std::uint32_t name = 0;
         const std::size_t at_word = next;
-        const std::uint16_t code =
-            next < text.size() && is_letter(text[next]) ? names.find(take_word(), name) : end_code;
-        if (code == end_code) next = at_word;  // no directive, but perhaps a macro
+        std::uint16_t code = end_code;
+        if (next < text.size() && is_letter(text[next])) {
+            const std::string_view after = take_word();
+            if (is_directive(after)) code = names.find(after, name);
+        }
+        if (code == end_code) next = at_word;
         add('#', start).directive = code;
         switch (code) {
             case word("if"):

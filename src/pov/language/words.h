@@ -521,6 +521,14 @@ constexpr std::uint16_t find_word(std::string_view word) {
     if (place == reserved_words.end() || *place != word) return end_code;
     return static_cast<std::uint16_t>(first_word_code + (place - reserved_words.begin()));
 }
+
+/// The words that make a directive when '#' precedes them, sorted.
+inline constexpr std::array<std::string_view, 28> directives{
+    "break",  "case",       "debug",  "declare", "default", "else",    "elseif", "end",   "error", "fclose",
+    "fopen",  "for",        "if",     "ifdef",   "ifndef",  "include", "local",  "macro", "range", "read",
+    "render", "statistics", "switch", "undef",   "version", "warning", "while",  "write"};
+static_assert(std::ranges::is_sorted(directives));
+constexpr bool is_directive(std::string_view word) { return std::ranges::binary_search(directives, word); }
 /// Returns the code of a reserved word for a `case`. Any other word does not compile.
 consteval std::uint16_t word(std::string_view text) {
     const std::uint16_t code = find_word(text);

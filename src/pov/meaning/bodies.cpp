@@ -662,6 +662,7 @@ void SceneMaker::count_surfaces(const ObjectThing& object) {
 
 void SceneMaker::tell_notes(const ObjectThing& object) const {
     for (const auto& [kind, text] : object.notes) in.remark(kind, object.place, text);
+    if (object.photon_target && contents.photons) in.remark(Remark::Kind::left_out, object.place, "photons");
 }
 
 namespace {

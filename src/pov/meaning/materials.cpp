@@ -229,32 +229,65 @@ bool MaterialMaker::by_uv(const std::shared_ptr<const TextureThing>& texture) {
 std::shared_ptr<const TextureThing> MaterialMaker::blended(
     const Blob& blob, const std::vector<std::shared_ptr<const TextureThing>>& textures, const TextureThing& whole,
     const Steps& way) {
-    LayerValues around = whole.layers[0];
-    transform(around, way);
-    const LayerValues& first = textures[0] ? textures[0]->layers[0] : around;
-    auto own = std::make_shared<TextureThing>();
-    own->layers[0] = first;
-    PigmentThing& mixed = own->layers[0].pigment;
-    mixed = {};
-    std::vector<std::shared_ptr<const FunctionThing>> colors;
-    std::shared_ptr<const FunctionThing> rest;  // of all lumps without a texture
-    for (const auto& texture : textures) {
-        const LayerValues& layer = texture ? texture->layers[0] : around;
-        const bool simple = (texture ? *texture : whole).layers.size() == 1 && !layer.blend;
-        if (!simple || !same_finish(layer, first) || PigmentMaker::is_clear(layer.pigment)) return nullptr;
-        if (!texture && rest)
-            colors.push_back(rest);
+    const auto moved_whole = moved(whole, way);
+    // Textures of one finish are one whose pigments blend. All lumps without a texture have the number of the first.
+    struct Group {
+        const LayerValues* first;
+        std::vector<std::size_t> lumps;
+    };
+    std::vector<Group> groups;
+    std::vector<std::size_t> numbers(textures.size());
+    const auto layer_at = [&](std::size_t i) -> const LayerValues& {
+        return (textures[i] ? *textures[i] : *moved_whole).layers[0];
+    };
+    const auto one = [&](const LayerValues& a, const LayerValues& b) {
+        if (&a == &b) return true;
+        const bool clear = PigmentMaker::is_clear(a.pigment) || PigmentMaker::is_clear(b.pigment);
+        if (!clear && same_finish(a, b)) return true;
+        return layers_of({&a, 1}, {}, {}) == layers_of({&b, 1}, {}, {});
+    };
+    for (std::size_t i = 0; i < textures.size(); ++i) {
+        const LayerValues& layer = layer_at(i);
+        if ((textures[i] ? *textures[i] : whole).layers.size() > 1 || layer.blend) return nullptr;
+        numbers[i] =
+            textures[i] ? i : static_cast<std::size_t>(std::ranges::find(textures, nullptr) - textures.begin());
+        const auto known = std::ranges::find_if(groups, [&](const Group& own) { return one(*own.first, layer); });
+        if (known == groups.end() && groups.size() == most_layers) return nullptr;
+        if (known == groups.end())
+            groups.push_back({&layer, {i}});
         else
-            colors.push_back(colors_of(layer.pigment, notes.in.noise_generator));
-        if (!colors.back()) return nullptr;
-        if (!texture) rest = colors.back();
-        mixed.most = std::max(mixed.most, PigmentMaker::largest_of(layer.pigment));
-        const float share = 1 / static_cast<float>(textures.size());
-        mixed.color.red += share * layer.pigment.color.red, mixed.color.green += share * layer.pigment.color.green;
-        mixed.color.blue += share * layer.pigment.color.blue;
+            known->lumps.push_back(i);
     }
-    mixed.colors = blob_colors(blob.data->lumps, colors, contents.adc_bailout);
-    return own;
+    const BlobBlend blend(blob.data->lumps, numbers, contents.adc_bailout);
+    auto all = std::make_shared<TextureThing>();
+    for (const Group& group : groups) {
+        auto own = std::make_shared<TextureThing>();
+        own->layers[0] = *group.first;
+        PigmentThing& mixed = own->layers[0].pigment;
+        const auto same = [&](std::size_t i) { return numbers[i] == numbers[group.lumps[0]]; };
+        if (!std::ranges::all_of(group.lumps, same) && !PigmentMaker::is_clear(mixed)) {
+            mixed = {};
+            std::vector<std::shared_ptr<const FunctionThing>> colors(textures.size());
+            for (const std::size_t i : group.lumps) {
+                const PigmentThing& pigment = layer_at(i).pigment;
+                auto& color = colors[numbers[i]];
+                if (!color) color = colors_of(pigment, notes.in.noise_generator);
+                if (!color) return nullptr;
+                mixed.most = std::max(mixed.most, PigmentMaker::largest_of(pigment));
+                const float share = 1 / static_cast<float>(group.lumps.size());
+                mixed.color.red += share * pigment.color.red, mixed.color.green += share * pigment.color.green;
+                mixed.color.blue += share * pigment.color.blue;
+            }
+            mixed.colors = blend.colors(std::move(colors));
+        }
+        std::vector<char> counted(textures.size());
+        for (const std::size_t i : group.lumps) counted[numbers[i]] = 1;
+        all->shares.push_back(blend.share(std::move(counted)));
+        all->corners.push_back(std::move(own));
+    }
+    if (groups.size() == 1) return all->corners[0];
+    all->layers = all->corners[0]->layers;
+    return all;
 }
 
 int MaterialMaker::without_patterns(int number) {
@@ -456,7 +489,7 @@ std::optional<Material> MaterialMaker::mixed_layers_of(const TextureThing& textu
     std::size_t layers = 0;
     for (const Shown& each : textures) {
         Material own = layers_of(each, way, uv);
-        const auto known = std::ranges::find(stacks, own);
+        const auto known = texture.shares.empty() ? std::ranges::find(stacks, own) : stacks.end();
         numbers.push_back(std::size_t(known - stacks.begin()));
         if (known != stacks.end()) continue;
         layers += 1 + own.coats.size();
@@ -467,9 +500,14 @@ std::optional<Material> MaterialMaker::mixed_layers_of(const TextureThing& textu
     for (std::size_t i = 0; i < stacks.size(); ++i) {
         std::size_t next = 0;
         Material& own = stacks[i];
-        if (stacks.size() > 1)
+        if (!texture.shares.empty()) {
+            PigmentThing share;
+            share.color = {.5f, .5f, .5f}, share.colors = texture.shares[i];
+            own.share = pigments.look_of(share, way, uv).pigment;
+        } else if (stacks.size() > 1) {
             own.share = texture.corners.empty() ? pigments.look_of(share_of(texture, numbers, i, next), way, uv).pigment
                                                 : share_of_corners(numbers, i, contents.adc_bailout);
+        }
         const std::vector<Material> coats = std::exchange(own.coats, {});
         if (i == 0)
             whole = own;

@@ -102,6 +102,7 @@ class SceneMaker {
     void set_camera();
     void set_background();
     void set_settings();
+    void tell_of_lights_on_surfaces() const;
     void set_bailout();
 
     Interpreter& in;

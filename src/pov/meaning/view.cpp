@@ -10,6 +10,7 @@
 #include "pov/meaning/scene_maker.h"
 #include "scene/leave_faces.h"
 #include "scene/leaves.h"
+#include "scene/overlap.h"
 #include "scene/tangent.h"
 
 namespace strahl::pov {
@@ -268,6 +269,38 @@ void SceneMaker::set_planes() {
     }
 }
 
+/// Tells of lights that lie on a surface of a body that casts shadows: once it has done so, rounding decides for each
+/// of POV-Ray's next shadow rays whether they meet that surface. Bodies around the eye, such as rooms, are taken to
+/// cast none that are seen.
+void SceneMaker::tell_of_lights_on_surfaces() const {
+    constexpr double close = 1e-9;  // as a share of the light's coordinates
+    const auto is_in = [](const DVec3& p, const Box& box, double hair) {
+        bool in = true;
+        for (int c = 0; c < 3; ++c) in &= box.low[c] - hair <= p[c] && p[c] <= box.high[c] + hair;
+        return in;
+    };
+    std::vector<Box> boxes(scene.primitives.size());
+    std::ranges::transform(scene.primitives, boxes.begin(), world_bounds);
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        const Light& light = scene.lights[i];
+        if (light.direction || light.area || light.shadowless) continue;
+        const DVec3 at = light.position;
+        const double hair = close * (1 + std::fabs(at.x) + std::fabs(at.y) + std::fabs(at.z));
+        for (std::size_t k = 0; k < boxes.size(); ++k) {
+            const Primitive& body = scene.primitives[k];
+            if (!is_in(at, boxes[k], hair) || is_in(scene.camera.position, boxes[k], 0)) continue;
+            bool around = false;
+            for (const DVec3& step : {DVec3(hair, 0, 0), DVec3(0, hair, 0), DVec3(0, 0, hair)})
+                around |= contains(body, at + step) != contains(body, at - step);
+            if (!around || scene.materials[body.material].shadow == 0) continue;
+            notes.approximated(light_places[i],
+                               "a light on a surface shines away from it, without the speckles that "
+                               "rounding makes in POV-Ray");
+            break;
+        }
+    }
+}
+
 /// Rays that bring too little are black, which shows in scenes with mirrors or glass.
 void SceneMaker::set_bailout() {
     const double bailout = std::clamp(contents.adc_bailout, 0., 1.);
@@ -303,6 +336,7 @@ Scene SceneMaker::make() {
         scene.camera.position = off_faces(scene, scene.camera, scene.settings.passed_over);
     }
     set_planes();
+    tell_of_lights_on_surfaces();
     set_bailout();
     return std::move(scene);
 }

@@ -214,8 +214,12 @@ bool PovReader::read_object_modifier(Interpreter& in, ObjectThing& object) {
             return true;
         case word("photons"):
             in.skip();
-            object.left_out("photons");
-            in.skip_block();
+            in.begin_block();
+            while (!in.at('}') && !in.at_end()) {
+                object.photon_target |= in.at("target");
+                in.skip();
+            }
+            in.end_block();
             return true;
         case word("radiosity"):
             in.skip();

@@ -60,7 +60,7 @@ void PovReader::read_settings(Interpreter& in) {
                 in.skip_block();
                 break;
             case word("photons"):
-                in.remark(Remark::Kind::left_out, place, "photons");
+                contents.photons = place;
                 in.skip_block();
                 break;
             case word("subsurface"):

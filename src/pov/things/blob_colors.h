@@ -1,4 +1,4 @@
-// Blends the pigments of a blob's lumps.
+// Blends the textures of a blob's lumps.
 #pragma once
 #include <memory>
 #include <vector>
@@ -8,10 +8,23 @@
 
 namespace strahl::pov {
 
-/// Returns a function of a point with five results: the mean of the lumps' colours, each weighted by its field there.
-/// As in POV-Ray a colour of less than `least` is left out.
-std::shared_ptr<const FunctionThing> blob_colors(const std::vector<Lump>& lumps,
-                                                 const std::vector<std::shared_ptr<const FunctionThing>>& colors,
-                                                 double least);
+/// The shares of textures in a blob: each lump's texture is weighted by the lump's field.
+class BlobBlend {
+  public:
+    /// `textures` has the number of each lump's texture. As in POV-Ray one of a share below `least` is left out.
+    BlobBlend(const std::vector<Lump>& lumps, std::vector<std::size_t> textures, double least);
+    /// Returns a function of a point with five results: the mean colour of the textures that have one here, by their
+    /// numbers.
+    std::shared_ptr<const FunctionThing> colors(std::vector<std::shared_ptr<const FunctionThing>> colors) const;
+    /// Returns a function of a point with five results: thrice the share that these textures have together, and twice
+    /// 0.
+    std::shared_ptr<const FunctionThing> share(std::vector<char> counted) const;
+
+  private:
+    struct Fields;
+    struct Colors;
+    struct Share;
+    std::shared_ptr<const Fields> fields;
+};
 
 }  // namespace strahl::pov

@@ -71,6 +71,7 @@ struct ObjectThing : Thing {
     std::optional<bool> global_lights;  // of a light_group
     bool inverse = false, hollow = false;
     bool thin = false;                                        // it is nothing, as no ray meets it
+    bool photon_target = false;                               // photons are aimed at it, if there are any
     std::optional<DVec3> inside_vector;                       // of a mesh, in the scene
     bool turned_surface = false;                              // its flat triangles face where those of a mesh do not
     bool uv = false;                                          // textures that come after are by uv
@@ -129,7 +130,7 @@ struct PovContents {
     double adc_bailout = 1. / 255;
     bool assumes_srgb = false;
     TextPlace gamma_place;
-    std::optional<TextPlace> radiosity;
+    std::optional<TextPlace> radiosity, photons;
 };
 
 }  // namespace strahl::pov

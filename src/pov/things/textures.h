@@ -191,6 +191,9 @@ struct TextureThing : Thing {
     /// If not empty, the textures of a triangle's corners, which blend across it. Its layers are those of the first,
     /// and the corners are at (0, 0), (1, 0) and (0, 1) by uv.
     std::vector<std::shared_ptr<const TextureThing>> corners;
+    /// If not empty, `corners` are the textures of a blob's lumps, and these functions of a point with five results
+    /// have the share of each as a grey.
+    std::vector<std::shared_ptr<const FunctionThing>> shares;
     std::shared_ptr<const TextureThing> inside;  // what is shown to rays from inside, in the same space; or null
 };
 

@@ -232,6 +232,26 @@ TEST_CASE("POV-Ray: a light_group lights its bodies alone, and no others do unle
     CHECK((of(2).group == 0 && of(2).common == 1));
 }
 
+TEST_CASE("POV-Ray: photons are left out where they are aimed at a body") {
+    const std::string shot = "global_settings { photons { count 100 } } ", aimed = "photons { target 1 reflection on }";
+    CHECK(notes_of(shot + "sphere { 0, 1 photons { collect off } }") == "");
+    CHECK(notes_of("sphere { 0, 1 " + aimed + " }") == "");
+    CHECK(notes_of("union { sphere { 0, 1 " + aimed + " } sphere { x, 1 } } " + shot) == "x.pov:1: left out: photons");
+}
+
+TEST_CASE("POV-Ray: lights on surfaces that cast shadows are told of") {
+    const auto told = [](const std::string& text) { return says(notes_of(text), "a light on a surface"); };
+    const std::string box = "box { <0, 0, 0>, <1, 2, 3> translate 70*x ", light = "light_source { <70.5, 1, 3> rgb 1 ";
+    CHECK(told(light + "} " + box + "}"));
+    CHECK(told("light_source { 9*y rgb 1 } difference { sphere { 9*y, 2 } sphere { 10*y, 1 } }"));
+    CHECK(!told(light + "} " + box + "no_shadow }"));
+    CHECK(!told(light + "shadowless } " + box + "}"));
+    CHECK(!told(light + "parallel point_at 0 } " + box + "}"));
+    CHECK(!told(light + "translate 1e-5*z } " + box + "}"));
+    CHECK(!told("light_source { 9*y rgb 1 } difference { sphere { 9*y, 2 } sphere { 9*y, 1 } }"));
+    CHECK(!told("light_source { y rgb 1 } box { -1, 1 }"));  // around the eye
+}
+
 TEST_CASE("POV-Ray: lights of cylinders and lights behind surfaces") {
     const Light beam =
         whole("light_source { <1, 2, 3> rgb 1 cylinder point_at <1, 0, 3> radius 2 falloff 3 }").lights[0];

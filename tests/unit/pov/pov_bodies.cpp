@@ -822,10 +822,14 @@ TEST_CASE("POV-Ray: blobs are exact") {
     CHECK(whole("blob { threshold .5 sphere { 0, 1, -1 } }").primitives.empty());
     CHECK(
         says(notes_of("\nblob { threshold 0 sphere { 0, 1, 1 } }"), "left out: a blob: its threshold is not above 0"));
-    CHECK(says(notes_of("\nblob { sphere { 0, 1, 2 finish { phong 1 } } sphere { 0, 1, 1 } }"),
-               "approximated: the parts of a blob have"));
-    CHECK(
-        says(notes_of("\nblob { sphere { 0, 1, 2 pigment { rgbt .5 } } }"), "approximated: the parts of a blob have"));
+    const std::string layers = "texture { pigment { rgb 1 } } texture { pigment { rgbt .5 } }";
+    CHECK(says(notes_of("\nblob { sphere { 0, 1, 2 " + layers + " } }"), "approximated: the parts of a blob have"));
+    // Those of one finish are one layer, and others are layers with shares.
+    const Scene layered = whole(
+        "blob { sphere { 0, 1, 2 pigment { rgb x } } sphere { x, 1, 1 finish { phong 1 } } sphere { y, 1, 1 } "
+        "sphere { z, 1, 1 pigment { rgbt <1, 1, 1, .5> } } pigment { rgb z } }");
+    CHECK(material(layered).coats.size() == 2);
+    CHECK(material(layered).share.pattern);
     // Parts blend by their fields, of which one may take away.
     const Scene blended = whole(
         "blob { threshold .1 sphere { 0, 1, 2 pigment { rgb 2*x } translate .5*x } sphere { 0, 1, 1 pigment { rgb z } "

@@ -227,6 +227,12 @@ skipped
 )");
 }
 
+TEST_CASE("POV-Ray's '#' before what is no directive is read over") {
+    check_prints("#sphere { 0, 1 } # sphere { ##0, #1 } #debug \"end\"", "end");
+    check_prints("#macro M() #debug \"in\" #end #if (1) #M() #else #cone { 0 } #end", "in");
+    check_fails("#sphere_of { 0 }", "unknown name 'sphere_of'");
+}
+
 TEST_CASE("POV-Ray's arrays") {
     check_prints(R"(
 #declare A = array[2][3] {{1,2,3},{4,5,6}}
