@@ -11,6 +11,7 @@
 #include "files/utf8.h"
 #include "files/words.h"
 #include "import/models/stage.h"
+#include "import/models/textures.h"
 #include "pov/animation.h"
 #include "pov/expand.h"
 #include "pov/flight_file.h"
@@ -111,6 +112,10 @@ OpenedScene open_scene_of_model(const std::string& path, const OpeningOptions& o
     OpenedScene result{.scene = staged(model, double(options.width) / options.height),
                        .notes = std::move(model.warnings),
                        .files = std::move(model.files)};
+    bool any_clear = false;
+    for (Material& own : result.scene.materials)
+        if (options.as_text) any_clear |= make_opaque(own.rgb);
+    if (any_clear) result.notes.push_back(path + ": places of pictures that are not opaque are so in the text");
     for (ModelPart& part : model.parts) result.lines.names.push_back(std::move(part.name));
     if (options.files) *options.files = result.files;
     return result;

@@ -47,7 +47,9 @@ add_executable(attack_pictures ${attack}/pictures.cpp ${attack}/mutated_picture.
 target_link_libraries(attack_pictures PRIVATE strahl_file_attack strahl_image)
 add_executable(attack_meshes ${attack}/meshes.cpp ${attack}/mutated_mesh.cpp)
 target_link_libraries(attack_meshes PRIVATE strahl_file_attack strahl_mesh)
-set(attacked_files pictures meshes)
+add_executable(attack_models ${attack}/models.cpp)
+target_link_libraries(attack_models PRIVATE strahl_file_attack strahl_import)
+set(attacked_files pictures meshes models)
 # The small readers, three of which are the window's: without the rest of it, so that the preset `fuzz` has them too.
 pkg_check_modules(VORBIS IMPORTED_TARGET vorbisfile)
 if(VORBIS_FOUND)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "import/models/model.h"
 #include "num/bounding_box.h"
 #include "scene/error.h"
 
@@ -59,9 +60,15 @@ Pigment color_corners(MeshData& mesh, const CornerColors& given) {
     if (side * std::size_t(block) > most_side)
         throw FileError("colours of more than " + std::to_string(most_side / 2 * (most_side / 2)) +
                         " triangles; simplify the mesh, or split it");
+    // Bilinear colours are linear light, and so those between which they lie are.
+    std::vector<Color> colors(given.colors.size());
+    std::ranges::transform(given.colors, colors.begin(), [&](const MeshLook::Rgb& own) {
+        const Color color(own[0], own[1], own[2]);
+        return given.linear ? color : linear_light(color);
+    });
     const std::vector<std::uint32_t> order = ordered(mesh);
     auto pixels = std::make_shared<Pixels>();
-    pixels->linear = given.linear;
+    pixels->linear = true;
     pixels->width = pixels->height = static_cast<std::int32_t>(side) * block;
     pixels->values.resize(3 * std::size_t(pixels->width) * std::size_t(pixels->height));
     const double size = pixels->width;
@@ -74,7 +81,7 @@ Pigment color_corners(MeshData& mesh, const CornerColors& given) {
         const std::size_t column = gathered(code) * std::size_t(block), row = gathered(code >> 1) * std::size_t(block);
         const auto color = [&](int k, int c) {
             const std::size_t number = given.by_triangle ? i : std::size_t(mesh.triangles[i][std::size_t(k)]);
-            return double(given.colors[number][std::size_t(c)]);
+            return colors[number][c];
         };
         for (int c = 0; c < 3; ++c) {
             for (int k = 0; k < 3; ++k) pixels->largest[c] = std::max(pixels->largest[c], color(k, c));

@@ -99,23 +99,21 @@ Pattern picture_by_uv(const std::shared_ptr<const FilePixels>& pixels, const std
             .by_uv = true};
 }
 
+bool make_opaque(Pigment& pigment) {
+    const auto* const values = pigment.pattern ? std::get_if<SolidPattern>(&pigment.pattern->kind) : nullptr;
+    if (!values || !dynamic_cast<const OpacityFunction*>(values->function.get())) return false;
+    const std::shared_ptr<const Pattern> whole = pigment.pattern;
+    const ColorStop& full = whole->colors.back();
+    pigment = full.pattern ? Pigment(*full.pattern) : Pigment(full.color);
+    return true;
+}
+
 Pigment partly_clear(const Pigment& opaque, const Opacity& opacity, const TexturePlace& place) {
-    ColorStop clear{0, Color(1), 0, 1}, full{1, opaque.color};
-    if (opaque.pattern) {
-        // Patterns among colours lie in the space of the one around them.
-        Pattern inner = *opaque.pattern;
-        full.pattern = std::make_shared<const Pattern>(std::move(inner));
-    }
+    const ColorStop clear{0, Color(1), 0, 1}, full{1, opaque.color, 0, 0, opaque.pattern};
     SolidPattern values;
     values.frequency = 0;
     values.function = std::make_shared<const OpacityFunction>(opacity, place.clamped);
-    Pattern pattern{.kind = values, .colors = {clear, full}, .transformations = steps_of(place), .by_uv = true};
-    if (full.pattern) {
-        auto inner = std::make_shared<Pattern>(*full.pattern);
-        inner->transformations.clear();
-        pattern.colors[1].pattern = std::move(inner);
-    }
-    return Pigment(std::move(pattern));
+    return Pigment(Pattern{.kind = values, .colors = {clear, full}, .transformations = steps_of(place), .by_uv = true});
 }
 
 }  // namespace strahl

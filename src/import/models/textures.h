@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "scene/material.h"
@@ -23,8 +24,8 @@ struct TexturePlace {
 /// Reads pictures once each.
 class Textures {
   public:
-    Textures(const ReadPixels& read_pixels, std::vector<std::string>& warnings)
-        : read_pixels(read_pixels), warnings(warnings) {}
+    Textures(ReadPixels read_pixels, std::vector<std::string>& warnings)
+        : read_pixels(std::move(read_pixels)), warnings(warnings) {}
 
     /// Reads a picture; null, with a warning that begins with `where`, if it cannot be read.
     std::shared_ptr<const FilePixels> read(const std::string& path, const std::string& where);
@@ -32,7 +33,7 @@ class Textures {
     std::vector<std::string> files;  // that were read
 
   private:
-    const ReadPixels& read_pixels;
+    const ReadPixels read_pixels;
     std::vector<std::string>& warnings;
     std::map<std::string, std::shared_ptr<const FilePixels>> known;
 };
@@ -50,5 +51,8 @@ struct Opacity {
 };
 /// Returns a pigment that lets light through where it is not opaque.
 Pigment partly_clear(const Pigment& opaque, const Opacity& opacity, const TexturePlace& place);
+
+/// Makes a pigment of partly_clear() the opaque one again. Returns false if it is none.
+bool make_opaque(Pigment& pigment);
 
 }  // namespace strahl

@@ -89,6 +89,7 @@ void print_row(const std::string& path, const Verdict& verdict, double ours, dou
 bool check(const CrosscheckOptions& options, const std::string& path, const std::atomic<bool>* stop) {
     OpeningOptions opening = options.opening;
     opening.width = options.width, opening.height = options.height;
+    opening.as_text = is_model(path);
     const OpenedScene opened = load_opened(path, opening, options.time);
     const Scene& scene = opened.scene;
     if (options.time) flight_for("--time", scene, path);

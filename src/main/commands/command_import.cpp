@@ -21,21 +21,14 @@ namespace strahl {
 namespace {
 
 /// Gives the pictures of a model names that a scene at the path `to` can use. Pictures that are in no file, or have been
-/// changed, are written beside it as NAME-1.png and so on; `warnings` tells of what they lose.
+/// changed, are written beside it as NAME-1.png and so on.
 class PictureNames {
   public:
-    PictureNames(const std::string& model, const std::string& to, std::vector<std::string>& warnings)
-        : model(model), to(to), warnings(warnings) {}
+    PictureNames(const std::string& model, const std::string& to) : model(model), to(to) {}
 
     void set(std::shared_ptr<const Pattern>& pattern) {
         if (!pattern) return;
         Pattern own = *pattern;
-        if (std::holds_alternative<SolidPattern>(own.kind)) {
-            // Scene text has no pattern of the opacity of a picture.
-            if (!told) warnings.push_back(model + ": places of pictures that are not opaque are so in the scene");
-            told = true;
-            own = own.colors.back().pattern ? *own.colors.back().pattern : own;
-        }
         if (auto* const image = std::get_if<ImagePattern>(&own.kind)) set(*image);
         pattern = std::make_shared<const Pattern>(std::move(own));
     }
@@ -64,20 +57,18 @@ class PictureNames {
     }
 
     const std::string &model, &to;
-    std::vector<std::string>& warnings;
     std::map<const Pixels*, std::string> written;
-    bool told = false;
 };
 
 Imported import_model(const ImportOptions& options) {
-    OpenedScene opened = open_scene(read_scene_text(options.file), options.file, options.opening, read_pixels);
+    OpeningOptions opening = options.opening;
+    opening.as_text = true;
+    OpenedScene opened = open_scene(read_scene_text(options.file), options.file, opening, read_pixels);
     Imported result{.scene = std::move(opened.scene), .size = {}, .warnings = std::move(opened.notes)};
-    PictureNames names(options.file, options.output, result.warnings);
+    PictureNames names(options.file, options.output);
     for (Material& material : result.scene.materials) {
-        const bool clear = material.rgb.clear();
-        names.set(material.rgb.pattern);
-        if (clear && material.rgb.pattern) material.rgb = Pigment(*material.rgb.pattern);
-        names.set(material.bump.pattern), names.set(material.normal.pattern);
+        names.set(material.rgb.pattern), names.set(material.bump.pattern), names.set(material.normal.pattern);
+        for (Material& coat : material.coats) names.set(coat.rgb.pattern);
     }
     namespace fs = std::filesystem;
     const fs::path folder = options.output == "-" ? fs::path() : fs::path(options.output).parent_path();

@@ -22,8 +22,14 @@ Color color_at(const ModelPart& part, const Material& material, std::size_t tria
     CHECK(std::abs(x - std::round(x)) < 1e-9);
     const auto first = 3 * (std::size_t(std::round(y)) * std::size_t(image.pixels->width) + std::size_t(std::round(x)));
     const auto& values = image.pixels->values;
-    return {values[first], values[first + 1], values[first + 2]};
+    CHECK(image.pixels->linear);
+    const Color color(values[first], values[first + 1], values[first + 2]);
+    // As encoded in the file, up to rounding.
+    const auto encoded = [](double v) { return v <= .0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - .055; };
+    return {encoded(color.x), encoded(color.y), encoded(color.z)};
 }
+/// Are these colours the same, up to rounding in float?
+bool same(const Color& a, const Color& b) { return length(a - b) < 1e-6; }
 
 }  // namespace
 
@@ -105,10 +111,10 @@ TEST_CASE("models: colours of points are at the corners of triangles") {
     CHECK(model.warnings.empty());
     const ModelPart& part = model.parts.at(0);
     const Material& material = model.materials.at(0);
-    CHECK(color_at(part, material, 0, 0) == Color(1, 0, 0));
-    CHECK(color_at(part, material, 0, 1) == Color(0, 1, 0));
-    CHECK(color_at(part, material, 0, 2) == Color(0, 0, 1));
-    CHECK(color_at(part, material, 1, 0) == Color(0, 0, 1));
+    CHECK(same(color_at(part, material, 0, 0), Color(1, 0, 0)));
+    CHECK(same(color_at(part, material, 0, 1), Color(0, 1, 0)));
+    CHECK(same(color_at(part, material, 0, 2), Color(0, 0, 1)));
+    CHECK(same(color_at(part, material, 1, 0), Color(0, 0, 1)));
     CHECK(length(color_at(part, material, 1, 2) - Color(.2, .4, 0)) < 1e-6);
     // Between the corners bilinear pixels give what is linear: the fourth one of a cell goes on beyond the triangle.
     const auto& pixels = *std::get<ImagePattern>(material.rgb.pattern->kind).pixels;
@@ -125,14 +131,14 @@ TEST_CASE("models: colours of faces, and of the points of an OBJ file") {
         "end_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n";
     Models models;
     const Model faces = models.put("a.ply", head + "3 0 1 2 .5 0 0\n4 0 1 3 2 0 .25 2\n").read("a.ply");
-    CHECK(color_at(faces.parts[0], faces.materials[0], 0, 1) == Color(.5, 0, 0));
+    CHECK(same(color_at(faces.parts[0], faces.materials[0], 0, 1), Color(.5, 0, 0)));
     for (const std::size_t triangle : {1, 2})
-        CHECK(color_at(faces.parts[0], faces.materials[0], triangle, 2) == Color(0, .25, 1));
+        CHECK(same(color_at(faces.parts[0], faces.materials[0], triangle, 2), Color(0, .25, 1)));
     const Model points =
         models.put("a.obj", "v 0 0 0 .5 0 0\nv 1 0 0 0 .25 0\nv 0 1 0 1 0 0 1\nf 1 2 3\n").read("a.obj");
-    CHECK(color_at(points.parts[0], points.materials[0], 0, 0) == Color(.5, 0, 0));
-    CHECK(color_at(points.parts[0], points.materials[0], 0, 1) == Color(0, .25, 0));
-    CHECK(color_at(points.parts[0], points.materials[0], 0, 2) == Color(0, 0, 1));
+    CHECK(same(color_at(points.parts[0], points.materials[0], 0, 0), Color(.5, 0, 0)));
+    CHECK(same(color_at(points.parts[0], points.materials[0], 0, 1), Color(0, .25, 0)));
+    CHECK(same(color_at(points.parts[0], points.materials[0], 0, 2), Color(0, 0, 1)));
     // Colours at some points only are none.
     const Model some = models.put("some.obj", "v 0 0 0 .5 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").read("some.obj");
     CHECK(!some.materials[0].rgb.pattern);
@@ -150,6 +156,6 @@ TEST_CASE("models: the colours of STL files") {
         bytes.append(reinterpret_cast<const char*>(&color), 2);
     }
     const Model model = Models().put("a.stl", bytes).read("a.stl");
-    CHECK(color_at(model.parts[0], model.materials[0], 0, 0) == Color(0, 0, 1));
+    CHECK(same(color_at(model.parts[0], model.materials[0], 0, 0), Color(0, 0, 1)));
     CHECK(length(color_at(model.parts[0], model.materials[0], 1, 0) - Color(128, 64, 32) / 255.) < 1e-6);
 }
