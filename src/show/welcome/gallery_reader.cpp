@@ -13,6 +13,7 @@
 
 #include "files/read_file.h"
 #include "files/regular_file.h"
+#include "image/pixels.h"
 #include "image/transfer_table.h"
 #include "num/thread_pool.h"
 #include "scene/moving_scene.h"
