@@ -38,7 +38,7 @@ expect 2 "strahl --help" --frobnicate
 expect 2 "SCENE is required" render
 expect 2 "SCENE is required" check
 expect 2 "--benchmark" play scene.rt --stats x.json
-expect 2 "not expected" check scene.rt scene.rt
+expect 2 "not expected" stability scene.rt scene.rt
 expect 2 "did you mean '--size'?" render scene.rt -o x.bmp --sizes 5x5
 
 # refuse TEXT OPTION...: options that `strahl render` refuses.
