@@ -171,6 +171,11 @@ template <class S>
 template <class S>
 [[gnu::noinline]] Vec3<S> visibility_by_parts(const World<Element<S>>& world, const Ray<S>& ray, const S& distance,
                                               Mask<S> active, const Start<S>& start) {
+    if (!start.ends_early && any(active & ends_before(world, distance))) [[unlikely]] {
+        Start<S> early = start;
+        early.ends_early = true;
+        return visibility_by_parts(world, ray, distance, active, early);
+    }
     if (world.shadow_rays == ShadowRays::followed) return faded_visibility(world, ray, distance, active, start);
     if (world.shadow_rays == ShadowRays::followed_where_dimmed)
         return clear_visibility(world, ray, distance, active, start);

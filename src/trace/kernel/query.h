@@ -418,12 +418,20 @@ template <class S>
     share = select(close, visibility_of_all(world, behind, max(distance - way, S(0)), close, start), share);
 }
 
-/// Returns up to where bodies are in the way of a light. Where one on a surface shines away from it, as in POV-Ray,
-/// whichever side rounding leaves it on, that is not quite the distance.
+/// Returns the shadow rays that end before their light.
+template <class S>
+STRAHL_INLINE Mask<S> ends_before(const World<Element<S>>& world, const S& distance) {
+    return (distance > S(world.farthest)) & (distance < S(std::numeric_limits<Element<S>>::infinity()));
+}
+
+/// Returns up to where bodies are in the way of a light: not quite to the light, so that one on a surface shines away
+/// from it, as in POV-Ray, whichever side rounding leaves it on; and as far as rays see anything, unless the light is
+/// infinitely far away.
 template <class S>
 STRAHL_INLINE S way_before_light(const World<Element<S>>& world, const Ray<S>& ray, const S& distance) {
     const S share(world.around_lights);
-    return (S(1) - share) * distance - share * (abs(ray.origin.x) + abs(ray.origin.y) + abs(ray.origin.z));
+    const S way = (S(1) - share) * distance - share * (abs(ray.origin.x) + abs(ray.origin.y) + abs(ray.origin.z));
+    return select(ends_before(world, distance), S(world.farthest), way);
 }
 
 /// Returns the share of light that is transmitted, by shadow rays of other ways than the whole at once
