@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/error.h"
+#include "files/error.h"
 #include "scene/kinds/mesh_data.h"
 
 namespace strahl {

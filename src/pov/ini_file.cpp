@@ -4,9 +4,9 @@
 #include <array>
 #include <filesystem>
 
+#include "files/error.h"
 #include "files/read_file.h"
 #include "files/words.h"
-#include "scene/error.h"
 
 namespace strahl::pov {
 namespace {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include "files/output_file.h"
 #include "files/read_file.h"
@@ -39,12 +40,13 @@ std::vector<std::string> library_of(pov::IniFile& ini, std::vector<std::string> 
 }
 
 /// Throws FileError with the first notes.
-[[noreturn]] void refuse(const std::vector<std::string>& notes) {
+[[noreturn]] void refuse(std::vector<Message> notes) {
     constexpr std::size_t most = 10;
-    std::string all = "the scene cannot be shown as it is meant";
-    for (std::size_t i = 0; i < std::min(most, notes.size()); ++i) all += "\n" + notes[i];
-    if (notes.size() > most) all += "\nand " + std::to_string(notes.size() - most) + " more";
-    throw FileError(all);
+    const std::size_t more = notes.size() > most ? notes.size() - most : 0;
+    notes.resize(notes.size() - more);
+    notes.insert(notes.begin(), {"the scene cannot be shown as it is meant"});
+    if (more > 0) notes.push_back({"and " + std::to_string(more) + " more"});
+    throw FileError(std::move(notes));
 }
 
 OpenedScene open_scene_of_povray(const std::string& text, const std::string& path, const OpeningOptions& options,
@@ -77,10 +79,10 @@ OpenedScene open_scene_of_povray(const std::string& text, const std::string& pat
                        .changes = opened.clock_used && !options.clock,
                        .sized = opened.size_used,
                        .clock = how.clock_on ? std::optional(how.clock) : std::nullopt};
-    for (const pov::PovNote& note : opened.notes) result.notes.push_back(note.text);
+    for (const pov::PovNote& note : opened.notes) result.notes.push_back(note.message);
     if (options.strict && !result.notes.empty()) refuse(result.notes);
     if (ini) {
-        result.notes.insert(result.notes.end(), ini->notes.begin(), ini->notes.end());
+        for (const std::string& note : ini->notes) result.notes.push_back({note});
         result.files.push_back(ini->path);
         if (animation.counted) result.frames = animation.frames();
     }
@@ -109,7 +111,7 @@ void refuse_overwriting_scene(const std::string& option, const std::string& writ
 OpenedScene open_scene(const std::string& text, const std::string& path, const OpeningOptions& options,
                        const ReadPixels& read_pixels, FilesRead* read) {
     pov::InterpreterOptions how;
-    how.file = path, how.library = options.library, how.width = options.width, how.height = options.height;
+    how.file = path, how.library = options.library, how.width = options.size.width, how.height = options.size.height;
     for (const std::string& folder : pov::standard_library()) how.library.push_back(folder);
     how.stop = options.stop, how.files = options.files, how.as_text = options.as_text;
     if (is_pov(path)) return open_scene_of_povray(text, path, options, std::move(how), read_pixels);
@@ -126,7 +128,7 @@ OpenedScene open_scene(const std::string& text, const std::string& path, const O
     } else {
         result.scene = parse_scene(text, name, {}, read_pixels, &files);
     }
-    result.notes = files.warnings;
+    for (const std::string& warning : files.warnings) result.notes.push_back({warning});
     return result;
 }
 

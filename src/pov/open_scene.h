@@ -8,6 +8,7 @@
 
 #include "pov/ini_file.h"
 #include "pov/open_pov.h"
+#include "scene/picture_size.h"
 #include "scene/scene.h"
 #include "text/reading/scene_files.h"
 
@@ -15,7 +16,7 @@ namespace strahl {
 
 /// Options for scenes of POV-Ray.
 struct OpeningOptions {
-    int width = 640, height = 480;       // of the picture, which a scene may ask for
+    PictureSize size{};                  // of the picture, which a scene may ask for
     std::optional<double> clock{};       // at all times; by default it changes from 0 to 1 during the flight
     std::vector<std::string> library{};  // folders of included files, searched before those of POV-Ray's package
     bool strict = false;                 // whatever cannot be shown as it is meant is an error
@@ -30,8 +31,8 @@ struct OpenedScene {
     Scene scene;
     // Messages for the user: "scene.pov:12: left out: media" for what a .pov has approximated or left out, and warnings
     // about the meshes and pictures of scene text.
-    std::vector<std::string> notes{};
-    std::vector<std::string> warnings{};  // "scene.pov:12: ';' is missing", about the text of a .pov
+    std::vector<Message> notes{};
+    std::vector<Message> warnings{};   // "scene.pov:12: ';' is missing", about the text of a .pov
     std::string summary{};             // of the notes; empty for scene text
     pov::SourceLines lines{};          // of the bodies and lights of a .pov
     bool mirrored = false;             // the scene is the mirror image in z of that of a .pov

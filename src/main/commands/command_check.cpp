@@ -148,7 +148,7 @@ int check_command(const CheckOptions& options) {
     } else {
         text = show(shown_name(options.scene)).text + ": no errors\n" + summary(opened.scene, options.scene);
         if (!opened.summary.empty()) text += "  as POV-Ray   " + opened.summary + '\n';
-        for (const std::string& note : opened.notes) text += show(note).text + '\n';
+        for (const Message& note : opened.notes) text += show(note.told()).text + '\n';
     }
     write_file("-", text);
     if (options.print) return exit_status::done;

@@ -22,15 +22,17 @@ Imported import_any(const ImportOptions& options) {
     OpeningOptions opening = options.opening;
     opening.as_text = true;
     const std::string text = read_text(options.file);
-    const auto read = [&](int width, int height) {
-        opening.width = width, opening.height = height;
+    const auto read = [&](const PictureSize& size) {
+        opening.size = size;
         return open_scene(text, options.file, opening, read_pixels);
     };
-    OpenedScene opened = read(640, 480);
+    OpenedScene opened = read({640, 480});
     // Does the camera follow the picture's shape, or is its own the same by chance?
     auto& aspect = opened.scene.camera.aspectratio;
-    if (opened.sized && !aspect && read(640, 320).scene.camera.aspectratio) aspect = 4. / 3;
-    return {.scene = std::move(opened.scene), .size = {}, .warnings = std::move(opened.notes)};
+    if (opened.sized && !aspect && read({640, 320}).scene.camera.aspectratio) aspect = 4. / 3;
+    Imported imported{.scene = std::move(opened.scene), .size = {}, .warnings = {}};
+    for (const Message& note : opened.notes) imported.warnings.push_back(note.told());
+    return imported;
 }
 
 }  // namespace

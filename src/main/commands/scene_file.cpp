@@ -1,6 +1,7 @@
 #include "main/commands/scene_file.h"
 
 #include <algorithm>
+#include <array>
 #include <iostream>
 
 #include "files/read_file.h"
@@ -11,6 +12,9 @@ namespace strahl {
 
 void print_warnings(std::span<const std::string> warnings) {
     for (const std::string& warning : warnings) std::cerr << "strahl: warning: " << printable(warning) << '\n';
+}
+void print_warnings(std::span<const Message> warnings) {
+    for (const Message& warning : warnings) print_warnings(std::array{warning.told()});
 }
 
 void tell_notes(const OpenedScene& scene, bool all) {

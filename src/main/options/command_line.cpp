@@ -10,12 +10,12 @@
 #include <utility>
 #include <vector>
 
+#include "files/error.h"
 #include "files/shell.h"
 #include "files/streams.h"
 #include "main/commands/command_view.h"
 #include "main/options/options.h"
 #include "main/reference/reference.h"
-#include "scene/error.h"
 #include "text/manual/syntax.h"
 #include "text/reading/messages.h"
 #include "trace/tracer.h"

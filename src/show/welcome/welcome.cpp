@@ -33,17 +33,17 @@ bool Welcome::key(int key) {
 
 void Welcome::take(const Screen& screen) {
     if (!reader) return;
-    if (auto listed = reader->take_list()) {
-        sections = std::move(listed), chosen = {};
+    while (auto found = reader->take()) {
+        pace.redraw();
+        if (!found->listed) {
+            pictures[found->path] = found->picture.width > 0 ? screen.make_texture(found->picture) : 0;
+            continue;
+        }
+        sections = std::move(found->listed), chosen = {};
         std::size_t count = 0;
         for (const GallerySection& section : *sections) count += section.items.size();
         if (missing = missing_scenes(); !missing.empty()) notes.log(missing);
         notes.log("gallery of " + std::to_string(count) + " scenes after " + seconds_text(pace.now()));
-        pace.redraw();
-    }
-    for (const auto& [path, image] : reader->take_pictures()) {
-        pictures[path] = image.width > 0 ? screen.make_texture(image) : 0;
-        pace.redraw();
     }
 }
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "files/error.h"
 #include "num/thread_pool.h"
-#include "scene/error.h"
 #include "show/welcome/gallery.h"
 #include "show/welcome/gallery_reader.h"
 #include "show/welcome/recent_files.h"
@@ -119,20 +119,22 @@ TEST_CASE("small pictures are made of what is wanted, and none of what cannot be
     CHECK(std::set(picture.pixels.begin(), picture.pixels.end()).size() > 10);
     CHECK(small_picture(folder / "missing.rt", 20, 15, pool, stop).width == 0);
 
-    std::vector<std::pair<std::string, ScreenImage>> made;
+    std::vector<GalleryReader::GalleryNews> made;
     GalleryReader reader(1, [] {});
     const auto take = [&] {
-        for (auto& one : reader.take_pictures()) made.push_back(std::move(one));
+        while (auto one = reader.take()) made.push_back(*std::move(one));
         return made.size();
     };
     reader.list();
-    CHECK(soon([&] { return reader.take_list().has_value(); }));
+    CHECK(soon([&] { return take() == 1; }));
+    CHECK(made[0].listed.has_value());
+    made.clear();
     reader.want({folder / "broken.rt", folder / "endless.rt", folder / "scene.rt"}, 20, 15);
     CHECK(soon([&] { return take() == 1; }));
-    CHECK(made[0].second.width == 0);
+    CHECK(made[0].picture.width == 0);
     reader.want({folder / "scene.rt", folder / "broken.rt"}, 20, 15);  // the endless one is given up
     CHECK(soon([&] { return take() == 2; }));
-    CHECK(made[1].first == folder / "scene.rt");
-    CHECK(made[1].second.pixels == picture.pixels);
+    CHECK(made[1].path == folder / "scene.rt");
+    CHECK(made[1].picture.pixels == picture.pixels);
     reader.want({folder / "endless.rt"}, 20, 15);  // so it is at the end
 }
