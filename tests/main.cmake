@@ -1,5 +1,8 @@
 # The program and the launcher as users see them: one bash script per topic.
-foreach(topic usage pictures frames sheet film resume interrupt files stats stability check import models pov_scenes broken_scenes install launcher readme tutorial gallery crosscheck crosscheck_strangers farm bundle lsp ci)
+file(GLOB topics CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR}/tests/command ${CMAKE_SOURCE_DIR}/tests/command/*.sh)
+list(TRANSFORM topics REPLACE "\\.sh$" "")
+list(REMOVE_ITEM topics expect slurm)  # parts of others
+foreach(topic ${topics})
   add_test(NAME command_${topic}
            COMMAND bash ${CMAKE_SOURCE_DIR}/tests/command/${topic}.sh $<TARGET_FILE:strahl> ${CMAKE_SOURCE_DIR}
                    ${CMAKE_BINARY_DIR})

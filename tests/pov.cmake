@@ -1,2 +1,2 @@
-# Scenes of POV-Ray.
-strahl_tests(test_pov unit/pov strahl_pov pov_mistakes pov_bodies pov_appearance pov_patterns pov_pictures pov_animation expand literals)
+# Scenes of POV-Ray, and their language.
+strahl_tests(test_pov unit/pov strahl_pov)

@@ -1,9 +1,11 @@
 # The window: its parts without a display, and the program itself on a virtual one.
 if(TARGET strahl_show)
-  strahl_tests(test_show unit/show strahl_show progressive sharpener flying flights edited_path show_threads show_files rocket panels bodies handles second file_dialog film_recorder outline welcome keys beat unwritten)
   if(SOUND_FOUND)
     strahl_tests(test_sound unit/show strahl_show sound)
+  else()
+    set_property(GLOBAL APPEND PROPERTY strahl_tests_of_unit/show sound)
   endif()
+  strahl_tests(test_show unit/show strahl_show)
   add_test(NAME window COMMAND bash ${CMAKE_SOURCE_DIR}/tests/window/run.sh $<TARGET_FILE:strahl>)
   foreach(topic welcome lost hands timeline drag from_nothing screenshot sound beside)
     add_test(NAME window_${topic} COMMAND bash ${CMAKE_SOURCE_DIR}/tests/window/${topic}.sh $<TARGET_FILE:strahl>)

@@ -1,11 +1,11 @@
 # Scenes as values and as text.
 strahl_tests(test_text unit/scene "" scene overlap solid)
 set_tests_properties(overlap PROPERTIES LABELS figures)
-strahl_tests(test_text unit/text "strahl_text;strahl_image" language language_errors language_values language_composites
-             language_patterns language_lights language_define hostile_text roundtrip edit_path body_text motion_text place_body new_block manual)
+strahl_tests(test_text unit/text "strahl_text;strahl_image")
+strahl_tests(test_text unit/files "")
 # With sanitizers the language's other tests and attack_parser read and write as much.
 set_tests_properties(roundtrip PROPERTIES LABELS figures)
-strahl_tests(test_import unit/import strahl_import import_nff import_tachyon models model_materials gltf)
+strahl_tests(test_import unit/import strahl_import)
 
 # The tables of the manual: the test fails if they are stale, the target `manual` writes them.
 add_executable(write_manual EXCLUDE_FROM_ALL manual/main.cpp)

@@ -3,11 +3,8 @@ set(referee ${CMAKE_SOURCE_DIR}/tests/referee)
 add_library(strahl_referee STATIC ${referee}/referee.cpp ${referee}/random_scene.cpp ${referee}/examples.cpp)
 target_link_libraries(strahl_referee PUBLIC strahl_scene)
 
-strahl_tests(test_trace unit/trace "strahl_text;strahl_image;strahl_trace;strahl_referee" referee kernel
-             light_culling hierarchy bound accuracy hashes tracing history sampling footprints pattern_means lattice_cells area_light thin
-             motion tracks patterns images reliefs split_unions composites
-             finishes)
-strahl_tests(test_trace unit/scene "" prisms lathes superellipsoids blobs sweeps julia_sets)
+strahl_tests(test_trace unit/trace "strahl_text;strahl_image;strahl_trace;strahl_referee")
+strahl_tests(test_trace unit/scene "")
 strahl_tests(test_trace unit "" structure)
 # It makes a kernel of its own.
 set_source_files_properties(${CMAKE_SOURCE_DIR}/tests/unit/trace/area_light.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)

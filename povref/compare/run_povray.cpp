@@ -1,128 +1,55 @@
 #include "povref/compare/run_povray.h"
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <charconv>
-#include <chrono>
-#include <csignal>
 #include <cstdlib>
-#include <cstring>
-#include <exception>
 #include <filesystem>
 #include <new>
 #include <regex>
 #include <stdexcept>
 #include <system_error>
-#include <thread>
 #include <vector>
 
+#include "files/os/folder.h"
+#include "files/os/process.h"
 #include "files/output_file.h"
 #include "files/read_file.h"
 #include "files/streams.h"
 #include "num/decimal.h"
-#include "povref/compare/confine.h"
 #include "povref/convert/images.h"
-
-extern char** environ;
 
 namespace strahl {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// A temporary folder, in the one that TMPDIR names or else in /tmp; removed with its content.
-class Scratch {
-  public:
-    Scratch() {
-        const char* const given = std::getenv("TMPDIR");
-        const bool named = given && given[0] != 0;
-        const std::string parent = named ? given : "/tmp";
-        folder = parent + "/strahl-povray-XXXXXX";
-        if (::mkdtemp(folder.data())) return;
+/// Makes a temporary folder, in the one that TMPDIR names or else in /tmp.
+os::NewFolder scratch_folder() {
+    const char* const given = std::getenv("TMPDIR");
+    const bool named = given && given[0] != 0;
+    const std::string parent = named ? given : "/tmp";
+    try {
+        return os::NewFolder(parent + "/strahl-povray-", {"scene.pov", "scene.ini", "view.pov", "scene.ppm"});
+    } catch (const std::system_error& error) {
         throw std::runtime_error("cannot make a folder in '" + parent + (named ? "', which TMPDIR names: " : "': ") +
-                                 std::strerror(errno));
+                                 error.code().message());
     }
-    /// Removes the files that are always there without needing memory, or a folder that can be listed; others need
-    /// both.
-    ~Scratch() {
-        const int opened = ::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC);
-        for (const char* const file : {"scene.pov", "scene.ini", "view.pov", "scene.ppm", "log"})
-            ::unlinkat(opened, file, 0);
-        ::close(opened);
-        if (::rmdir(folder.c_str()) != 0) remove_folder(folder);
-    }
-    Scratch(const Scratch&) = delete;
-    std::string path(const char* name) const { return folder + "/" + name; }
-
-  private:
-    std::string folder;
-};
-
-/// A program's folder, and if given the one below which it can write files.
-struct Place {
-    std::string folder, writable{};
-};
-
-/// Starts a program as posix_spawnp does, from a thread that can write only where the program may.
-int spawn(pid_t& child, const Place& place, const posix_spawn_file_actions_t& files, std::vector<char*>& arguments) {
-    int failed = 0;
-    const auto start = [&] { failed = posix_spawnp(&child, arguments[0], &files, nullptr, arguments.data(), environ); };
-    if (place.writable.empty()) return start(), failed;
-    std::exception_ptr fault;
-    std::thread([&] {
-        try {
-            write_only_below(place.writable);
-            start();
-        } catch (...) {
-            fault = std::current_exception();
-        }
-    }).join();
-    if (fault) std::rethrow_exception(fault);
-    return failed;
 }
 
-/// Runs `words` in a place, with all output in the file `log`. Returns the exit status, or -1 if there is no such
-/// program.
-int run(std::vector<std::string> words, const Place& place, const std::string& log, const std::atomic<bool>* stop) {
-    std::vector<char*> arguments;
-    for (std::string& word : words) arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    posix_spawn_file_actions_t files;
-    posix_spawn_file_actions_init(&files);
-    // These calls can run out of memory, and without the first one POV-Ray would write into the user's folder.
-    const bool ready =
-        posix_spawn_file_actions_addchdir_np(&files, place.folder.c_str()) == 0 &&
-        posix_spawn_file_actions_addopen(&files, 0, "/dev/null", O_RDONLY, 0) == 0 &&
-        posix_spawn_file_actions_addopen(&files, 1, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600) == 0 &&
-        posix_spawn_file_actions_adddup2(&files, 1, 2) == 0;
-    pid_t child = 0;
-    const int failed = ready ? spawn(child, place, files, arguments) : ENOMEM;
-    posix_spawn_file_actions_destroy(&files);
-    if (failed == ENOENT) return -1;
-    if (failed == ENOMEM) throw std::bad_alloc();
-    if (failed) throw std::runtime_error("cannot start povray: " + std::generic_category().message(failed));
-    int status = 0;
-    // A signal may reach another thread, and would then not end a wait in this one.
-    while (waitpid(child, &status, WNOHANG) == 0) {
-        if (stop && *stop) {
-            kill(child, SIGKILL);
-            waitpid(child, &status, 0);
-            break;
-        }
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
+/// Runs a program. Throws if it is not there, or fails, or is stopped. Returns what it has printed.
+std::string run(const os::ProgramStart& start, const std::atomic<bool>* stop) try {
+    os::Process process(start);
+    const int status = process.wait(stop);
     if (stop && *stop) throw Stopped{};
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
-}
-
-std::string content(const std::string& path) {
-    TextStream text;
-    text << FileStream(path).rdbuf();
-    return text.str();
+    if (status == 127) throw std::system_error(ENOENT, std::generic_category());
+    const std::string log = process.output();
+    if (status == 0) return log;
+    throw std::runtime_error("povray failed:\n" + log.substr(log.size() < 1500 ? 0 : log.size() - 1500));
+} catch (const std::system_error& error) {
+    if (error.code() == std::errc::not_enough_memory) throw std::bad_alloc();
+    if (error.code() == std::errc::no_such_file_or_directory)
+        throw std::runtime_error("povray is not installed; on Debian: apt install povray");
+    throw std::runtime_error("cannot start povray: " + error.code().message());
 }
 
 /// Returns all warnings of POV-Ray with their continuation lines, except the one about the keyword `refraction`.
@@ -167,17 +94,11 @@ Picture picture_of(const std::string& path, int width, int height) try {
                              error.what());
 }
 
-/// Runs POV-Ray; its picture and its log go to the scratch folder.
-PovRun finished(const Scratch& scratch, const Place& place, std::vector<std::string> words, int width, int height,
+/// Runs POV-Ray, whose picture goes to this path.
+PovRun finished(const os::ProgramStart& start, const std::string& picture, int width, int height,
                 const std::atomic<bool>* stop) {
-    const std::string log_path = scratch.path("log");
-    const int status = run(std::move(words), place, log_path, stop);
-    if (status == -1 || status == 127)
-        throw std::runtime_error("povray is not installed; on Debian: apt install povray");
-    const std::string log = content(log_path);
-    if (status != 0)
-        throw std::runtime_error("povray failed:\n" + log.substr(log.size() < 1500 ? 0 : log.size() - 1500));
-    return {picture_of(scratch.path("scene.ppm"), width, height), trace_seconds(log), warnings_in(log)};
+    const std::string log = run(start, stop);
+    return {picture_of(picture, width, height), trace_seconds(log), warnings_in(log)};
 }
 
 /// Returns the option by which files hold the values of a scene without a transfer curve.
@@ -193,40 +114,42 @@ void add_grid(std::vector<std::string>& words, int grid) {
 }  // namespace
 
 PovRun run_povray(const Scene& scene, PovRequest request, int threads, const std::atomic<bool>* stop) {
-    const Scratch scratch;
+    const os::NewFolder scratch = scratch_folder();
     // It runs in that folder: no .ini file need hold the folder's name, whatever characters are in it.
     request.pov_path = "scene.pov";
     request.picture_path = "scene.ppm";
     request.bits = 16;
     const PovFiles files = write_pov(scene, request);
-    write(files, scratch.path("scene.pov"));
+    write(files, scratch.path() + "/scene.pov");
     // The library that reads .png files takes longer to load than many a picture to trace.
     std::vector<std::string> words{"povray", "scene.ini", "Output_File_Type=P", "Warning_Console=On", "Verbose=Off"};
     words.push_back(file_gamma(scene.settings.assumed_gamma));
     if (threads > 0) words.push_back("Work_Threads=" + std::to_string(threads));
     add_grid(words, request.grid);
-    return finished(scratch, {scratch.path(".")}, std::move(words), request.width, request.height, stop);
+    return finished({.words = std::move(words), .folder = scratch.path()}, scratch.path() + "/scene.ppm", request.width,
+                    request.height, stop);
 }
 
 PovRun run_povray_file(const PovFile& file, int threads, const std::atomic<bool>* stop) {
-    const Scratch scratch;
+    const os::NewFolder scratch = scratch_folder();
     const fs::path path = fs::absolute(file.path);
     // It runs far below the scratch folder: what the scene writes beside itself is made there, and what it reads from
     // folders above its own is looked for there in vain, and then as from its own folder, to which `own` leads.
-    const std::string inside = scratch.path("run/in/some/folders/below/the/scratch/one"), own = inside + "/own";
+    const std::string inside = scratch.path() + "/run/in/some/folders/below/the/scratch/one", own = inside + "/own";
     fs::create_directories(inside);
     fs::create_directory_symlink(path.parent_path(), own);
+    const std::string picture = scratch.path() + "/scene.ppm";
     std::string input = "own/" + path.filename().string();
     if (file.camera) {
         // POV-Ray takes the last camera. A text that included the file would have another #version than its own.
-        input = scratch.path("view.pov");
+        input = scratch.path() + "/view.pov";
         const double aspect = double(file.width) / file.height;
         write_file(input, read_text(file.path) + "\n" + pov_camera(*file.camera, aspect, file.mirrored));
     }
     std::vector<std::string> words{"povray",
                                    "+I\"" + input + '"',  // a name may have spaces
                                    "+Lown",
-                                   "+O" + scratch.path("scene.ppm"),
+                                   "+O" + picture,
                                    "+W" + std::to_string(file.width),
                                    "+H" + std::to_string(file.height),
                                    "+FP16",
@@ -249,7 +172,8 @@ PovRun run_povray_file(const PovFile& file, int threads, const std::atomic<bool>
                      {"+SC" + std::to_string(file.part->left + 1), "+EC" + std::to_string(file.part->right + 1),
                       "+SR" + std::to_string(file.part->top + 1), "+ER" + std::to_string(file.part->bottom + 1)});
     add_grid(words, file.grid);
-    return finished(scratch, {inside, scratch.path(".")}, std::move(words), file.width, file.height, stop);
+    return finished({.words = std::move(words), .folder = inside, .writable = scratch.path()}, picture, file.width,
+                    file.height, stop);
 }
 
 }  // namespace strahl

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "files/error.h"
 #include "num/decimal.h"
 #include "povref/convert/layout.h"
-#include "scene/error.h"
 #include "text/reading/messages.h"
 
 namespace strahl {

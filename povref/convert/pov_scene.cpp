@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "files/error.h"
 #include "files/output_file.h"
 #include "num/decimal.h"
 #include "num/vec_math.h"
@@ -17,7 +18,6 @@
 #include "povref/convert/motions.h"
 #include "povref/convert/pigments.h"
 #include "povref/convert/scale.h"
-#include "scene/error.h"
 #include "scene/leaves.h"
 #include "scene/moving_scene.h"
 #include "scene/overlap.h"

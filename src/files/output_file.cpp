@@ -1,19 +1,14 @@
 #include "files/output_file.h"
 
-#include <fcntl.h>
-#include <ftw.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <system_error>
-#include <utility>
 #include <vector>
 
-#include "files/temporary_file.h"
+#include "files/os/temporary_file.h"
 
 namespace strahl {
 namespace {
@@ -30,24 +25,13 @@ namespace fs = std::filesystem;
     throw OutputError(told);
 }
 
-/// Gives the file the owner of the older one, as far as that is allowed, and its permissions without set-user-ID and
-/// set-group-ID, which were meant for the older bytes.
-void take_over(int file, const struct stat& old) {
-    if (::fchown(file, old.st_uid, old.st_gid) != 0) static_cast<void>(::fchown(file, uid_t(-1), old.st_gid));
-    struct stat now {};
-    mode_t mode = old.st_mode & 0777;
-    // A group other than the older file's may not do more than others.
-    if (::fstat(file, &now) != 0 || now.st_gid != old.st_gid) mode &= ~mode_t(070) | (mode & 07) << 3;
-    static_cast<void>(::fchmod(file, mode));
-}
-
 /// Copies the bytes of one file to the current position of another, block by block. Returns an errno, or 0.
-int copy(int from, int to, off_t size, std::vector<char>& block) {
-    for (off_t at = 0; at < size;) {
-        const ssize_t got = ::pread(from, block.data(), block.size(), at);
-        if (got < 0 && errno == EINTR) continue;
-        if (got <= 0) return got < 0 ? errno : EIO;
-        if (const int error = write_all(to, {block.data(), static_cast<std::size_t>(got)})) return error;
+int copy(const os::OpenFile& from, os::OpenFile& to, std::uint64_t size, std::vector<char>& block) {
+    for (std::uint64_t at = 0; at < size;) {
+        std::size_t got = block.size();
+        if (const int error = from.read(at, block.data(), got)) return error;
+        if (got == 0) return EIO;
+        if (const int error = to.append({block.data(), got})) return error;
         at += got;
     }
     return 0;
@@ -55,20 +39,19 @@ int copy(int from, int to, off_t size, std::vector<char>& block) {
 
 /// Overwrites in place a file that has several names, because a rename would leave the others with the older bytes. The
 /// disk space is reserved first. `begun`: older bytes may be lost if it fails. Returns an errno, or 0.
-int overwrite(const fs::path& target, int source, off_t old_size, bool& begun) {
+int overwrite(const fs::path& target, const os::OpenFile& source, std::uint64_t old_size, bool& begun) {
     std::vector<char> block(1 << 20);  // before anything is changed: memory may run out
-    struct stat status {};
-    if (::fstat(source, &status) != 0) return errno;
-    const int file = ::open(target.c_str(), O_WRONLY | O_CLOEXEC);
-    if (file < 0) return errno;
-    const off_t size = status.st_size;
-    int error = 0;
-    if (const NoFileSizeSignal guard; size > old_size) error = ::posix_fallocate(file, old_size, size - old_size);
+    const os::FileStatus status = source.status();
+    if (status.error) return status.error;
+    os::OpenFile file(target.c_str(), os::OpenFile::OpenMode::overwrite);
+    if (!file) return errno;
+    int error = status.size > old_size ? file.reserve(old_size, status.size) : 0;
     begun = !error;
-    if (!error) error = copy(source, file, size, block);
-    if (::ftruncate(file, begun ? size : old_size) != 0 && !error) error = errno;
-    if (!error) error = synced(file);
-    return ::close(file) == 0 || error ? error : errno;
+    if (!error) error = copy(source, file, status.size, block);
+    if (const int cut = file.cut(begun ? status.size : old_size); !error) error = cut;
+    if (!error) error = file.sync();
+    const int closed = file.close();
+    return error ? error : closed;
 }
 
 /// The end of a chain of symbolic links, whether or not that exists.
@@ -84,46 +67,43 @@ fs::path follow_links(fs::path path) {
 struct OutputFile::Implementation {
     std::string path;
     fs::path target;
-    struct stat old {};
-    bool exists = false;
-    int direct = -1;  // standard output, a pipe or a device
-    std::optional<Temporary> temporary;
+    os::FileStatus old{.error = ENOENT};
+    os::OpenFile direct;  // standard output, a pipe or a device
+    std::optional<os::Temporary> temporary;
 
-    ~Implementation() {
-        if (direct > STDERR_FILENO) ::close(direct);
-    }
-    bool in_place() const { return exists && old.st_nlink > 1; }
+    bool exists() const { return !old.error; }
+    bool in_place() const { return exists() && old.names > 1; }
+    os::OpenFile& file() { return direct ? direct : temporary->file(); }
 
     /// Finds the file that exists at the path, if any.
     void look_at(const std::string& own_path) {
         path = own_path;
         target = follow_links(path);
-        exists = ::stat(target.c_str(), &old) == 0;
-        if (!exists && errno == ELOOP) fail(path, ELOOP);
-        if (exists && S_ISDIR(old.st_mode)) fail(path, EISDIR);
+        old = os::status_of(target);
+        if (old.error == ELOOP) fail(path, ELOOP);
+        if (old.folder()) fail(path, EISDIR);
         // A rename would replace a read-only file, against the wish of its owner, or a device by a regular file.
-        if (exists && ::access(target.c_str(), W_OK) != 0) fail(path, errno);
+        if (const int error = exists() ? os::writable(target) : 0) fail(path, error);
     }
 
     void open(const std::string& own_path, bool for_other) {
         if (own_path == "-") {
             path = own_path;
-            std::fflush(stdout);
-            direct = STDOUT_FILENO;
+            direct = os::OpenFile::standard_output();
             return;
         }
         look_at(own_path);
-        if (exists && !S_ISREG(old.st_mode)) {
+        if (exists() && !old.regular()) {
             if (for_other) throw OutputError("cannot write '" + path + "': it is not a regular file");
-            direct = ::open(target.c_str(), O_WRONLY | O_CLOEXEC);
-            if (direct < 0) fail(path, errno);
+            direct = os::OpenFile(target.c_str(), os::OpenFile::OpenMode::overwrite);
+            if (!direct) fail(path, errno);
             return;
         }
-        remove_left(target.parent_path());
+        os::remove_left(target.parent_path());
         temporary.emplace(target, in_place());
         if (!temporary->opened()) fail(path, errno);
         if (const int error = for_other ? temporary->give_name() : 0) fail(path, error);
-        if (exists) take_over(temporary->descriptor(), old);
+        if (exists()) temporary->file().take_over(old);
     }
 
     /// Replaces the older file by the temporary one, which is on the disk.
@@ -134,10 +114,10 @@ struct OutputFile::Implementation {
             return 0;
         }
         // From here on the copy may be all that a power cut leaves.
-        if (const int error = sync_folder(target.parent_path())) return error;
+        if (const int error = os::sync_folder(target.parent_path())) return error;
         bool begun = false;
         const std::string copy = temporary->path().string();
-        const int error = overwrite(target, temporary->descriptor(), old.st_size, begun);
+        const int error = overwrite(target, temporary->file(), old.size, begun);
         if (error && begun) {
             temporary->keep();
             fail(path, error, "; all of it is in '" + copy + "'");
@@ -146,11 +126,11 @@ struct OutputFile::Implementation {
     }
 
     int finish() {
-        if (direct >= 0) return direct == STDOUT_FILENO || ::close(std::exchange(direct, -1)) == 0 ? 0 : errno;
-        int error = synced(temporary->descriptor());
+        if (direct) return direct.close();
+        int error = temporary->file().sync();
         if (!error) error = temporary->give_name();
         if (!error) error = replace();
-        return error ? error : sync_folder(target.parent_path());
+        return error ? error : os::sync_folder(target.parent_path());
     }
 };
 
@@ -162,15 +142,13 @@ OutputFile::~OutputFile() = default;
 std::string OutputFile::name() const { return implementation->temporary->path().string(); }
 
 void OutputFile::take_permissions(const std::string& of) {
-    struct stat status {};
-    if (implementation->temporary && ::stat(of.c_str(), &status) == 0)
-        take_over(implementation->temporary->descriptor(), status);
+    const os::FileStatus status = os::status_of(of);
+    if (implementation->temporary && !status.error) implementation->temporary->file().take_over(status);
 }
 
 void OutputFile::append(std::string_view bytes) {
-    const auto& [path, target, old, exists, direct, temporary] = *implementation;
-    if (const int error = write_all(direct >= 0 ? direct : temporary->descriptor(), bytes))
-        fail(path == "-" ? "standard output" : path, error);
+    const std::string& path = implementation->path;
+    if (const int error = implementation->file().append(bytes)) fail(path == "-" ? "standard output" : path, error);
 }
 
 void OutputFile::finish() {
@@ -186,12 +164,6 @@ void write_file(const std::string& path, std::string_view bytes) {
     OutputFile file(path);
     file.append(bytes);
     file.finish();
-}
-
-// Not std::filesystem::remove_all, which ends the program if memory runs out.
-bool remove_folder(const std::string& path) {
-    const auto remove = [](const char* name, const struct stat*, int, FTW*) { return std::remove(name); };
-    return ::nftw(path.c_str(), remove, 16, FTW_DEPTH | FTW_PHYS) == 0;
 }
 
 bool same_file(const std::string& a, const std::string& b) {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "scene/error.h"
+#include "files/error.h"
 
 namespace strahl {
 
@@ -39,9 +39,6 @@ class OutputFile {
 
 /// Writes a whole file.
 void write_file(const std::string& path, std::string_view bytes);
-
-/// Removes a folder and its contents as far as possible. Returns false if something is left; errno says why.
-bool remove_folder(const std::string& path);
 
 /// Do both paths lead to the same regular file? False for "-", devices and pipes.
 bool same_file(const std::string& a, const std::string& b);

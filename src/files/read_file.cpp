@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "scene/error.h"
+#include "files/error.h"
 
 namespace strahl {
 

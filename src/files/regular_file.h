@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <string>
 
+#include "files/os/file.h"
+
 namespace strahl {
 
 class RegularFile {
@@ -11,9 +13,6 @@ class RegularFile {
     /// Opens the file, unless it is a folder, a pipe or a device: opening a pipe could wait for ever, and a device need
     /// have no end. Throws FileError.
     explicit RegularFile(const std::string& path);
-    ~RegularFile();
-    RegularFile(const RegularFile&) = delete;
-    RegularFile& operator=(const RegularFile&) = delete;
 
     const std::string& path() const { return own_path; }
     std::uint64_t size() const { return own_size; }
@@ -26,7 +25,7 @@ class RegularFile {
     [[noreturn]] void fail(const std::string& why) const;
 
     std::string own_path;
-    int descriptor;
+    os::OpenFile file;
     std::uint64_t own_size = 0;
 };
 

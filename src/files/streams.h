@@ -7,7 +7,7 @@
 #include <string>
 #include <system_error>
 
-#include "scene/error.h"
+#include "files/error.h"
 
 namespace strahl {
 

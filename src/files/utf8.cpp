@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "scene/error.h"
+#include "files/error.h"
 
 namespace strahl {
 namespace {

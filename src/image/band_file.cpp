@@ -1,9 +1,5 @@
 #include "image/band_file.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
 #include <array>
 #include <cerrno>
 #include <cstdio>
@@ -14,7 +10,6 @@
 #include "files/bytes.h"
 #include "files/output_file.h"
 #include "files/streams.h"
-#include "files/temporary_file.h"
 
 namespace strahl {
 namespace {
@@ -125,10 +120,6 @@ BandFile::BandFile(const std::string& path, const BandHeader& header) : own_path
     open_to_append();
 }
 
-BandFile::~BandFile() {
-    if (file >= 0) ::close(file);
-}
-
 std::string BandFile::bytes(int band) const {
     const Record& record = records.at(band);
     std::string bytes(record.size, '\0');
@@ -140,28 +131,28 @@ std::string BandFile::bytes(int band) const {
 }
 
 void BandFile::open_to_append() {
-    if (file >= 0) return;
-    file = ::open(own_path.c_str(), O_WRONLY | O_CLOEXEC);
-    if (file < 0) fail(own_path, errno);
-    if (::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    if (file) return;
+    file = os::OpenFile(own_path.c_str(), os::OpenFile::OpenMode::overwrite);
+    if (!file) fail(own_path, errno);
+    if (file.lock() == EWOULDBLOCK)
         throw OutputError("'" + own_path + "' is being written by another strahl; wait for that to end");
-    if (::ftruncate(file, static_cast<off_t>(end)) != 0 || ::lseek(file, 0, SEEK_END) < 0) fail(own_path, errno);
+    if (const int error = file.cut(end)) fail(own_path, error);
 }
 
 void BandFile::append(int band, const EncodedBand& encoded) {
     const std::string record = record_of(band, encoded);
-    if (const int error = write_all(file, record)) fail(own_path, error);
+    if (const int error = file.append(record)) fail(own_path, error);
     records[band] = {end + record.size() - encoded.bytes.size(), encoded.bytes.size(), encoded.note};
     end += record.size();
 }
 
 void BandFile::sync() {
-    if (const int error = synced(file)) fail(own_path, error);
+    if (const int error = file.sync()) fail(own_path, error);
 }
 
 void BandFile::rename(const std::string& path) {
     int error = std::rename(own_path.c_str(), path.c_str()) == 0 ? 0 : errno;
-    if (!error) error = sync_folder(std::filesystem::path(path).parent_path());
+    if (!error) error = os::sync_folder(std::filesystem::path(path).parent_path());
     if (error) fail(path, error);
     own_path = path;
 }

@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 
+#include "files/os/file.h"
 #include "image/encoder.h"
 
 namespace strahl {
@@ -31,8 +32,6 @@ class BandFile {
     explicit BandFile(const std::string& path);
     /// Begins a file, in place of an older one.
     BandFile(const std::string& path, const BandHeader& header);
-    ~BandFile();
-    BandFile(const BandFile&) = delete;
 
     /// Is the file at this path one of bands?
     static bool is_at(const std::string& path);
@@ -60,7 +59,7 @@ class BandFile {
     BandHeader own_header;
     std::map<int, Record> records;  // by number of the band
     std::uint64_t end = 0;  // of the last whole band
-    int file = -1;          // open for appending, or -1
+    os::OpenFile file;      // open for appending, or closed
 };
 
 }  // namespace strahl

@@ -4,8 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include <sys/types.h>
-
+#include "files/os/process.h"
 #include "files/output_file.h"
 #include "image/frame_rate.h"
 
@@ -32,8 +31,6 @@ class Film {
     /// Starts ffmpeg for a stream of Y4M of this rate. A sound is cut, or continued by silence, to end with the frames.
     Film(const std::string& ffmpeg, const std::string& path, const FrameRate& rate,
          const std::optional<FilmSound>& sound);
-    ~Film();
-    Film(const Film&) = delete;
 
     /// Sends the next bytes of the stream. Signals do not interrupt it, because ffmpeg would get half of a frame. This
     /// and the following functions throw OutputError with ffmpeg's message if it failed.
@@ -43,16 +40,12 @@ class Film {
     std::string finish_part();
 
   private:
-    void start(const std::string& ffmpeg, const FrameRate& rate, const std::optional<FilmSound>& sound);
-    void wait();
     [[noreturn]] void fail();
     std::string keep();
 
     const std::string path;
     OutputFile file;
-    int stream = -1, messages = -1;  // ffmpeg's input and its errors
-    pid_t process = 0;
-    int status = 0;
+    os::Process process;
 };
 
 }  // namespace strahl

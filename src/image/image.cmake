@@ -4,7 +4,7 @@ strahl_module(image src/image strahl_text)
 get_target_property(sources strahl_image SOURCES)
 list(FILTER sources EXCLUDE REGEX "/oiio/")
 set_property(TARGET strahl_image PROPERTY SOURCES ${sources})
-target_link_libraries(strahl_image PRIVATE ${CMAKE_DL_LIBS} PkgConfig::ZLIB)
+target_link_libraries(strahl_image PRIVATE PkgConfig::ZLIB)
 
 # Not find_package(OpenImageIO): that of Debian 12 is broken (it requires a missing iconvert).
 pkg_check_modules(OIIO REQUIRED IMPORTED_TARGET OpenImageIO>=2.4)

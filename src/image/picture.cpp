@@ -1,8 +1,6 @@
 // Reads and writes picture files, and loads the module that reads compressed ones.
 #include "image/picture.h"
 
-#include <dlfcn.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
@@ -11,9 +9,11 @@
 #include <memory>
 #include <system_error>
 #include <thread>
+#include <type_traits>
 
+#include "files/os/memory.h"
+#include "files/os/system.h"
 #include "files/words.h"
-#include "image/memory.h"
 #include "image/picture_module.h"
 #include "image/picture_writer.h"
 #include "image/recognise.h"
@@ -57,25 +57,24 @@ void require_threads() {
 /// folder that it was installed to, whose programs are in bin.
 PictureLibrary load_library() {
     std::error_code error;
-    const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
+    const fs::path folder = os::program_folder();
     fs::path path = folder / "lib/strahl/libstrahl_image.so";
     if (!fs::exists(path, error)) path = folder.parent_path() / "lib/strahl/libstrahl_image.so";
     if (!fs::exists(path, error))
         throw OutputError("the part of strahl that reads pictures is missing: there is no '" +
                           path.string() + "'; build or install strahl again");
     require_threads();
-    // Never closed: the libraries behind it do not all survive being unloaded.
-    void* const handle = ::dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL);
-    if (!handle)
-        throw OutputError(std::string("the part of strahl that reads pictures does not load: ") + ::dlerror() +
+    const os::Library loaded(path);
+    if (!loaded.fault().empty())
+        throw OutputError("the part of strahl that reads pictures does not load: " + loaded.fault() +
                           "; it needs OpenImageIO in the version that strahl was built with");
 #if defined(__SANITIZE_ADDRESS__)
     // One of these libraries ends its threads at exit, and the leak check fails on threads that are just ending: check
     // before.
     std::atexit(__lsan_do_leak_check);
 #endif
-    return {reinterpret_cast<decltype(PictureLibrary::decode)>(::dlsym(handle, "strahl_decode_picture")),
-            reinterpret_cast<decltype(PictureLibrary::draw_text)>(::dlsym(handle, "strahl_draw_text"))};
+    return {loaded.function<std::remove_pointer_t<decltype(PictureLibrary::decode)>>("strahl_decode_picture"),
+            loaded.function<std::remove_pointer_t<decltype(PictureLibrary::draw_text)>>("strahl_draw_text")};
 }
 
 /// The module, which is loaded once, on first use.
@@ -128,7 +127,7 @@ Picture read_picture(const std::string& path, std::uint64_t most) {
     if (!format) return read_uncompressed(file, std::min(most, possible));
     Picture picture;
     std::string reason;
-    if (!library().decode({path, format, std::min(most, possible), available_memory()}, picture, reason))
+    if (!library().decode({path, format, std::min(most, possible), os::available_memory()}, picture, reason))
         throw FileError("cannot read '" + path + "' as a picture: " + reason.substr(0, reason.find('\n')));
     return picture;
 }

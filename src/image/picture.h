@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "files/error.h"
 #include "image/transfer.h"
-#include "scene/error.h"
 
 namespace strahl {
 

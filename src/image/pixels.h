@@ -2,7 +2,7 @@
 #pragma once
 #include <string>
 
-#include "scene/error.h"
+#include "files/error.h"
 #include "text/reading/scene_files.h"
 
 namespace strahl {

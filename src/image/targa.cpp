@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "image/memory.h"
+#include "files/os/memory.h"
 #include "image/uncompressed.h"
 #include "num/turn_rows.h"
 
@@ -56,7 +56,7 @@ Picture read_targa(const RegularFile& file, std::uint64_t most) {
     const bool grey = bits == 8, alpha = bits == 16 || bits == 32;
     const unsigned channels = (grey ? 1 : 3) + alpha;
     const std::uint64_t pixels = std::uint64_t(header.width) * header.height;
-    if (channels * pixels > most || 8. * double(channels * pixels) > available_memory())
+    if (channels * pixels > most || 8. * double(channels * pixels) > os::available_memory())
         bytes.fail("it has " + std::to_string(header.width) + "x" + std::to_string(header.height) +
                    " pixels, which are too many for the file or the memory");
     std::vector<Pixel> palette(header.palette_size);

@@ -8,7 +8,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "image/memory.h"
+#include "files/os/memory.h"
 
 namespace strahl {
 namespace {
@@ -145,7 +145,7 @@ Picture read_uncompressed(const RegularFile& file, std::uint64_t most) {
     const ValueLayout layout = header.read();
     const auto row = std::size_t(layout.width) * unsigned(layout.channels);
     const std::uint64_t values = std::uint64_t(row) * unsigned(layout.height);
-    if (values > most || 8. * double(values) > available_memory())
+    if (values > most || 8. * double(values) > os::available_memory())
         header.fail("it has " + std::to_string(layout.width) + "x" + std::to_string(layout.height) +
                     " pixels, which are too many for the file or the memory");
     Picture picture{layout.width, layout.height, layout.channels, {}, layout.bits};

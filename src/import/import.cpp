@@ -1,10 +1,10 @@
 #include "import/import.h"
 
+#include "files/error.h"
 #include "files/utf8.h"
 #include "import/builder.h"
 #include "import/formats.h"
 #include "import/word_reader.h"
-#include "scene/error.h"
 #include "text/blocks/blocks.h"
 #include "text/reading/lexer.h"
 #include "text/reading/other_files.h"

@@ -5,18 +5,14 @@
 #include <string_view>
 #include <vector>
 
+#include "scene/picture_size.h"
 #include "scene/scene.h"
 
 namespace strahl {
 
-/// The size in pixels that a file asks for.
-struct PictureSize {
-    int width, height;
-};
-
 struct Imported {
     Scene scene;
-    std::optional<PictureSize> size;
+    std::optional<PictureSize> size;  // that the file asks for
     /// Features that the scene language lacks, as "file:line: feature; substitute", in the order of lines.
     std::vector<std::string> warnings;
 };

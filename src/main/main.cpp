@@ -9,10 +9,10 @@
 #include <stdexcept>
 #include <string>
 
+#include "files/error.h"
 #include "files/utf8.h"
 #include "main/options/command_line.h"
 #include "main/process/exit_status.h"
-#include "scene/error.h"
 
 namespace strahl {
 namespace {

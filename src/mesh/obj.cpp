@@ -76,8 +76,7 @@ class ObjReader {
 /// Calls `read` with the first word of each line and those that follow.
 template <class Read>
 void ObjReader::for_lines(Read read) {
-    constexpr std::array<std::string_view, 10> known{"v", "f",  "vn", "vt",     "g",
-                                                     "o", "fo", "usemtl", "mtllib", "surf"};
+    constexpr std::array<std::string_view, 10> known{"v", "f", "vn", "vt", "g", "o", "fo", "usemtl", "mtllib", "surf"};
     const std::string_view bytes = source.bytes;
     // A file may end some of its lines in one way and some in another. One search for both characters would be slower.
     const auto end_of_line = [&](std::size_t start) {

@@ -8,6 +8,7 @@
 #pragma once
 #include <array>
 #include <bit>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 
@@ -133,7 +134,7 @@ STRAHL_INLINE Mask<S> mask_of(unsigned bits) {
         if constexpr (has_mask_registers) {
             return {static_cast<Lanes>(bits)};
         } else {
-            using Lane = std::conditional_t<sizeof(Element<S>) == 4, int, long>;
+            using Lane = std::conditional_t<sizeof(Element<S>) == 4, int, std::int64_t>;
             const auto powers = load_register<Lanes>(table_of<Lane, width<S>, [](int i) { return 1 << i; }>.data());
             return {(powers & static_cast<Lane>(bits)) == powers};
         }

@@ -4,10 +4,10 @@
 #include <array>
 #include <filesystem>
 
+#include "files/error.h"
 #include "files/read_file.h"
 #include "files/utf8.h"
 #include "files/words.h"
-#include "scene/error.h"
 
 namespace strahl::pov {
 namespace {

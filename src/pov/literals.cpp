@@ -8,10 +8,10 @@
 #include <utility>
 #include <variant>
 
+#include "files/error.h"
 #include "files/words.h"
 #include "pov/language/text_file.h"
 #include "pov/language/words.h"
-#include "scene/error.h"
 #include "scene/scene.h"
 
 namespace strahl::pov {

@@ -54,11 +54,11 @@ OpenedPov open_pov(std::string text, const InterpreterOptions& options, const Re
     std::ranges::stable_sort(remarks, {}, [](const Remark& own) { return std::pair(own.place.file, own.place.at); });
     for (const Remark& own : remarks) {
         const bool left_out = own.kind == Remark::Kind::left_out;
-        std::string said = in.name_of(own.place) + ": ";
         if (own.kind == Remark::Kind::warning)
-            opened.warnings.push_back(said + own.text);
+            opened.warnings.push_back(in.message_at(own.place, own.text));
         else
-            opened.notes.push_back({left_out, said + (left_out ? "left out: " : "approximated: ") + own.text});
+            opened.notes.push_back(
+                {in.message_at(own.place, (left_out ? "left out: " : "approximated: ") + own.text), left_out});
     }
     return opened;
 }

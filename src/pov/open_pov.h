@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "files/error.h"
 #include "pov/language/interpreter_options.h"
 #include "scene/scene.h"
 #include "text/reading/scene_files.h"
@@ -13,8 +14,8 @@ namespace strahl::pov {
 
 /// A difference between a file and its scene.
 struct PovNote {
-    bool left_out;     // else approximated
-    std::string text;  // "scene.pov:12: left out: media"
+    Message message;  // "scene.pov:12: left out: media"
+    bool left_out;    // else approximated
 };
 
 /// The places of the bodies and lights of a scene in the texts that it was made of.
@@ -36,7 +37,7 @@ struct OpenedPov {
     bool clock_used = false;            // see Interpreter
     bool size_used = false;             // see Interpreter
     std::vector<PovNote> notes;         // in the order of files and lines, each once
-    std::vector<std::string> warnings;  // about the text itself
+    std::vector<Message> warnings;      // about the text itself
     std::vector<std::string> files;     // all that were read, the scene's first
     /// Sums up the notes: "opens whole", "approximated: 3 things, left out: 1".
     std::string summary() const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include "files/output_file.h"
 #include "files/read_file.h"
@@ -49,12 +50,13 @@ std::vector<std::string> library_of(pov::IniFile& ini, std::vector<std::string> 
 }
 
 /// Throws FileError with the first notes.
-[[noreturn]] void refuse(const std::vector<std::string>& notes) {
+[[noreturn]] void refuse(std::vector<Message> notes) {
     constexpr std::size_t most = 10;
-    std::string all = "the scene cannot be shown as it is meant";
-    for (std::size_t i = 0; i < std::min(most, notes.size()); ++i) all += "\n" + notes[i];
-    if (notes.size() > most) all += "\nand " + std::to_string(notes.size() - most) + " more";
-    throw FileError(all);
+    const std::size_t more = notes.size() > most ? notes.size() - most : 0;
+    notes.resize(notes.size() - more);
+    notes.insert(notes.begin(), {"the scene cannot be shown as it is meant"});
+    if (more > 0) notes.push_back({"and " + std::to_string(more) + " more"});
+    throw FileError(std::move(notes));
 }
 
 OpenedScene open_scene_of_povray(const std::string& text, const std::string& path, const OpeningOptions& options,
@@ -87,10 +89,10 @@ OpenedScene open_scene_of_povray(const std::string& text, const std::string& pat
                        .changes = opened.clock_used && !options.clock,
                        .sized = opened.size_used,
                        .clock = how.clock_on ? std::optional(how.clock) : std::nullopt};
-    for (const pov::PovNote& note : opened.notes) result.notes.push_back(note.text);
+    for (const pov::PovNote& note : opened.notes) result.notes.push_back(note.message);
     if (options.strict && !result.notes.empty()) refuse(result.notes);
     if (ini) {
-        result.notes.insert(result.notes.end(), ini->notes.begin(), ini->notes.end());
+        for (const std::string& note : ini->notes) result.notes.push_back({note});
         result.files.push_back(ini->path);
         if (animation.counted) result.frames = animation.frames();
     }
@@ -106,16 +108,15 @@ OpenedScene open_scene_of_povray(const std::string& text, const std::string& pat
     return result;
 }
 
-OpenedScene open_scene_of_model(const std::string& path, const OpeningOptions& options,
-                                const ReadPixels& read_pixels) {
+OpenedScene open_scene_of_model(const std::string& path, const OpeningOptions& options, const ReadPixels& read_pixels) {
     Model model = read_model(path, read_pixels);
-    OpenedScene result{.scene = staged(model, double(options.width) / options.height),
-                       .notes = std::move(model.warnings),
+    OpenedScene result{.scene = staged(model, double(options.size.width) / options.size.height),
                        .files = std::move(model.files)};
+    for (std::string& warning : model.warnings) result.notes.push_back({std::move(warning)});
     bool any_clear = false;
     for (Material& own : result.scene.materials)
         if (options.as_text) any_clear |= make_opaque(own.rgb);
-    if (any_clear) result.notes.push_back(path + ": places of pictures that are not opaque are so in the text");
+    if (any_clear) result.notes.push_back({"places of pictures that are not opaque are so in the text", path});
     for (ModelPart& part : model.parts) result.lines.names.push_back(std::move(part.name));
     if (options.files) *options.files = result.files;
     return result;
@@ -143,7 +144,7 @@ OpenedScene open_scene(const std::string& text, const std::string& path, const O
                        const ReadPixels& read_pixels, FilesRead* read) {
     if (is_model(path)) return open_scene_of_model(path, options, read_pixels);
     pov::InterpreterOptions how;
-    how.file = path, how.library = options.library, how.width = options.width, how.height = options.height;
+    how.file = path, how.library = options.library, how.width = options.size.width, how.height = options.size.height;
     for (const std::string& folder : pov::standard_library()) how.library.push_back(folder);
     how.stop = options.stop, how.files = options.files, how.as_text = options.as_text;
     if (is_pov(path)) return open_scene_of_povray(text, path, options, std::move(how), read_pixels);
@@ -160,7 +161,7 @@ OpenedScene open_scene(const std::string& text, const std::string& path, const O
     } else {
         result.scene = parse_scene(text, name, {}, read_pixels, &files);
     }
-    result.notes = files.warnings;
+    for (const std::string& warning : files.warnings) result.notes.push_back({warning});
     return result;
 }
 

@@ -9,6 +9,7 @@
 #include "import/models/model.h"
 #include "pov/ini_file.h"
 #include "pov/open_pov.h"
+#include "scene/picture_size.h"
 #include "scene/scene.h"
 #include "text/reading/scene_files.h"
 
@@ -16,7 +17,7 @@ namespace strahl {
 
 /// Options for scenes of POV-Ray.
 struct OpeningOptions {
-    int width = 640, height = 480;       // of the picture, which a scene may ask for
+    PictureSize size{};                  // of the picture, which a scene may ask for
     std::optional<double> clock{};       // at all times; by default it changes from 0 to 1 during the flight
     std::vector<std::string> library{};  // folders of included files, searched before those of POV-Ray's package
     bool strict = false;                 // whatever cannot be shown as it is meant is an error
@@ -31,12 +32,13 @@ struct OpenedScene {
     Scene scene;
     // Messages for the user: "scene.pov:12: left out: media" for what a .pov has approximated or left out, and warnings
     // about models, and the meshes and pictures of scene text.
-    std::vector<std::string> notes{};
-    std::vector<std::string> warnings{};  // "scene.pov:12: ';' is missing", about the text of a .pov
+    std::vector<Message> notes{};
+    std::vector<Message> warnings{};   // "scene.pov:12: ';' is missing", about the text of a .pov
     std::string summary{};             // of the notes; empty for scene text
     pov::SourceLines lines{};          // of the bodies and lights of a .pov, or names of bodies
     bool mirrored = false;             // the scene is the mirror image in z of that of a .pov
-    std::vector<std::string> files{};  // of a .pov, a model, or a text with directives: all that were read, its own first
+    std::vector<std::string>
+        files{};  // of a .pov, a model, or a text with directives: all that were read, its own first
     bool changes = false;              // a .pov that uses its clock: it has to be read again for each moment
     bool sized = false;                // a .pov that asks for the picture's size: it is another scene in each size
     std::optional<double> clock;       // of a .pov: its value, if POV-Ray's clock is on
@@ -54,8 +56,8 @@ bool follow_ini(std::string& scene, OpeningOptions& options);
 void refuse_overwriting_scene(const std::string& option, const std::string& written, const std::string& scene,
                               const OpeningOptions& options);
 
-/// Returns the text of a scene's file, or of standard input for "-". Models, which may be large and no text, have a line
-/// in its place that changes when the file does. Throws FileError.
+/// Returns the text of a scene's file, or of standard input for "-". Models, which may be large and no text, have a
+/// line in its place that changes when the file does. Throws FileError.
 std::string read_scene_text(const std::string& path);
 
 /// Reads a scene whose text is that of the file `path`. Throws FileError. `read` receives the names of files in scene

@@ -4,8 +4,8 @@
 #include <memory>
 #include <utility>
 
+#include "files/error.h"
 #include "num/vec_math.h"
-#include "scene/error.h"
 #include "scene/follow.h"
 #include "scene/leaves.h"
 

@@ -275,13 +275,10 @@ void BodyTools::open_text() {
     if (!fault.empty()) notes.fail(fault);
 }
 
-void BodyTools::open_text(const std::string& message) {
-    for (std::size_t colon = message.find(':'); colon != message.npos; colon = message.find(':', colon + 1)) {
-        const int line = std::atoi(message.c_str() + colon + 1);
-        if (line <= 0) continue;
-        if (const std::string fault = open_in_editor(message.substr(0, colon), line); !fault.empty()) notes.fail(fault);
-        return;
-    }
+void BodyTools::open_text(const Message& message) {
+    if (message.line == 0) return;
+    const std::string fault = open_in_editor(message.file, static_cast<int>(message.line));
+    if (!fault.empty()) notes.fail(fault);
 }
 
 /// Takes over the scene of a changed text once it is read.

@@ -63,7 +63,7 @@ class BodyTools {
     void approach(const View& view);
     /// Opens the line of what is chosen, or that which a message names, "FILE:LINE: ...", in the user's editor.
     void open_text();
-    void open_text(const std::string& message);
+    void open_text(const Message& message);
     /// Chooses what handles do; or shows or hides the marks of lights.
     void toggle(Action action);
     /// Copies what is chosen in the text and chooses the copy; or removes it, if it is seen. False if nothing is

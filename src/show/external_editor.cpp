@@ -1,16 +1,15 @@
 #include "show/external_editor.h"
 
-#include <spawn.h>
-#include <sys/wait.h>
-
 #include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
 #include <string_view>
+#include <system_error>
+#include <utility>
 
-extern char** environ;
+#include "files/os/process.h"
 
 namespace strahl {
 namespace {
@@ -56,18 +55,13 @@ std::string open_in_editor(const std::string& file, int line) {
         "command -v \"$1\" >/dev/null || exit 1; trap '' HUP; \"$@\" </dev/null >/dev/null 2>&1 &";
     std::vector<std::string> words{"sh", "-c", script, "sh"};
     words.insert(words.end(), command.begin(), command.end());
-    std::vector<char*> arguments;
-    for (std::string& word : words) arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    posix_spawnattr_t attributes;
-    posix_spawnattr_init(&attributes);
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSID);  // Ctrl+C in Strahl's terminal does not end it
-    pid_t child = 0;
-    int status = 1;
-    const bool started = posix_spawnp(&child, "sh", nullptr, &attributes, arguments.data(), environ) == 0 &&
-                         waitpid(child, &status, 0) == child;
-    posix_spawnattr_destroy(&attributes);
-    return started && status == 0 ? "" : "the editor cannot be started: there is no '" + command[0] + "'";
+    const std::string fault = "the editor cannot be started: there is no '" + command[0] + "'";
+    try {
+        // Ctrl+C in Strahl's terminal does not end it.
+        return os::Process({.words = std::move(words), .own_session = true}).wait() == 0 ? "" : fault;
+    } catch (const std::system_error&) {
+        return fault;
+    }
 }
 
 }  // namespace strahl

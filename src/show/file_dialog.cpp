@@ -1,15 +1,13 @@
 #include "show/file_dialog.h"
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <array>
-#include <csignal>
+#include <atomic>
 #include <filesystem>
+#include <memory>
+#include <system_error>
+#include <utility>
+#include <vector>
 
-extern char** environ;
+#include "files/os/process.h"
 
 namespace strahl {
 namespace {
@@ -31,69 +29,43 @@ exit 127)sh";
 
 }  // namespace
 
-FileDialog::~FileDialog() {
-    if (!thread.joinable()) return;
-    ::kill(child, SIGTERM);
-    thread.join();
-    ::waitpid(child, nullptr, 0);
-}
-
 std::string FileDialog::open(const std::string& scene, const std::string& made_of) {
-    if (thread.joinable()) return "";
+    if (worker.busy()) return "";
     std::string folder = std::filesystem::path(scene).parent_path().string();
     folder = folder.empty() ? "./" : folder + "/";
-    std::array<int, 2> pipe{};
-    if (::pipe2(pipe.data(), O_CLOEXEC) != 0) return "the file dialog cannot be started";
-    posix_spawn_file_actions_t files;
-    posix_spawn_file_actions_init(&files);
-    posix_spawn_file_actions_adddup2(&files, pipe[1], 1);
-    from = made_of;
-    const bool sound = from == for_sound, copies = from == for_saving, saves = !sound && !from.empty();
+    const bool sound = made_of == for_sound, copies = made_of == for_saving, saves = !sound && !made_of.empty();
     const std::string own_name = std::filesystem::path(scene).filename().string();
-    std::string words[]{"sh",
-                        "-c",
-                        script,
-                        "sh",
-                        folder,
-                        copies && scene != "-" ? own_name
-                        : saves                ? "untitled.rt"
-                                               : "",
-                        sound    ? "Choose the music"
-                        : copies ? "Save the scene as"
-                        : saves  ? "Save the new scene as"
-                                 : "Open a scene",
-                        sound ? "Ogg Vorbis" : "Scenes",
-                        sound              ? "*.ogg"
-                        : saves && !copies ? "*.rt"
-                                           : "*.rt *.pov"};
-    std::array<char*, std::size(words) + 1> arguments{};
-    for (std::size_t i = 0; i < std::size(words); ++i) arguments[i] = words[i].data();
-    const bool started = posix_spawn(&child, "/bin/sh", &files, nullptr, arguments.data(), environ) == 0;
-    posix_spawn_file_actions_destroy(&files);
-    ::close(pipe[1]);
-    if (!started) return ::close(pipe[0]), "the file dialog cannot be started";
-    said.clear();
-    thread = std::thread([this, from = pipe[0]] {
-        std::array<char, 4096> block;
-        for (ssize_t got = 0; (got = ::read(from, block.data(), block.size())) > 0;)
-            said.append(block.data(), static_cast<std::size_t>(got));
-        ::close(from);
-        done = true;
-        notify();
+    std::vector<std::string> words{"/bin/sh",
+                                   "-c",
+                                   script,
+                                   "sh",
+                                   folder,
+                                   copies && scene != "-" ? own_name
+                                   : saves                ? "untitled.rt"
+                                                          : "",
+                                   sound    ? "Choose the music"
+                                   : copies ? "Save the scene as"
+                                   : saves  ? "Save the new scene as"
+                                            : "Open a scene",
+                                   sound ? "Ogg Vorbis" : "Scenes",
+                                   sound              ? "*.ogg"
+                                   : saves && !copies ? "*.rt"
+                                                      : "*.rt *.pov"};
+    std::shared_ptr<os::Process> process;
+    try {
+        process = std::make_shared<os::Process>(os::ProgramStart{.words = std::move(words)});
+    } catch (const std::system_error&) {
+        return "the file dialog cannot be started";
+    }
+    worker.add([process, made_of](const std::atomic<bool>& stop) -> ChosenFile {
+        const int status = process->wait(&stop);
+        if (status == 127)
+            return {"", "there is no file dialog: install zenity or kdialog, or drop a file onto the window", made_of};
+        if (status != 0) return {};
+        const std::string said = process->output();
+        return {said.substr(0, said.find_last_not_of('\n') + 1), "", made_of};
     });
     return "";
-}
-
-std::optional<FileDialog::ChosenFile> FileDialog::take() {
-    if (!done.exchange(false)) return std::nullopt;
-    thread.join();
-    int status = 0;
-    ::waitpid(child, &status, 0);  // it has closed its output, and ends
-    if (WIFEXITED(status) && WEXITSTATUS(status) == 127)
-        return ChosenFile{"", "there is no file dialog: install zenity or kdialog, or drop a file onto the window",
-                          from};
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) return ChosenFile{};
-    return ChosenFile{said.substr(0, said.find_last_not_of('\n') + 1), "", from};
 }
 
 }  // namespace strahl

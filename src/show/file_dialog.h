@@ -1,22 +1,19 @@
 // Asks for a scene file by the dialog of the user's desktop: that of zenity or of kdialog.
 #pragma once
-#include <sys/types.h>
-
-#include <atomic>
 #include <functional>
 #include <optional>
 #include <string>
-#include <thread>
+#include <utility>
+
+#include "show/work/worker.h"
 
 namespace strahl {
 
+/// Closes a dialog that is open in the end.
 class FileDialog {
   public:
     /// `notify` is called from another thread when there is an answer to take.
-    explicit FileDialog(std::function<void()> notify) : notify(std::move(notify)) {}
-    /// Closes a dialog that is open.
-    ~FileDialog();
-    FileDialog(const FileDialog&) = delete;
+    explicit FileDialog(std::function<void()> notify) : worker(std::move(notify)) {}
 
     /// Opens the dialog in the folder of this scene, unless it is open. Does not wait for it. Returns the reason if it
     /// cannot, or "". With a template it asks for the name of a new file, with `for_saving` for that of a copy of the
@@ -30,15 +27,10 @@ class FileDialog {
         std::string from;   // the template of which it is to be made, or `for_sound`, `for_saving` or ""
     };
     /// Returns the answer, once.
-    std::optional<ChosenFile> take();
+    std::optional<ChosenFile> take() { return worker.take(); }
 
   private:
-    const std::function<void()> notify;
-    pid_t child = 0;
-    std::atomic<bool> done = false;
-    std::string from;
-    std::string said;  // by the dialog; the thread's until `done`
-    std::thread thread;
+    Worker<ChosenFile> worker;
 };
 
 }  // namespace strahl

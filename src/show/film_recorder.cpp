@@ -1,11 +1,9 @@
 #include "show/film_recorder.h"
 
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include <filesystem>
 #include <utility>
 
+#include "files/os/thread.h"
 #include "files/utf8.h"
 #include "image/encoder.h"
 #include "image/picture_writer.h"
@@ -44,16 +42,11 @@ std::optional<FilmOrder> film_of(const Session& session, const std::string& scen
     return order;
 }
 
-FilmRecorder::~FilmRecorder() {
-    stop = true;
-    if (thread.joinable()) thread.join();
-}
-
 void FilmRecorder::toggle(const Session& session, const std::string& scene_path, int width, int height) {
     pace.redraw();
-    if (under_way()) return void(stop = true);
-    auto order = film_of(session, scene_path, options.still_size.width > 0 ? options.still_size.width : width,
-                         options.still_size.width > 0 ? options.still_size.height : height);
+    if (under_way()) return worker.stop();
+    const PictureSize size = options.still_size.value_or(PictureSize{width, height});
+    auto order = film_of(session, scene_path, size.width, size.height);
     if (!order)
         return notes.note("nothing flies or moves here; " + notes.key(Action::add_key) + " adds keys of a path");
     try {
@@ -65,25 +58,24 @@ void FilmRecorder::toggle(const Session& session, const std::string& scene_path,
         return notes.fail(error.what());
     }
     notes.announce("a film of the flight is being made: " + path + "; " + notes.key(Action::film) + " ends it");
-    stop = done = false, share = 0, began = pace.now(), said.clear(), fault.clear();
-    thread = std::thread([this, order = *std::move(order)] {
-        // On Linux priority belongs to a thread and is inherited by the threads that it starts.
-        static_cast<void>(::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), 10));
+    share = 0, began = pace.now();
+    worker.add([this, order = *std::move(order)](const std::atomic<bool>& stop) {
+        os::lower_priority();
+        FilmEnd outcome;
         try {
-            make(order);
+            outcome = make(order, stop);
         } catch (const FileError& error) {
-            fault = error.what();
+            outcome.fault = error.what();
         } catch (const std::bad_alloc&) {
-            fault = "not enough memory for a film of this size";
+            outcome.fault = "not enough memory for a film of this size";
         }
         std::error_code error;  // of a film that was not made there is an empty file
         if (std::filesystem::file_size(order.path, error) == 0) std::filesystem::remove(order.path, error);
-        done = true;
-        notify();
+        return outcome;
     });
 }
 
-void FilmRecorder::make(const FilmOrder& order) {
+FilmRecorder::FilmEnd FilmRecorder::make(const FilmOrder& order, const std::atomic<bool>& stop) {
     View view = order.view;
     const int count = static_cast<int>(film_rate.frames_in(flight_of(order.scene)->duration));
     const double all = double(view.width) * view.height;
@@ -106,29 +98,29 @@ void FilmRecorder::make(const FilmOrder& order) {
             std::visit([&](auto rgb) { writer.put(x, y, columns, rows, rgb.data()); }, tile.rgb);
             const double before = share;
             share = (frame + (pixels += columns * rows) / all) / count;
-            if (int(100 * before) != int(100 * share)) notify();
+            if (int(100 * before) != int(100 * share)) worker.notify();
         };
         tracer.trace({view, pool, keep, &stop}, picture);
         if (stop) break;
         writer.write(append);
     }
-    if (frame == count) return film.finish(), void(said = "film saved: " + order.path);
-    if (frame == 0) return void(said = "the film was ended before its first frame");
-    said = "film ended after " + text_of(film_rate.moment(frame)) + " s: " + film.finish_part();
+    if (frame == count) return film.finish(), FilmEnd{"film saved: " + order.path};
+    if (frame == 0) return {"the film was ended before its first frame"};
+    return {"film ended after " + text_of(film_rate.moment(frame)) + " s: " + film.finish_part()};
 }
 
 void FilmRecorder::finish() {
     if (!under_way()) return;
-    if (std::exchange(finishing, true)) return void(stop = true);
+    if (std::exchange(finishing, true)) return worker.stop();
     log_line("waiting for the film; " + notes.key(Action::back) + " or a signal ends it");
     pace.redraw();
 }
 
 void FilmRecorder::tell_done() {
-    if (!done.exchange(false)) return;
-    thread.join();
-    any_failed |= !fault.empty();
-    fault.empty() ? notes.announce(said) : notes.fail(fault);
+    const auto outcome = worker.take();
+    if (!outcome) return;
+    any_failed |= !outcome->fault.empty();
+    outcome->fault.empty() ? notes.announce(outcome->said) : notes.fail(outcome->fault);
     pace.redraw();
 }
 

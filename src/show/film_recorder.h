@@ -4,7 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <thread>
+#include <utility>
 
 #include "image/film.h"
 #include "image/transfer.h"
@@ -13,6 +13,7 @@
 #include "show/session/view_options.h"
 #include "show/work/notes.h"
 #include "show/work/pace.h"
+#include "show/work/worker.h"
 #include "trace/world/view.h"
 
 namespace strahl {
@@ -35,12 +36,9 @@ class FilmRecorder {
   public:
     /// `notify` is called from another thread when there is something to tell.
     FilmRecorder(const ViewOptions& options, Notes& notes, Pace& pace, std::function<void()> notify)
-        : options(options), notes(notes), pace(pace), notify(std::move(notify)) {}
-    /// Cancels the film.
-    ~FilmRecorder();
-    FilmRecorder(const FilmRecorder&) = delete;
+        : options(options), notes(notes), pace(pace), worker(std::move(notify)) {}
 
-    bool under_way() const { return thread.joinable(); }
+    bool under_way() const { return worker.busy(); }
     /// Begins a film of the flight, in the folder for stills. If one is being made, ends it with the frames so far.
     void toggle(const Session& session, const std::string& scene_path, int width, int height);
     /// Begins the end of the program, which waits for the film. Asked for again, ends the film as above.
@@ -55,19 +53,20 @@ class FilmRecorder {
     double progress() const { return share; }
 
   private:
-    void make(const FilmOrder& order);
+    /// How a film ended.
+    struct FilmEnd {
+        std::string said, fault{};
+    };
+    FilmEnd make(const FilmOrder& order, const std::atomic<bool>& stop);
 
     const ViewOptions& options;
     Notes& notes;
     Pace& pace;
-    const std::function<void()> notify;
-    std::string path;    // of the film under way
+    std::string path;  // of the film under way
     std::atomic<double> share = 0;
     double began = 0;  // when the film was asked for
-    std::atomic<bool> stop = false, done = false;
-    std::string said, fault;  // how it ended; the thread's until `done`
     bool finishing = false, any_failed = false;
-    std::thread thread;
+    Worker<FilmEnd> worker;
 };
 
 }  // namespace strahl

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "scene/error.h"
+#include "files/error.h"
 #include "scene/moving_scene.h"
 #include "text/reading/tracks_file.h"
 

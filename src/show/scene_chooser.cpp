@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
+#include "files/error.h"
 #include "pov/open_scene.h"
-#include "scene/error.h"
 #include "show/welcome/recent_files.h"
 #include "show/work/stills.h"
 

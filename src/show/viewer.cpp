@@ -30,8 +30,8 @@ std::string window_title(const std::string& path, const KeyMap& keys) {
 
 std::string whole_seconds(double seconds) { return std::to_string(static_cast<int>(seconds)) + " s"; }
 
-PixelSize window_size(const ViewOptions& options, const Scene& scene) {
-    return options.size.width > 0 ? options.size : first_window_size(scene.camera.aspectratio.value_or(4. / 3));
+PictureSize window_size(const ViewOptions& options, const Scene& scene) {
+    return options.size.value_or(first_window_size(scene.camera.aspectratio.value_or(4. / 3)));
 }
 
 /// The first scene; or an empty one, until there is one without an error.
@@ -50,8 +50,7 @@ Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::unique_ptr<Reload
       pace(began, o.fps),
       notes(pace, o.verbose, keys.keys),
       session(scene_to_show(first), o.depth),
-      screen(window_title(first.path, keys.keys), window_size(o, *session.scene), o.size.width == 0, o.full_screen,
-             !o.benchmark),
+      screen(window_title(first.path, keys.keys), window_size(o, *session.scene), !o.size, o.full_screen, !o.benchmark),
       panels(pace, o.play, o.scene.empty()),
       input(screen, session, panels, pace, keys.keys, o.play,
             {.perform = [this](Command command) { perform(command); },
@@ -566,7 +565,7 @@ void Viewer::print_paths() {
 void Viewer::end(const std::atomic<bool>& interrupted) {
     print_paths();
     if (!options.play) chooser.remember();
-    if (options.size.width == 0 && !options.play) screen.remember();
+    if (!options.size && !options.play) screen.remember();
     screen.hide();
     if (options.benchmark)
         recordings.report_benchmark({.scene = file.path(),

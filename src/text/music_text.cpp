@@ -5,9 +5,9 @@
 #include <variant>
 #include <vector>
 
+#include "files/error.h"
 #include "files/words.h"
 #include "num/decimal.h"
-#include "scene/error.h"
 #include "text/blocks/blocks.h"
 #include "text/reading/lexer.h"
 #include "text/reading/tracks_file.h"

@@ -3,7 +3,7 @@
 #include <span>
 #include <string_view>
 
-#include "scene/error.h"
+#include "files/error.h"
 #include "scene/scene.h"
 #include "text/reading/messages.h"
 #include "text/reading/scene_files.h"

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "scene/error.h"
+#include "files/error.h"
 #include "scene/leaves.h"
 #include "text/parse.h"
 

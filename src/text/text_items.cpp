@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "scene/error.h"
+#include "files/error.h"
 #include "text/blocks/blocks.h"
 #include "text/reading/lexer.h"
 

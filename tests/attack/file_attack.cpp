@@ -16,7 +16,7 @@
 #include <fstream>
 #include <thread>
 
-#include "scene/error.h"
+#include "files/error.h"
 #include "tests/attack/options.h"
 #include "tests/unit/scratch.h"
 

@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "files/error.h"
 #include "image/band_file.h"
-#include "scene/error.h"
 #include "show/window/window_state.h"
 #include "show/window/with/samples.h"
 #include "show/work/rocket.h"
@@ -52,7 +52,7 @@ void sound(std::string_view bytes) {
     if (bytes.empty()) throw FileError("empty");
     // fmemopen does not write to a file that is opened for reading.
     std::FILE* const file = ::fmemopen(const_cast<char*>(bytes.data()), bytes.size(), "rb");
-    const Samples samples = decode_ogg(file, "fuzz", {});
+    const Samples samples = decode_ogg(file, "fuzz", std::atomic<bool>(false));
     if (!samples.fault.empty()) throw FileError(samples.fault);
     promise(samples.channels == 1 || samples.channels == 2, "too many channels");
     promise(samples.rate > 0, "no rate");

@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "scene/error.h"
+#include "files/error.h"
 #include "tests/attack/readers.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -33,7 +33,7 @@ expect 1 "cannot open a window" view
 
 expect 2 "Usage: strahl"
 expect 2 "did you mean 'render'?" rendr scene.rt
-expect 2 "there is no command 'frobnicate'; the commands are view, play, render, sheet, join, check" frobnicate
+expect 2 "there is no command 'frobnicate'; the commands are view, play, render, " frobnicate
 expect 2 "strahl --help" --frobnicate
 expect 2 "SCENE is required" render
 expect 2 "SCENE is required" check

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "scene/error.h"
+#include "files/error.h"
 
 namespace strahl {
 

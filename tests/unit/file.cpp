@@ -1,6 +1,4 @@
 // Files are written whole or not at all.
-#include "files/output_file.h"
-
 #include <doctest/doctest.h>
 #include <fcntl.h>
 #include <sys/file.h>
@@ -16,8 +14,11 @@
 #include <cstdlib>
 #include <fstream>
 #include <new>
+#include <system_error>
 #include <vector>
 
+#include "files/os/folder.h"
+#include "files/output_file.h"
 #include "tests/unit/faults.h"
 #include "tests/unit/scratch.h"
 
@@ -260,14 +261,15 @@ TEST_CASE("impossible paths are reported with advice") {
 
 TEST_CASE("a folder is removed with all that is in it, and links are not followed") {
     const Scratch folder;
-    for (const char* const inner : {"a", "a/b"}) ::mkdir((folder / inner).c_str(), 0700);
-    write_file(folder / "a/b/file", "bytes");
+    os::NewFolder made(folder / "a");
+    CHECK(::mkdir((made.path() + "/b").c_str(), 0700) == 0);
+    write_file(made.path() + "/b/file", "bytes");
     write_file(folder / "kept", "bytes");
-    CHECK(::symlink("../kept", (folder / "a/link").c_str()) == 0);
-    CHECK(remove_folder(folder / "a"));
+    CHECK(::symlink("../kept", (made.path() + "/link").c_str()) == 0);
+    CHECK(made.remove() == 0);
     CHECK(folder.files() == 1);
-    CHECK_FALSE(remove_folder(folder / "a"));
-    CHECK(errno == ENOENT);
+    CHECK(made.remove() == 0);  // nothing is left of it
+    CHECK_THROWS_AS(os::NewFolder(folder / "none/a"), std::system_error);
 }
 
 TEST_CASE("- is standard output") {

@@ -27,13 +27,13 @@ struct Module {
     std::vector<std::string> rooms{""};
 };
 const std::map<std::string, Module> modules{
-    {"num", {{}}},
-    {"scene", {{"num"}, {"kinds", "motion", "solid", ""}}},
-    {"files", {{"num", "scene"}}},
+    {"files", {{}, {"os", ""}}},
+    {"num", {{"files"}}},
+    {"scene", {{"files", "num"}, {"kinds", "motion", "solid", ""}}},
     {"mesh", {{"num", "scene", "files"}}},
     {"text", {{"num", "scene", "files", "mesh"}, {"reading", "blocks", "manual", ""}}},
     {"trace",
-     {{"num", "scene"},
+     {{"files", "num", "scene"},
       {"hierarchy", "world", "patterns", "forms", "lights", "kernel", "proof", "cells", "", "measure"}}},
     {"import", {{"num", "scene", "files", "mesh", "text"}, {"models", ""}}},
     {"pov", {{"num", "scene", "files", "mesh", "text", "import"}, {"language", "things", "reading", "meaning", ""}}},
@@ -46,13 +46,17 @@ const std::map<std::string, Module> modules{
      {{"num", "scene", "files", "text", "import", "pov", "trace", "image", "povref", "show"},
       {"process", "reference", "render", "lsp", "commands", "options", ""}}},
 };
-/// Headers of libraries, and the only modules that may include them.
-const std::vector<std::pair<std::regex, std::set<std::string>>> libraries{
+/// Headers of libraries and of the system, and the only modules or rooms that may include them.
+const std::vector<std::pair<std::regex, std::vector<std::string>>> libraries{
     {std::regex("OpenImageIO/.*|zlib\\.h"), {"image"}},
     {std::regex("(GLFW|GL|GLES[0-9]*|EGL|AL|vorbis)/.*|imgui.*"), {"show"}},
     {std::regex("CLI(11)?/.*"), {"main"}},
-    {std::regex("nlohmann/.*"), {"import", "main"}},
+    {std::regex("nlohmann/.*"), {"main", "import"}},
     {std::regex("[a-z0-9]*intrin\\.h|arm_neon\\.h"), {"num"}},
+    {std::regex(
+         "(sys|linux|netinet|arpa)/.*|c?signal(\\.h)?|(unistd|fcntl|spawn|poll|dirent|ftw|malloc|link|dlfcn|pthread|"
+         "windows)\\.h"),
+     {"files/os"}},
 };
 
 /// The room of a file, from its path below the folder of modules: "kernel" of trace/kernel/shade.h, "" of
@@ -77,12 +81,16 @@ std::optional<Include> include_in(const std::string& line) {
 
 /// Why this line is not allowed in the file, or "".
 std::string fault(const std::string& file, const std::string& line) {
+    static const std::regex system("\\s*#\\s*(el)?if.*(__linux__|__GLIBC__|__unix__|__APPLE__|_WIN32).*");
+    if (std::regex_match(line, system) && !file.starts_with("files/os/"))
+        return file + " asks for the system, which is for files/os";
     const auto include = include_in(line);
     if (!include) return "";
     const std::string module = module_of(file), &path = include->path, first = module_of(path);
     for (const auto& [pattern, homes] : libraries)
-        if (std::regex_match(path, pattern) && !homes.contains(module))
-            return module + " includes " + path + ", which is for " + *homes.begin();
+        if (std::regex_match(path, pattern) &&
+            std::ranges::none_of(homes, [&](const std::string& home) { return file.starts_with(home + "/"); }))
+            return file + " includes " + path + ", which is for " + homes[0];
     if (!include->quoted) return "";
     if (first == module) {
         if (path == "main/licence.h") return "";  // generated
@@ -144,6 +152,10 @@ TEST_CASE("the include rules reject wrong includes") {
     CHECK(fault("trace/tracer.h", "#include \"trace/world/world.h\"") == "");
     CHECK(fault("trace/tracer.h", "#include <arm_neon.h>") != "");
     CHECK(fault("num/pack.h", "#include <immintrin.h>") == "");
+    CHECK(fault("files/read_file.cpp", "#include <unistd.h>") != "");
+    CHECK(fault("files/os/file.cpp", "#include <unistd.h>") == "");
+    CHECK(fault("num/buffer.h", "#if defined(__linux__)") != "");
+    CHECK(fault("files/os/memory.cpp", "#ifdef __GLIBC__") == "");
     CHECK(fault("num/pack.h", "a line that speaks of #include \"trace/world/world.h\"") == "");
     CHECK(fault("trace/world/world.h", "#include \"trace/hierarchy/hierarchy.h\"") == "");
     CHECK(fault("trace/hierarchy/hierarchy.h", "#include \"trace/world/world.h\"") != "");

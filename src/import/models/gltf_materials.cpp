@@ -1,32 +1,19 @@
 #include "import/models/gltf_materials.h"
 
-#include <sys/mman.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 
+#include "files/error.h"
+#include "files/os/memory_file.h"
 #include "import/models/model.h"
-#include "scene/error.h"
 
 namespace strahl {
 namespace {
 
-/// Reads a picture that is in memory, by way of a file without a name.
+/// Reads a picture that is in memory.
 FilePixels decoded(std::string_view bytes, const ReadPixels& read_pixels) {
-    const int memory = ::memfd_create("picture", MFD_CLOEXEC);
-    if (memory < 0) throw FileError("there is no room for it");
-    const struct Closer {
-        int file;
-        ~Closer() { ::close(file); }
-    } closer{memory};
-    for (std::size_t done = 0; done < bytes.size();) {
-        const ssize_t count = ::write(memory, bytes.data() + done, bytes.size() - done);
-        if (count <= 0) throw FileError("there is no room for it");
-        done += static_cast<std::size_t>(count);
-    }
-    return read_pixels("/proc/self/fd/" + std::to_string(memory));
+    return read_pixels(os::MemoryFile(bytes).path());
 }
 
 double mean(const FilePixels& pixels, std::size_t channel) {
@@ -57,8 +44,8 @@ GltfMaterials::Picture GltfMaterials::picture(const GltfValue& index) {
         FilePixels pixels;
         std::string name;
         if (const std::string uri = own["uri"].text(); uri.empty() || GltfFile::is_data(uri)) {
-            const std::string data = uri.empty() ? std::string(file.view(own["bufferView"]))
-                                                 : GltfFile::decoded_data(uri, own["uri"]);
+            const std::string data =
+                uri.empty() ? std::string(file.view(own["bufferView"])) : GltfFile::decoded_data(uri, own["uri"]);
             try {
                 pixels = decoded(data, read_pixels);
             } catch (const FileError& error) {
@@ -97,8 +84,7 @@ GltfMaterials::Use GltfMaterials::use(const GltfValue& texture, GltfMaterial& re
     }
     result.places = places, result.pictured = true;
     use.picture = picture(source);
-    if (own["sampler"])
-        use.sharp = file.entry("samplers", own["sampler"])["magFilter"].count(9729, 99999) == 9728;
+    if (own["sampler"]) use.sharp = file.entry("samplers", own["sampler"])["magFilter"].count(9729, 99999) == 9728;
     // Their v goes down.
     const DVec3 offset = moved["offset"].numbers<2>(DVec3(0)), scale = moved["scale"].numbers<2>(DVec3(1));
     const double angle = moved["rotation"].number(0);
@@ -151,15 +137,15 @@ GltfMaterial GltfMaterials::read(const GltfValue& own) {
     if (alpha == "MASK" || alpha == "BLEND") {
         const double limit = alpha == "MASK" ? std::max(own["alphaCutoff"].number(.5), 1e-9) : 0;
         if (color && !color.picture.pixels->opacity.empty())
-            material.rgb =
-                partly_clear(material.rgb, {.pixels = color.picture.pixels, .factor = opacity, .limit = limit}, color.place);
+            material.rgb = partly_clear(
+                material.rgb, {.pixels = color.picture.pixels, .factor = opacity, .limit = limit}, color.place);
         else if (alpha == "BLEND" && !colored)
             material.rgb.transmit = 1 - opacity;
         else if (alpha == "BLEND")
             material.refraction = 1 - opacity, material.diffuse *= opacity, material.ambient *= opacity;
     }
-    if (const double clear = std::clamp(extensions["KHR_materials_transmission"]["transmissionFactor"].number(0), 0., 1.) *
-                             (1 - metal);
+    if (const double clear =
+            std::clamp(extensions["KHR_materials_transmission"]["transmissionFactor"].number(0), 0., 1.) * (1 - metal);
         clear > 0) {
         const GltfValue volume = extensions["KHR_materials_volume"];
         const bool thick = volume["thicknessFactor"].number(0) > 0;

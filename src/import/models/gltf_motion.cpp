@@ -71,7 +71,7 @@ GltfPlace place_of(const GltfValue& node, bool& sheared) {
         };
         x = along(x, {1, 0, 0});
         y = along(y - dot_product(y, x) * x, std::abs(x.y) < .9 ? along(DVec3(0, 1, 0) - x.y * x, {0, 1, 0})
-                                                                 : along(DVec3(1, 0, 0) - x.x * x, {1, 0, 0}));
+                                                                : along(DVec3(1, 0, 0) - x.x * x, {1, 0, 0}));
         place.rotation = glm::normalize(glm::quat_cast(glm::dmat3(x, y, cross_product(x, y))));
         return place;
     }
@@ -102,10 +102,10 @@ GltfMotions::GltfMotions(GltfFile& file, std::vector<std::string>& warnings) {
         if (!number) number.fail("is missing");
         const GltfValue sampler = samplers.at(std::size_t(number.index(samplers.size())));
         const std::string kind = sampler["interpolation"].text("LINEAR");
-        Channel channel{path == "translation" ? Path::translation : path == "rotation" ? Path::rotation : Path::scale,
-                        kind == "STEP",
-                        kind == "CUBICSPLINE",
-                        file.numbers(sampler["input"], 1).values,
+        Channel channel{path == "translation" ? Path::translation
+                        : path == "rotation"  ? Path::rotation
+                                              : Path::scale,
+                        kind == "STEP", kind == "CUBICSPLINE", file.numbers(sampler["input"], 1).values,
                         file.numbers(sampler["output"], path == "rotation" ? 4 : 3)};
         if (channel.times.empty() || channel.values.count != channel.times.size() * (channel.cubic ? 3 : 1))
             sampler.fail("should have as many values as times");
@@ -174,7 +174,8 @@ std::vector<MotionKey> GltfMotions::keys(std::size_t node, const GltfPlace& rest
             place.translation[c] = std::clamp(place.translation[c], -1e9, 1e9);
             place.scale[c] = std::clamp(not_zero(place.scale[c]), -1e9, 1e9);
             // A motion cannot turn a body inside out.
-            if (!keys.empty() && (place.scale[c] < 0) != (keys[0].scale[c] < 0)) place.scale[c] = keys[0].scale[c] < 0 ? -1e-6 : 1e-6;
+            if (!keys.empty() && (place.scale[c] < 0) != (keys[0].scale[c] < 0))
+                place.scale[c] = keys[0].scale[c] < 0 ? -1e-6 : 1e-6;
         }
         keys.push_back(place.key(time));
     }

@@ -20,7 +20,10 @@ namespace {
 class MeshPicker {
   public:
     explicit MeshPicker(const MeshData& mesh)
-        : mesh(mesh), points(mesh.points.size(), -1), normals(mesh.normals.size(), -1), places(mesh.places.size(), -1) {}
+        : mesh(mesh),
+          points(mesh.points.size(), -1),
+          normals(mesh.normals.size(), -1),
+          places(mesh.places.size(), -1) {}
 
     MeshData pick(const std::vector<std::size_t>& triangles) {
         MeshData part;

@@ -68,11 +68,7 @@ class Stage {
             target += .5 * (most - least) * axis;
             distance = std::max(distance, .5 * (most + least) / tan);
         }
-        return {.position = target + distance * back,
-                .look_at = target,
-                .up = -up,
-                .fov = fov,
-                .aspectratio = {}};
+        return {.position = target + distance * back, .look_at = target, .up = -up, .fov = fov, .aspectratio = {}};
     }
     /// Returns the height of the lowest point.
     double lowest() const {
@@ -117,7 +113,8 @@ void add_floor(const Stage& stage, Scene& scene, Materials& materials) {
     Material floor;
     floor.rgb = Color(1), floor.reflection = floor.specular = 0, floor.ambient = .1;
     floor.diffuse = (page - floor.ambient) / lit;
-    const DVec3 point = stage.middle + (stage.lowest() - 1e-4 * stage.size - dot_product(stage.up, stage.middle)) * stage.up;
+    const DVec3 point =
+        stage.middle + (stage.lowest() - 1e-4 * stage.size - dot_product(stage.up, stage.middle)) * stage.up;
     const double step = std::max(stage.size, 1e-6 * length(point));
     scene.primitives.push_back({.shape = Plane{point, point + step * stage.front, point + step * stage.right},
                                 .material = materials.number(floor),
@@ -133,9 +130,10 @@ Scene staged(const Model& model, double aspect) {
     scene.background = Pigment(Color(page));
     Materials materials;
     for (const ModelPart& part : model.parts)
-        scene.primitives.push_back({.shape = Mesh{part.mesh, model.whole ? std::filesystem::path(model.files[0]).filename().string() : ""},
-                                    .material = materials.number(model.materials[std::size_t(part.material)]),
-                                    .transformations = part.transformations});
+        scene.primitives.push_back(
+            {.shape = Mesh{part.mesh, model.whole ? std::filesystem::path(model.files[0]).filename().string() : ""},
+             .material = materials.number(model.materials[std::size_t(part.material)]),
+             .transformations = part.transformations});
     scene.camera = model.camera ? *model.camera : stage.camera(azimuth);
     scene.lights = model.lights;
     if (model.lights.empty())

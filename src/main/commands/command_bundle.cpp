@@ -1,39 +1,31 @@
 // strahl bundle: collects a folder under another name, then renames it.
 #include "main/commands/command_bundle.h"
 
-#include <dirent.h>
-#include <fcntl.h>
-#include <link.h>
-#include <sys/stat.h>
-#include <sys/utsname.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <map>
-#include <new>
 #include <set>
 #include <string_view>
 #include <system_error>
 #include <vector>
 
+#include "files/os/file.h"
+#include "files/os/folder.h"
+#include "files/os/interrupt.h"
+#include "files/os/system.h"
 #include "files/output_file.h"
 #include "files/read_file.h"
 #include "files/shell.h"
 #include "files/streams.h"
-#include "files/temporary_file.h"
 #include "files/utf8.h"
 #include "image/pixels.h"
 #include "image/uncompressed.h"
 #include "main/commands/scene_file.h"
 #include "main/licence.h"
 #include "main/process/exit_status.h"
-#include "main/process/interrupt.h"
 #include "main/render/values.h"
 #include "pov/open_scene.h"
 #include "text/parse.h"
@@ -60,68 +52,25 @@ bool of_the_desktop(const std::string& library) {
 /// Returns the shared libraries of this program that go into the bundle. Must be called before pictures are read: that
 /// loads some that a bundle does without.
 std::vector<fs::path> libraries() {
-    std::vector<fs::path> all;
-    const auto add = [](dl_phdr_info* info, std::size_t, void* list) {
-        const fs::path path(info->dlpi_name);
-        if (path.has_filename() && !of_the_desktop(path.filename().string()))
-            static_cast<std::vector<fs::path>*>(list)->push_back(path);
-        return 0;
-    };
-    ::dl_iterate_phdr(add, &all);
+    std::vector<fs::path> all = os::loaded_libraries();
+    std::erase_if(all, [](const fs::path& path) { return of_the_desktop(path.filename().string()); });
     return all;
 }
 
-/// A folder that is made under another name beside `target`. finish() gives it its name; otherwise it is removed.
-class NewFolder {
-  public:
-    explicit NewFolder(const fs::path& own_target) : target(own_target), folder(target.string() + ".tmp-XXXXXX") {
-        if (!::mkdtemp(folder.data())) fail(errno);
-        const mode_t mask = ::umask(0);
-        ::umask(mask);
-        ::chmod(folder.c_str(), 0777 & ~mask);
-    }
-    ~NewFolder() { remove_folder(folder); }
-    NewFolder(const NewFolder&) = delete;
+[[noreturn]] void fail(const fs::path& path, int error) {
+    throw OutputError("cannot write '" + path.string() + "': " + std::generic_category().message(error));
+}
 
-    fs::path path() const { return folder; }
-
-    /// Renames it to the target. An older bundle there is removed.
-    void finish() {
-        const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-        const bool synced = file >= 0 && ::syncfs(file) == 0;
-        const int error = errno;
-        if (file >= 0) ::close(file);
-        if (!synced) fail(error);
-        const unsigned how = fs::exists(target) ? RENAME_EXCHANGE : RENAME_NOREPLACE;
-        if (::renameat2(AT_FDCWD, folder.c_str(), AT_FDCWD, target.c_str(), how) != 0) fail(errno);
-        if (how == RENAME_EXCHANGE && !remove_folder(folder))
-            throw OutputError("'" + target.string() + "' is made, but the older bundle stays in '" + folder +
-                              "': " + std::generic_category().message(errno));
-    }
-
-  private:
-    [[noreturn]] void fail(int error) const {
-        throw OutputError("cannot write '" + target.string() + "': " + std::generic_category().message(error));
-    }
-
-    const fs::path target;
-    std::string folder;
-};
-
-/// Like std::filesystem::is_empty, which ends the program when memory runs out.
-bool is_empty_folder(const fs::path& path) {
-    DIR* const listed = ::opendir(path.c_str());
-    if (!listed && errno == ENOMEM) throw std::bad_alloc();
-    if (!listed) return false;
-    int entries = 0;
-    while (::readdir(listed)) ++entries;
-    ::closedir(listed);
-    return entries == 2;  // "." and ".."
+/// Makes a folder beside the target, whose place it takes in the end.
+os::NewFolder new_folder(const fs::path& target) try {
+    return os::NewFolder(target.string() + ".tmp-");
+} catch (const std::system_error& error) {
+    fail(target, error.code().value());
 }
 
 /// Throws UsageError if something is there that this command did not make.
 void require_own(const fs::path& folder) {
-    if (!fs::exists(folder) || is_empty_folder(folder)) return;
+    if (!fs::exists(folder) || os::is_empty_folder(folder)) return;
     std::string head(script_head.size(), '\0');
     if (const fs::path script = folder / "play"; fs::is_regular_file(script))
         FileStream(script.string()).read(head.data(), static_cast<std::streamsize>(head.size()));
@@ -133,7 +82,7 @@ void require_own(const fs::path& folder) {
 /// Puts files into the bundle, and chooses their names in the scene.
 class Collection {
   public:
-    Collection(const fs::path& own_folder, const Interrupt& own_interrupt)
+    Collection(const fs::path& own_folder, const os::Interrupt& own_interrupt)
         : folder(own_folder), interrupt(own_interrupt) {}
 
     void copy(const fs::path& from, const fs::path& to) {
@@ -144,10 +93,10 @@ class Collection {
         if (*interrupt.flag()) throw Interrupted("interrupted; no bundle was made");
         const fs::path path = folder / to;
         fs::create_directories(path.parent_path());
-        const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-        int error = file < 0 ? errno : write_all(file, bytes);
-        if (file >= 0 && ::close(file) != 0 && !error) error = errno;
-        if (error) throw OutputError("cannot write '" + path.string() + "': " + std::generic_category().message(error));
+        os::OpenFile file(path.c_str(), os::OpenFile::OpenMode::create);
+        int error = file ? file.append(bytes) : errno;
+        if (!error) error = file.close();
+        if (error) fail(path, error);
         total += double(bytes.size());
     }
     double size() const { return total; }
@@ -164,7 +113,7 @@ class Collection {
   private:
     const fs::path folder;
     double total = 0;  // bytes
-    const Interrupt& interrupt;
+    const os::Interrupt& interrupt;
     std::set<std::string> given;
 };
 
@@ -216,7 +165,7 @@ std::string collect_scene(const std::string& path, Collection& bundle) {
 }
 
 void collect_program(const std::vector<fs::path>& libraries, Collection& bundle) {
-    bundle.copy("/proc/self/exe", "bin/strahl");
+    bundle.copy(os::program_file(), "bin/strahl");
     for (const fs::path& library : libraries) bundle.copy(library, "lib" / library.filename());
 }
 
@@ -227,17 +176,19 @@ std::string start_script(const std::string& scene) {
 }
 
 std::string read_me(const BundleOptions& options, const std::vector<fs::path>& libraries) {
-    utsname system{};
-    ::uname(&system);
     std::string names;
     for (const fs::path& library : libraries) names += "\n    " + library.filename().string();
-    return fs::path(options.scene).stem().string() + "\n\n"
+    return fs::path(options.scene).stem().string() +
+           "\n\n"
            "    ./play                    in full screen; Esc ends it, Space pauses\n"
            "    ./play --loop             again and again\n"
            "    ./play --size 1280x720    in a window\n\n"
-           "It needs Linux on " + system.machine + " with glibc " + std::to_string(__GLIBC__) + "." +
-           std::to_string(__GLIBC_MINOR__) + " or later, and a desktop with OpenGL 3.2.\n\n"
-           "It is played by Strahl " + options.version + ", a ray tracer:\n\n" + licence + "\n"
+           "It needs " +
+           os::system_needed() +
+           ", and a desktop with OpenGL 3.2.\n\n"
+           "It is played by Strahl " +
+           options.version + ", a ray tracer:\n\n" + licence +
+           "\n"
            "These libraries are copies of the system's that it was made on, under their own licences:" +
            names + "\n";
 }
@@ -253,18 +204,21 @@ int bundle_command(const BundleOptions& options) try {
     if (target.empty()) throw UsageError("no output folder. Add -o FOLDER");
     require_own(target);
     const std::vector<fs::path> own_libraries = libraries();
-    const Interrupt interrupt;
-    NewFolder folder(target);
+    const os::Interrupt interrupt;
+    os::NewFolder folder = new_folder(target);
     Collection bundle(folder.path(), interrupt);
     const std::string scene = collect_scene(options.scene, bundle);
     // Reading it again here shows errors that would otherwise be noticed on the other machine.
-    const std::string copy = folder.path() / scene;
+    const std::string copy = fs::path(folder.path()) / scene;
     parse_scene(read_text(copy), copy, {}, read_pixels);
     collect_program(own_libraries, bundle);
     bundle.write("play", start_script(scene));
-    fs::permissions(folder.path() / "play", fs::perms(0111), fs::perm_options::add);
+    fs::permissions(folder.path() + "/play", fs::perms(0111), fs::perm_options::add);
     bundle.write("README.txt", read_me(options, own_libraries));
-    folder.finish();
+    if (const int error = folder.become(target)) fail(target, error);
+    if (const int error = folder.remove())
+        throw OutputError("'" + target.string() + "' is made, but the older bundle stays in '" + folder.path() +
+                          "': " + std::generic_category().message(error));
     std::cout << printable(target.string()) << ": " << bytes_in_words(bundle.size()) << "; "
               << printable(target.string()) << "/play plays it\n";
     if (!for_other_processors())

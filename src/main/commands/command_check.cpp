@@ -147,7 +147,7 @@ void check_scene(const CheckOptions& options, std::string path) {
     } else {
         text = show(shown_name(path)).text + ": no errors\n" + summary(opened.scene, path);
         if (!opened.summary.empty()) text += "  as POV-Ray   " + opened.summary + '\n';
-        for (const std::string& note : opened.notes) text += show(note).text + '\n';
+        for (const Message& note : opened.notes) text += show(note.told()).text + '\n';
     }
     write_file("-", text);
     if (options.print) return;

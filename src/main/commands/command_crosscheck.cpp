@@ -88,14 +88,13 @@ void print_row(const std::string& path, const Verdict& verdict, double ours, dou
 /// Returns whether the two pictures agree.
 bool check(const CrosscheckOptions& options, const std::string& path, const std::atomic<bool>* stop) {
     OpeningOptions opening = options.opening;
-    opening.width = options.width, opening.height = options.height;
     opening.as_text = is_model(path);
     const OpenedScene opened = load_opened(path, opening, options.time);
     const Scene& scene = opened.scene;
     if (options.time) flight_for("--time", scene, path);
     const View view{.camera = camera_at(scene, options.time),
-                    .width = options.width,
-                    .height = options.height,
+                    .width = options.opening.size.width,
+                    .height = options.opening.size.height,
                     .depth = options.depth.value_or(scene.settings.max_trace_level),
                     .time = options.time.value_or(0)};
     PovFile file{.path = path,

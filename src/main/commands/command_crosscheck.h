@@ -11,9 +11,8 @@ namespace strahl {
 
 struct CrosscheckOptions {
     std::vector<std::string> scenes;
-    OpeningOptions opening{};
-    std::string sheet;  // a picture of both and their difference; with several scenes its name includes theirs
-    int width = 320, height = 240;
+    OpeningOptions opening{.size = {320, 240}};
+    std::string sheet;           // a picture of both and their difference; with several scenes its name includes theirs
     std::optional<double> time;  // a moment of the flight, in seconds
     std::optional<int> depth;    // 1 to 256; by default the scene's max_trace_level
     int threads = 0;             // of each program; 0: all processors

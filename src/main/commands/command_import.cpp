@@ -20,8 +20,8 @@ namespace strahl {
 
 namespace {
 
-/// Gives the pictures of a model names that a scene at the path `to` can use. Pictures that are in no file, or have been
-/// changed, are written beside it as NAME-1.png and so on.
+/// Gives the pictures of a model names that a scene at the path `to` can use. Pictures that are in no file, or have
+/// been changed, are written beside it as NAME-1.png and so on.
 class PictureNames {
   public:
     PictureNames(const std::string& model, const std::string& to) : model(model), to(to) {}
@@ -64,7 +64,8 @@ Imported import_model(const ImportOptions& options) {
     OpeningOptions opening = options.opening;
     opening.as_text = true;
     OpenedScene opened = open_scene(read_scene_text(options.file), options.file, opening, read_pixels);
-    Imported result{.scene = std::move(opened.scene), .size = {}, .warnings = std::move(opened.notes)};
+    Imported result{.scene = std::move(opened.scene), .size = {}, .warnings = {}};
+    for (const Message& note : opened.notes) result.warnings.push_back(note.told());
     PictureNames names(options.file, options.output);
     for (Material& material : result.scene.materials) {
         names.set(material.rgb.pattern), names.set(material.bump.pattern), names.set(material.normal.pattern);
@@ -86,15 +87,17 @@ Imported import_any(const ImportOptions& options) {
     OpeningOptions opening = options.opening;
     opening.as_text = true;
     const std::string text = read_text(options.file);
-    const auto read = [&](int width, int height) {
-        opening.width = width, opening.height = height;
+    const auto read = [&](const PictureSize& size) {
+        opening.size = size;
         return open_scene(text, options.file, opening, read_pixels);
     };
-    OpenedScene opened = read(640, 480);
+    OpenedScene opened = read({640, 480});
     // Does the camera follow the picture's shape, or is its own the same by chance?
     auto& aspect = opened.scene.camera.aspectratio;
-    if (opened.sized && !aspect && read(640, 320).scene.camera.aspectratio) aspect = 4. / 3;
-    return {.scene = std::move(opened.scene), .size = {}, .warnings = std::move(opened.notes)};
+    if (opened.sized && !aspect && read({640, 320}).scene.camera.aspectratio) aspect = 4. / 3;
+    Imported imported{.scene = std::move(opened.scene), .size = {}, .warnings = {}};
+    for (const Message& note : opened.notes) imported.warnings.push_back(note.told());
+    return imported;
 }
 
 }  // namespace

@@ -4,11 +4,11 @@
 #include <memory>
 #include <set>
 
+#include "files/error.h"
 #include "files/output_file.h"
 #include "image/band_file.h"
 #include "image/picture_writer.h"
 #include "main/process/exit_status.h"
-#include "scene/error.h"
 
 namespace strahl {
 namespace {

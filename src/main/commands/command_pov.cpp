@@ -40,13 +40,13 @@ int pov_command(const PovOptions& options) {
     namespace fs = std::filesystem;
     check(options);
     OpeningOptions opening = options.opening;
-    opening.as_text = true, opening.width = options.width, opening.height = options.height;
+    opening.as_text = true;
     Scene scene = load_scene(options.scene, opening, options.time);
     PovRequest request{.title = options.scene == "-" ? "A scene" : fs::path(options.scene).filename().string(),
                        .pov_path = options.output,
                        .picture_path = fs::path(options.output).replace_extension(".png").string(),
-                       .width = options.width,
-                       .height = options.height,
+                       .width = opening.size.width,
+                       .height = opening.size.height,
                        .depth = options.depth.value_or(scene.settings.max_trace_level),
                        .bits = options.bits};
     if (options.animation) {

@@ -15,7 +15,6 @@ struct PovOptions {
     std::optional<double> time{};  // seconds into the flythrough
     bool animation = false;        // the whole flythrough as one scene
     FrameRate rate{};              // of its frames
-    int width = 640, height = 480;
     std::optional<int> depth{};  // 1 to 256; by default the scene's max_trace_level
     int bits = 16;               // of POV-Ray's picture, 8 or 16
 };

@@ -1,8 +1,6 @@
 // strahl render: parses, and renders frame by frame.
 #include "main/commands/command_render.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -14,6 +12,7 @@
 #include <string_view>
 #include <utility>
 
+#include "files/os/system.h"
 #include "files/output_file.h"
 #include "files/read_file.h"
 #include "files/utf8.h"
@@ -141,7 +140,7 @@ HashedScene read_and_hash(const std::string& path, const OpeningOptions& opening
 
 /// Warns of a camera whose aspectratio is not that of the picture.
 void check_aspect(const RenderOptions& options, const Scene& scene) {
-    const double picture = double(options.size.width) / options.size.height;
+    const double picture = double(options.opening.size.width) / options.opening.size.height;
     const double own = scene.camera.aspectratio.value_or(picture);
     if (options.fit || (picture < 1.01 * own && own < 1.01 * picture)) return;
     char said[200];
@@ -166,7 +165,7 @@ void check_error(const Stats& stats) {
 
 /// Tells a person at a terminal what was written: "a.bmp: 640x480, 1.2 s".
 void tell_written(const RenderOptions& options, const Lattice& part, const Stats& stats, double seconds) {
-    if (options.quiet || options.output == "-" || !::isatty(STDERR_FILENO)) return;
+    if (options.quiet || options.output == "-" || !os::is_terminal(stderr)) return;
     const std::string frames = options.frames ? std::to_string(stats.frames) + " frames of " : "";
     std::fprintf(stderr, "%s: %s%dx%d, %.1f s\n", show(options.output).text.c_str(), frames.c_str(), part.columns,
                  part.rows, seconds);
@@ -179,7 +178,7 @@ int render_command(const RenderOptions& asked) {
     RenderOptions options = asked;
     const std::string ending = check(options);
     const std::string ffmpeg = is_film(options.output) ? find_ffmpeg("'" + options.output + "'") : "";
-    const Lattice part = options.crop.value_or(Lattice{0, 0, options.size.width, options.size.height});
+    const Lattice part = options.crop.value_or(Lattice{0, 0, options.opening.size.width, options.opening.size.height});
     check_size(part, ending, options.output == "-" || !ffmpeg.empty());
     require_writable(options.numbered() ? numbered(options.output, options.frames->first()) : options.output);
     if (!options.stats.empty()) require_writable(options.stats);
@@ -190,11 +189,10 @@ int render_command(const RenderOptions& asked) {
     stats.sampling = options.sampling;
     if (options.error) stats.sampling.error = *options.error;
     stats.sampling.error /= gain_of(options.exposure);
-    stats.size = options.size;
+    stats.size = options.opening.size;
     stats.crop = options.crop;
     Stopwatch watch;
     options.opening.time = options.time;
-    options.opening.width = options.size.width, options.opening.height = options.size.height;
     auto [opened, hash] = read_and_hash(options.scene, options.opening);
     Scene scene = std::move(opened.scene);
     stats.parse_seconds = watch.lap();

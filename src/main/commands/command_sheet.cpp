@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "files/error.h"
 #include "files/read_file.h"
 #include "files/utf8.h"
 #include "image/picture.h"
@@ -17,7 +18,6 @@
 #include "main/render/render_options.h"
 #include "num/decimal.h"
 #include "num/thread_pool.h"
-#include "scene/error.h"
 #include "scene/moving_scene.h"
 #include "trace/tracer.h"
 
@@ -29,16 +29,16 @@ constexpr int gap = 4, strip = 20, font_size = 14;
 
 /// The places of the pictures in the sheet, row by row.
 struct SheetLayout {
-    Size picture;
+    PictureSize picture;
     int pictures, columns;
     int rows() const { return (pictures + columns - 1) / columns; }
-    Size whole() const {
+    PictureSize whole() const {
         return {columns * (picture.width + gap) - gap, rows() * (picture.height + strip + gap) - gap};
     }
 };
 
 SheetLayout layout_of(const SheetOptions& options, const Camera& camera) {
-    Size size = options.size.value_or(Size{320, 0});
+    PictureSize size = options.size.value_or(PictureSize{320, 0});
     const double height = size.width / camera.aspectratio.value_or(4. / 3);
     if (size.height == 0) size.height = static_cast<int>(std::lround(std::clamp(height, 1., 960.)));
     const int square = static_cast<int>(std::ceil(std::sqrt(options.pictures)));
@@ -52,7 +52,7 @@ SheetLayout layout_of(const SheetOptions& options, const Camera& camera) {
 }
 
 /// Puts a picture of one or three channels into the sheet, as far as it fits into `room` from (x, y) on.
-void put(const Picture& picture, Picture& sheet, int x, int y, Size room) {
+void put(const Picture& picture, Picture& sheet, int x, int y, PictureSize room) {
     for (int row = 0; row < std::min(picture.height, room.height); ++row)
         for (int column = 0; column < std::min(picture.width, room.width); ++column)
             for (int c = 0; c < 3; ++c)
@@ -78,15 +78,14 @@ int sheet_command(const SheetOptions& options, const std::atomic<bool>* stop) tr
     require_writable(options.output);
     const std::string text = read_scene_text(options.scene);
     OpeningOptions opening = options.opening;
-    const Size asked = options.size.value_or(Size{320, 240});
-    opening.stop = stop, opening.width = asked.width, opening.height = asked.height;
+    opening.stop = stop, opening.size = options.size.value_or(PictureSize{320, 240});
     OpenedScene opened = open_scene(text, options.scene, opening, read_pixels);
     tell_notes(opened, false);
     const std::vector<double> moments =
         moments_of(flight_for("strahl sheet", opened.scene, options.scene), options.pictures);
     const SheetLayout layout = layout_of(options, opened.scene.camera);
     const auto [width, height] = layout.picture;
-    const Size whole = layout.whole();
+    const PictureSize whole = layout.whole();
 
     FileFormat format{.gamma = opened.scene.settings.assumed_gamma, .exposure = options.exposure};
     format.bits = bits_of(ending_of(options.output), 0);

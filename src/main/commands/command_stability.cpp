@@ -55,12 +55,11 @@ int stability_command(const StabilityOptions& options) {
     if (!options.output.empty())
         if (const std::string fault = format_fault(options.output, 0); !fault.empty()) throw UsageError(fault);
     refuse_overwriting("-o", options.output, "the scene", options.scene);
-    OpeningOptions opening = options.opening;
-    opening.width = options.size.width, opening.height = options.size.height;
-    const Scene scene = load_scene(options.scene, opening);
+    const auto& [width, height] = options.opening.size;
+    const Scene scene = load_scene(options.scene, options.opening);
     const View view{.camera = scene.camera,
-                    .width = options.size.width,
-                    .height = options.size.height,
+                    .width = width,
+                    .height = height,
                     .depth = options.depth.value_or(scene.settings.max_trace_level)};
     Agreements agreements(scene, options.threads,
                           [gamma = scene.settings.assumed_gamma](double v) { return quantise(v, gamma, 255); });

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <memory>
 
-#include "scene/error.h"
+#include "files/error.h"
 #include "show/viewer.h"
 
 namespace strahl {
@@ -24,8 +24,7 @@ int view_command(const ViewOptions& options, const std::atomic<bool>* interrupte
     const auto began = Pace::Clock::now();
     OpeningOptions opening = options.opening;
     opening.time = options.time;
-    const PixelSize window = options.size.width > 0 ? options.size : first_window_size(4. / 3);
-    opening.width = window.width, opening.height = window.height;
+    opening.size = options.size.value_or(first_window_size(4. / 3));
     auto file = std::make_unique<Reload>(options.scene, opening);
     // The window does not wait longer than this for a scene.
     const bool none = options.scene.empty();

@@ -1,6 +1,7 @@
 #include "main/commands/scene_file.h"
 
 #include <algorithm>
+#include <array>
 #include <iostream>
 
 #include "files/utf8.h"
@@ -10,6 +11,9 @@ namespace strahl {
 
 void print_warnings(std::span<const std::string> warnings) {
     for (const std::string& warning : warnings) std::cerr << "strahl: warning: " << printable(warning) << '\n';
+}
+void print_warnings(std::span<const Message> warnings) {
+    for (const Message& warning : warnings) print_warnings(std::array{warning.told()});
 }
 
 void tell_notes(const OpenedScene& scene, bool all) {

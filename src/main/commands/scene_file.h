@@ -20,6 +20,7 @@ Scene load_scene(const std::string& path, OpeningOptions options, std::optional<
 
 /// Prints warnings on standard error.
 void print_warnings(std::span<const std::string> warnings);
+void print_warnings(std::span<const Message> warnings);
 /// Prints the notes about a scene: all, or the first ones.
 void tell_notes(const OpenedScene& scene, bool all);
 

@@ -7,8 +7,8 @@
 #include <ostream>
 #include <string_view>
 
+#include "files/error.h"
 #include "files/words.h"
-#include "scene/error.h"
 
 namespace strahl {
 namespace {

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <utility>
 
+#include "files/error.h"
 #include "files/read_file.h"
 #include "files/regular_file.h"
 #include "files/utf8.h"
@@ -20,7 +21,6 @@
 #include "main/lsp/protocol.h"
 #include "main/lsp/questions.h"
 #include "main/lsp/scene_names.h"
-#include "scene/error.h"
 
 namespace strahl {
 namespace {
@@ -205,26 +205,27 @@ void Server::publish(const std::string& uri, OpenText& open) {
 /// Places a problem: where it is, or else where its file is included, or else in the first line.
 Json Server::diagnostic(const Document& document, const Problem& problem) const {
     const std::string_view text = document.text;
-    const bool here = problem.file == show(document.path).text || problem.file == document.path;
-    const std::size_t line = std::max<std::size_t>(here ? problem.line : problem.caller, 1) - 1;
+    const Message& said = problem.message;
+    const bool here = said.file == document.path;
+    const std::size_t line = std::max<std::size_t>(here ? said.line : said.caller, 1) - 1;
     const std::size_t line_end = document.line_end(line);
     std::size_t begin = document.line_start(line), end = line_end;
-    if (here && problem.column > 0) {
-        begin = forth(text, begin, line_end, static_cast<int>(problem.column - 1));
-        end = forth(text, begin, line_end, static_cast<int>(std::max<std::size_t>(problem.length, 1)));
-        if (problem.length <= 1) end = std::max(end, begin + cursor_at(text.substr(begin), 0).at.text.size());
+    if (here && said.column > 0) {
+        begin = forth(text, begin, line_end, static_cast<int>(said.column - 1));
+        end = forth(text, begin, line_end, static_cast<int>(std::max<std::size_t>(said.length, 1)));
+        if (said.length <= 1) end = std::max(end, begin + cursor_at(text.substr(begin), 0).at.text.size());
     } else {
         begin = std::min(text.find_first_not_of(" \t", begin), end);
     }
     Json own{{"range", range_of(document, begin, end)},
              {"severity", problem.warning ? 2 : 1},
              {"source", "strahl"},
-             {"message", problem.message}};
-    if (!here && !problem.file.empty()) {
-        const Json place = json_of({problem.line - 1, std::max<std::size_t>(problem.column, 1) - 1});
-        const Json location{{"uri", uri_of_path(problem.file)}, {"range", {{"start", place}, {"end", place}}}};
-        own["message"] = problem.file + ":" + std::to_string(problem.line) + ": " + problem.message;
-        own["relatedInformation"] = {{{"location", location}, {"message", problem.message}}};
+             {"message", said.text + said.calls}};
+    if (!here && said.line > 0) {
+        const Json place = json_of({said.line - 1, std::max<std::size_t>(said.column, 1) - 1});
+        const Json location{{"uri", uri_of_path(said.file)}, {"range", {{"start", place}, {"end", place}}}};
+        own["message"] = said.file + ":" + std::to_string(said.line) + ": " + said.text + said.calls;
+        own["relatedInformation"] = {{{"location", location}, {"message", said.text + said.calls}}};
     }
     return own;
 }

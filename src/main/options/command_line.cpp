@@ -10,13 +10,13 @@
 #include <utility>
 #include <vector>
 
+#include "files/error.h"
+#include "files/os/system.h"
 #include "files/shell.h"
 #include "files/streams.h"
 #include "main/commands/command_view.h"
 #include "main/options/options.h"
-#include "main/process/terminal.h"
 #include "main/reference/reference.h"
-#include "scene/error.h"
 #include "text/manual/syntax.h"
 #include "text/reading/messages.h"
 #include "trace/tracer.h"
@@ -38,7 +38,7 @@ class WrappedHelp : public CLI::Formatter {
   public:
     std::string make_option_desc(const CLI::Option* option) const override {
         const std::string text = CLI::Formatter::make_option_desc(option);
-        const std::size_t names = get_column_width(), columns = static_cast<std::size_t>(terminal_columns());
+        const std::size_t names = get_column_width(), columns = static_cast<std::size_t>(os::terminal_columns());
         if (columns < names + 20) return text;  // no terminal, or one that is too narrow
         return wrapped(text, columns - names);
     }

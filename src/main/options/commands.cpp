@@ -1,4 +1,6 @@
 // The commands of the program, each with its options and what --help and the manual page say about them.
+#include "files/error.h"
+#include "files/os/interrupt.h"
 #include "main/commands/command_bundle.h"
 #include "main/commands/command_check.h"
 #include "main/commands/command_compare.h"
@@ -13,8 +15,6 @@
 #include "main/commands/command_view.h"
 #include "main/options/options.h"
 #include "main/process/exit_status.h"
-#include "main/process/interrupt.h"
-#include "scene/error.h"
 
 namespace strahl {
 namespace {
@@ -22,13 +22,14 @@ namespace {
 void add_render(CLI::App& app, ChosenCommand& chosen) {
     auto [command, o] = add_command(app, chosen, "render", "Render a scene to a picture file", render_command);
     add_scene(command, o->scene, o->opening, [o = o](const pov::IniFile& ini) {
-        o->size.width = ini.width.value_or(o->size.width), o->size.height = ini.height.value_or(o->size.height);
+        PictureSize& size = o->opening.size;
+        size.width = ini.width.value_or(size.width), size.height = ini.height.value_or(size.height);
         if (ini.antialias == false) o->sampling = parse_samples("1");
     });
     add_file(command, "-o,--output", o->output,
              "The picture: .bmp, .png or .exr; or a film: .mp4, .mkv or .webm, which needs ffmpeg; - is standard "
              "output");
-    add_parsed(command, "--size", o->size, parse_size, "Size of the picture in pixels, 640x480 by default", "WxH");
+    add_size(command, o->opening.size);
     add_parsed(command, "--crop", o->crop, parse_crop,
                "Render only this part of it; X and Y count from its top left corner", "X,Y,W,H");
     command->add_flag("--fit", o->fit,
@@ -106,7 +107,7 @@ void add_render(CLI::App& app, ChosenCommand& chosen) {
 /// Runs a command that Ctrl-C stops.
 template <class Options, int (*command)(const Options&, const std::atomic<bool>*)>
 int until_interrupted(const Options& options) {
-    const Interrupt interrupt;
+    const os::Interrupt interrupt;
     return command(options, interrupt.flag());
 }
 
@@ -141,10 +142,10 @@ void add_join(CLI::App& app, ChosenCommand& chosen) {
     command->footer("Example: strahl join big.png.part-* -o big.png");
 }
 
-PixelSize parse_window_size(std::string_view text) {
-    const Size size = parse_size(text);
+PictureSize parse_window_size(std::string_view text) {
+    const PictureSize size = parse_size(text);
     if (size.width > 16384 || size.height > 16384) throw UsageError("each side of the window is 1 to 16384 pixels");
-    return {size.width, size.height};
+    return size;
 }
 
 double parse_pace(std::string_view text) {
@@ -154,7 +155,7 @@ double parse_pace(std::string_view text) {
 }
 
 int view_until_interrupted(const ViewOptions& options) {
-    const Interrupt interrupt;
+    const os::Interrupt interrupt;
     const int status = view_command(options, interrupt.flag());
     return *interrupt.flag() ? exit_status::interrupted : status;
 }
@@ -261,7 +262,8 @@ void add_import(CLI::App& app, ChosenCommand& chosen) {
     auto [command, o] =
         add_command(app, chosen, "import", "Convert a scene of another program: POV-Ray's, NFF or Tachyon's",
                                     import_command);
-    add_argument(command, "FILE", o->file, "The scene, a .pov, .nff or .dat file, or a model; - is standard input, no .pov or model");
+    add_argument(command, "FILE", o->file,
+                 "The scene, a .pov, .nff or .dat file, or a model; - is standard input, no .pov or model");
     add_opening(command, o->opening);
     add_file(command, "-o,--output", o->output, "The .rt file; by default -, standard output");
     command->footer(
@@ -272,7 +274,7 @@ void add_pov(CLI::App& app, ChosenCommand& chosen) {
     auto [command, o] = add_command(app, chosen, "pov", "Convert a scene for POV-Ray", pov_command);
     add_scene(command, o->scene, o->opening);
     add_file(command, "-o,--output", o->output, "The .pov file; an .ini file to render it is written beside it");
-    add_size(command, o->width, o->height);
+    add_size(command, o->opening.size);
     add_depth(command, o->depth);
     add_bits(command, o->bits, {"8", "16"}, "Bits per channel of POV-Ray's picture: 8, or 16 (default)");
     add_time(command, o->time);
@@ -287,7 +289,7 @@ void add_crosscheck(CLI::App& app, ChosenCommand& chosen) {
     add_argument(command, "SCENE", o->scenes, "The scenes: .rt files, or .pov files, which POV-Ray gets as they are")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     add_opening(command, o->opening);
-    add_size(command, o->width, o->height);
+    add_size(command, o->opening.size);
     add_time(command, o->time);
     add_depth(command, o->depth);
     add_threads(command, o->threads);
@@ -307,7 +309,7 @@ void add_stability(CLI::App& app, ChosenCommand& chosen) {
     add_scene(command, o->scene, o->opening);
     add_file(command, "-o,--output", o->output,
              "A map: grey where all agree, orange where float differs, red where double does too");
-    add_parsed(command, "--size", o->size, parse_size, "Size of the picture in pixels, 640x480 by default", "WxH");
+    add_size(command, o->opening.size);
     add_depth(command, o->depth);
     add_threads(command, o->threads);
     command->footer(

@@ -155,16 +155,9 @@ inline CLI::Option* add_scene(CLI::App* command, std::string& value, OpeningOpti
 inline CLI::Option* add_file(CLI::App* command, const char* name, std::string& value, const char* help) {
     return command->add_option(name, value, help)->type_name("FILE");
 }
-inline CLI::Option* add_size(CLI::App* command, int& width, int& height) {
-    return command
-        ->add_option_function<std::string>(
-            "--size",
-            [&](const std::string& text) {
-                const Size size = parse_size(text);
-                width = size.width, height = size.height;
-            },
-            "Size of the picture in pixels, " + std::to_string(width) + "x" + std::to_string(height) + " by default")
-        ->type_name("WxH");
+inline CLI::Option* add_size(CLI::App* command, PictureSize& value) {
+    const std::string help = "Size of the picture in pixels, " + size_text(value.width, value.height) + " by default";
+    return add_parsed(command, "--size", value, parse_size, help.c_str(), "WxH");
 }
 inline CLI::Option* add_depth(CLI::App* command, std::optional<int>& value) {
     return command

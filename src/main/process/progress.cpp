@@ -1,13 +1,13 @@
 // The progress line.
 #include "main/process/progress.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <utility>
+
+#include "files/os/system.h"
 
 namespace strahl {
 
@@ -27,7 +27,7 @@ std::string progress_text(double share, double seconds) {
 }
 
 ProgressLine::ProgressLine(bool quiet, std::string label)
-    : shown(!quiet && ::isatty(STDERR_FILENO)), label(std::move(label)) {}
+    : shown(!quiet && os::is_terminal(stderr)), label(std::move(label)) {}
 
 ProgressLine::~ProgressLine() {
     if (written) std::fputs("\r\033[K", stderr);

@@ -1,15 +1,14 @@
 #include "main/render/checkpoint.h"
 
-#include <unistd.h>
-
 #include <cstdio>
 #include <functional>
 #include <set>
 #include <span>
 #include <utility>
 
+#include "files/error.h"
+#include "files/os/system.h"
 #include "files/read_file.h"
-#include "scene/error.h"
 #include "scene/leaves.h"
 
 namespace strahl {
@@ -32,9 +31,7 @@ std::size_t hash_of(const std::vector<T>& values) {
 
 }  // namespace
 
-std::string hash_of_program() {
-    return in_hexadecimal(std::hash<std::string_view>()(read_text("/proc/self/exe")));
-}
+std::string hash_of_program() { return in_hexadecimal(std::hash<std::string_view>()(read_text(os::program_file()))); }
 
 std::string hash_of_meshes(const Scene& scene) {
     std::set<const MeshData*> seen;
@@ -67,7 +64,7 @@ std::string checkpoint_of(const std::string& picture) { return picture + ".check
 
 void remove_checkpoint(const std::string& picture) {
     const std::string path = checkpoint_of(picture);
-    if (BandFile::is_at(path)) ::unlink(path.c_str());
+    if (BandFile::is_at(path)) std::remove(path.c_str());
 }
 
 Checkpoint::Checkpoint(PictureWriter& own_writer, std::string path, std::function<BandHeader()> own_header,

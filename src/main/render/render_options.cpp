@@ -1,14 +1,13 @@
 // Checks the options of `render` before anything is traced.
 #include "main/render/render_options.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <filesystem>
 
+#include "files/os/file.h"
+#include "files/os/memory.h"
 #include "files/output_file.h"
 #include "image/encoder.h"
-#include "image/memory.h"
 #include "image/picture.h"
 
 namespace strahl {
@@ -38,7 +37,7 @@ void check_film(const RenderOptions& options) {
                          "-%04d.png' --frames LIST");
     if (options.time) throw UsageError("a film shows many moments, and --time is one");
     if (options.bits != 0 && options.bits != 8) throw UsageError("a film has 8 bits per channel");
-    const Lattice part = options.crop.value_or(Lattice{0, 0, options.size.width, options.size.height});
+    const Lattice part = options.crop.value_or(Lattice{0, 0, options.opening.size.width, options.opening.size.height});
     if (part.columns % 2 || part.rows % 2)
         throw UsageError("width and height of a film must be even, and not " + size_text(part.columns, part.rows) +
                          "; choose another --size or --crop");
@@ -100,7 +99,7 @@ std::string check(const RenderOptions& options) {
             built(options.simd) ? "this processor does not support " : "this program was built without ";
         throw UsageError(lacks + std::string(name(options.simd)) + "; --simd auto uses " + name(best_simd()));
     }
-    if (options.crop) require_within(*options.crop, options.size);
+    if (options.crop) require_within(*options.crop, options.opening.size);
     return ending;
 }
 
@@ -111,7 +110,7 @@ void check_size(const Lattice& part, const std::string& ending, bool to_pipe) {
         throw UsageError(size + " pixels are too many for a .bmp file (2 GB); choose .png or .exr");
     // Memory holds some bands, each as traced, filtered and packed, and the whole file if it goes to a pipe.
     const double row = (ending == ".exr" ? 12. : 6.) * part.columns, band = row * std::min(part.rows, band_rows);
-    const double needed = 12 * band + (to_pipe ? row * part.rows : 0), available = available_memory();
+    const double needed = 12 * band + (to_pipe ? row * part.rows : 0), available = os::available_memory();
     if (needed > available)
         throw UsageError("a picture of " + size + " pixels needs " + bytes_in_words(needed) + " of memory, and " +
                          bytes_in_words(available) + " are free; choose a smaller --size, " +
@@ -127,7 +126,7 @@ void require_writable(const std::string& path) {
     if (fs::is_directory(path, error)) fail("it is a folder; name a file in it");
     if (!fs::exists(folder, error)) fail("its folder does not exist; make that first");
     if (!fs::is_directory(folder, error)) fail("'" + folder.string() + "' is not a folder");
-    if (access(folder.c_str(), W_OK) != 0) fail("no permission to write to its folder");
+    if (os::writable(folder)) fail("no permission to write to its folder");
 }
 
 void require_different_files(const RenderOptions& options) {

@@ -15,13 +15,12 @@ namespace strahl {
 
 struct RenderOptions {
     std::string scene;   // a file, or "-" for standard input
-    OpeningOptions opening;
+    OpeningOptions opening;  // its size is that of the whole picture, even if only a crop of it is rendered
     std::string output;  // a file, "-" for standard output, or a film
     std::string format;  // "bmp", "png", "exr", "ppm" or "y4m", for standard output only
     int bits = 0;        // per channel; 0 is the format's default
     Compression compression = Compression::fast;
-    Exposure exposure;   // of 8-bit files and films
-    Size size;           // of the whole picture, even if only a crop of it is rendered
+    Exposure exposure;  // of 8-bit files and films
     std::optional<Lattice> crop;
     bool fit = false;  // widens the view of a camera with an aspectratio to that of the picture
     std::optional<int> depth;            // 1 to 256; by default the scene's max_trace_level

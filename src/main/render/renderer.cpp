@@ -113,18 +113,21 @@ void Renderer::tell_interrupted(const std::string& done, const std::string& path
     std::cerr << "strahl: " << said << '\n';
 }
 
-/// Returns all that the picture depends on. The number of threads, and SIMD levels that give the same picture, are not
-/// in it.
+/// Returns all that the picture depends on, so that no other one is continued. The first line names all options: none
+/// can be added without a choice whether it belongs here. Instead of some stands what was made of them: the hash of the
+/// scene, accuracy and sampling. SIMD levels that give the same picture are one.
 BandHeader Renderer::header(const Shot& shot, const PictureWriter& writer, const std::string& ending,
                             Share share) const {
-    std::string words = "size " + size_text(options.size.width, options.size.height);
+    const auto& [file, opening, output, for_stdout, bits, compression, exposure, crop, fit, depth, precision, error,
+                 sampling, simd, threads, time, frames, rate, shared, resumes, interval, map, report, quiet] = options;
+    std::string words = "size " + size_text(opening.size.width, opening.size.height);
     const auto add = [&](const char* key, double value) {
         (words += " ").append(key).append(" ").append(text_of(value));
     };
     for (const int value : {part.x, part.y, part.columns, part.rows}) add("crop", value);
-    add("time", shot.time), add("fit", options.fit), add("depth", accuracy.depth), add("dropped", accuracy.dropped);
+    add("time", shot.time), add("fit", fit), add("depth", accuracy.depth), add("dropped", accuracy.dropped);
     add("grid", stats.sampling.grid), add("centre", stats.sampling.centre), add("error", stats.sampling.error);
-    if (options.exposure) add("exposure", *options.exposure);
+    if (exposure) add("exposure", *exposure);
     words.append(" precision ").append(name(accuracy.precision)).append(tracer.simd() == Simd::v2 ? " unfused" : "");
     return {hash_of_program(),
             scene_hash + " " + hash_of_meshes(scene()),
@@ -184,10 +187,10 @@ Accuracy Renderer::choose(const Scene& scene, const Shot& shot) {
 }
 
 View Renderer::view(const Shot& shot, int depth, double dropped) const {
-    const double aspect = double(options.size.width) / options.size.height;
+    const double aspect = double(options.opening.size.width) / options.opening.size.height;
     return {.camera = options.fit ? filled_view(shot.camera, aspect) : shot.camera,
-            .width = options.size.width,
-            .height = options.size.height,
+            .width = options.opening.size.width,
+            .height = options.opening.size.height,
             .depth = depth,
             .error = dropped,
             .time = shot.time,

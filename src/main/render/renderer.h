@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "files/os/interrupt.h"
 #include "image/picture.h"
 #include "image/picture_writer.h"
-#include "main/process/interrupt.h"
 #include "main/process/stopwatch.h"
 #include "main/render/checkpoint.h"
 #include "main/render/proof.h"
@@ -75,7 +75,7 @@ class Renderer {
     ThreadPool pool;
     const Accuracy accuracy;
     Tracer tracer;
-    Interrupt interrupt;
+    os::Interrupt interrupt;
     std::optional<Proof> proof;
 };
 

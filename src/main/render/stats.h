@@ -24,7 +24,7 @@ struct Stats {
     double trace_seconds = 0;  // tracing alone
     double write_seconds = 0;  // encoding and writing, and waiting for the picture library if it was not loaded yet
     Counts rays;
-    Size size;
+    PictureSize size;
     std::optional<Lattice> crop;
     int frames = 0, threads = 0, lanes = 0;
     double error = 0;   // allowed

@@ -11,7 +11,7 @@
 #include <numeric>
 #include <optional>
 
-#include "scene/error.h"
+#include "files/error.h"
 #include "text/reading/messages.h"
 
 namespace strahl {
@@ -77,7 +77,7 @@ FrameRate reduced(std::int64_t frames, std::int64_t seconds) {
 
 }  // namespace
 
-Size parse_size(std::string_view text) {
+PictureSize parse_size(std::string_view text) {
     const auto n = numbers<2>(text, 'x');
     if (!n) throw UsageError("--size is width x height in pixels, such as 1920x1080, not " + quoted(text));
     const auto [width, height] = *n;
@@ -180,7 +180,7 @@ bool FrameList::each(const std::function<bool(int)>& visit) const {
     return true;
 }
 
-void require_within(const Lattice& crop, Size picture) {
+void require_within(const Lattice& crop, PictureSize picture) {
     if (crop.x <= picture.width - crop.columns && crop.y <= picture.height - crop.rows) return;
     throw UsageError("--crop asks for " + size_text(crop.columns, crop.rows) + " pixels from column " +
                      std::to_string(crop.x) + " and row " + std::to_string(crop.y) + " of a picture that is only " +

@@ -6,14 +6,12 @@
 #include <vector>
 
 #include "image/frame_rate.h"
+#include "scene/picture_size.h"
 #include "trace/cells/pixel_sampling.h"
 #include "trace/world/view.h"
 
 namespace strahl {
 
-struct Size {
-    int width = 640, height = 480;
-};
 /// Part `part` of `parts`, counted from 1.
 struct Share {
     int part = 1, parts = 1;
@@ -34,7 +32,7 @@ struct FrameList {
 };
 
 /// "640x480". Sides are 1 to 1000000. These functions throw UsageError with an example of a valid value.
-Size parse_size(std::string_view text);
+PictureSize parse_size(std::string_view text);
 /// "X,Y,W,H": a part of the whole picture. `require_within` checks that it lies in the picture.
 Lattice parse_crop(std::string_view text);
 /// "1", one ray through each pixel's middle, "4x4", a grid of 16, or "4x4+1", that and one through the middle.
@@ -49,7 +47,7 @@ FrameList parse_frames(std::string_view text);
 FrameRate parse_rate(std::string_view text);
 
 /// Throws UsageError unless all of `crop` lies in the picture.
-void require_within(const Lattice& crop, Size picture);
+void require_within(const Lattice& crop, PictureSize picture);
 
 /// Returns the file of a frame: `path` with its "%d", "%4d" or "%04d" replaced by the number (padded with zeros), or,
 /// if it has none, with "-0042" inserted before the ending.

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "files/words.h"
+#include "pov/language/maths.h"
 #include "pov/language/state.h"
 
 namespace strahl::pov {
@@ -45,17 +46,54 @@ Rows rotation(DVec3 a, double degrees) {
             DVec3{a.x * a.z * r + a.y * s, a.y * a.z * r - a.x * s, a.z * a.z + c * (1 - a.z * a.z)}};
 }
 
-/// The words with which an expression may begin.
-constexpr std::string_view function_words[]{
-    "abs", "acos", "acosh", "asc", "asin", "asinh", "atan", "atan2", "atanh", "bitwise_and", "bitwise_or",
-    "bitwise_xor", "ceil", "clock", "clock_on", "cos", "cosh", "defined", "degrees", "dimension_size", "dimensions",
-    "div", "exp", "false", "file_exists", "floor", "inside", "int", "ln", "log", "max", "max_extent", "min",
-    "min_extent", "mod", "no", "now", "off", "on", "pi", "pow", "radians", "rand", "seed", "select", "sin", "sinh",
-    "sqrt", "strcmp", "strlen", "t", "tan", "tanh", "trace", "true", "u", "v", "val", "vaxis_rotate", "vcross",
-    "vdot", "version", "vlength", "vnormalize", "vrotate", "vturbulence", "x", "y", "yes", "z"};
-/// Says of each reserved word whether it is one of these.
+/// The words besides those of maths.h with which an expression may begin.
+constexpr std::string_view function_words[]{"asc",
+                                            "bitwise_and",
+                                            "bitwise_or",
+                                            "bitwise_xor",
+                                            "clock",
+                                            "clock_on",
+                                            "defined",
+                                            "dimension_size",
+                                            "dimensions",
+                                            "false",
+                                            "file_exists",
+                                            "inside",
+                                            "max_extent",
+                                            "min_extent",
+                                            "no",
+                                            "now",
+                                            "off",
+                                            "on",
+                                            "pi",
+                                            "rand",
+                                            "seed",
+                                            "select",
+                                            "strcmp",
+                                            "strlen",
+                                            "t",
+                                            "trace",
+                                            "true",
+                                            "u",
+                                            "v",
+                                            "val",
+                                            "vaxis_rotate",
+                                            "vcross",
+                                            "vdot",
+                                            "version",
+                                            "vlength",
+                                            "vnormalize",
+                                            "vrotate",
+                                            "vturbulence",
+                                            "x",
+                                            "y",
+                                            "yes",
+                                            "z"};
+/// Says of each reserved word whether an expression may begin with it.
 constexpr auto are_function_words = [] {
     std::array<bool, reserved_words.size()> are{};
+    for (std::size_t i = 0; i < are.size(); ++i)
+        are[i] = is_maths_word(static_cast<std::uint16_t>(first_word_code + i));
     for (const std::string_view each : function_words) are[find_word(each) - first_word_code] = true;
     return are;
 }();
@@ -127,48 +165,18 @@ void Interpreter::State::call(std::uint16_t function, Components& result) {
     if (!is_function_word(function)) expected("a number, a vector or a colour");
     take();
     switch (function) {
-        case word("abs"):
-            return set(std::abs(parameter()));
         case word("acos"):
             return set(std::acos(clamped(parameter())));
-        case word("acosh"):
-            return set(std::acosh(parameter()));
         case word("asin"):
             return set(std::asin(clamped(parameter())));
-        case word("asinh"):
-            return set(std::asinh(parameter()));
-        case word("atan"):
-            return set(std::atan(parameter()));
         case word("atan2"):
             arguments(a, 2);
             if (!is_true(a[0]) && !is_true(a[1])) fail(at, "atan2(0, 0) has no value");
             return set(std::atan2(a[0], a[1]));
-        case word("atanh"):
-            return set(std::atanh(parameter()));
-        case word("ceil"):
-            return set(std::ceil(parameter()));
-        case word("cos"):
-            return set(std::cos(parameter()));
-        case word("cosh"):
-            return set(std::cosh(parameter()));
         case word("degrees"):
             return set(parameter() / (std::numbers::pi / 180));
-        case word("exp"):
-            return set(std::exp(parameter()));
-        case word("floor"):
-            return set(std::floor(parameter()));
         case word("int"):
             return set(cut_off(parameter()));
-        case word("radians"):
-            return set(parameter() * (std::numbers::pi / 180));
-        case word("sin"):
-            return set(std::sin(parameter()));
-        case word("sinh"):
-            return set(std::sinh(parameter()));
-        case word("tan"):
-            return set(std::tan(parameter()));
-        case word("tanh"):
-            return set(std::tanh(parameter()));
         case word("sqrt"): {
             const double value = parameter();
             if (value < 0) fail(at, "the square root of a negative number has no value");
@@ -187,20 +195,6 @@ void Interpreter::State::call(std::uint16_t function, Components& result) {
         case word("div"):
             arguments(a, 2);
             return set(cut_off(a[0] / a[1]));
-        case word("mod"):
-            arguments(a, 2);
-            return set(std::fmod(a[0], a[1]));
-        case word("min"):
-        case word("max"): {
-            expect('(');
-            double value = number();
-            while (accept(',') || !in.at(')')) {
-                const double other = number();
-                value = function == word("min") ? std::min(value, other) : std::max(value, other);
-            }
-            expect(')');
-            return set(value);
-        }
         case word("bitwise_and"):
         case word("bitwise_or"):
         case word("bitwise_xor"): {
@@ -396,8 +390,20 @@ void Interpreter::State::call(std::uint16_t function, Components& result) {
             expect(')');
             return set_vector(hit);
         }
-        default:
-            fail(at, name_of_code(function) + " is allowed in functions only");
+        default: {
+            const auto of_more = [&](auto operation) {
+                expect('(');
+                double value = number();
+                while (accept(',') || !in.at(')')) value = operation(value, number());
+                expect(')');
+                set(value);
+            };
+            const bool known =
+                with_unary(function, [&](auto operation) { set(operation(parameter())); }) ||
+                with_binary(function, [&](auto operation) { arguments(a, 2), set(operation(a[0], a[1])); }) ||
+                with_any_count(function, of_more);
+            if (!known) fail(at, name_of_code(function) + " is allowed in functions only");
+        }
     }
 }
 

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "files/error.h"
 #include "files/words.h"
 #include "pov/language/state.h"
-#include "scene/error.h"
 
 namespace strahl::pov {
 namespace {

@@ -3,12 +3,14 @@
 #include <array>
 #include <filesystem>
 #include <iterator>
+#include <utility>
+#include <vector>
 
+#include "files/error.h"
 #include "files/read_file.h"
 #include "files/utf8.h"
 #include "files/words.h"
 #include "pov/language/state.h"
-#include "scene/error.h"
 #include "text/reading/messages.h"
 
 namespace strahl::pov {
@@ -153,39 +155,45 @@ std::string_view Interpreter::State::text_at(TextPlace at) const {
     return std::string_view(files[at.file]->text).substr(at.at);
 }
 
-std::string Interpreter::State::where(TextPlace at) const {
+Message Interpreter::State::message_at(TextPlace at, const std::string& text) const {
     const TextFile& file = *files[at.file];
-    return file.path + ":" + std::to_string(line_number(file.text, at.at));
+    return {.text = text, .file = file.path, .line = line_number(file.text, at.at)};
 }
 
-void Interpreter::State::fail(TextPlace at, const std::string& message) {
-    const TextFile& file = *files[at.file];
-    const std::string_view text = file.text;
+std::string Interpreter::State::where(TextPlace at) const {
+    const Message place = message_at(at, "");
+    return place.file + ":" + std::to_string(place.line);
+}
+
+void Interpreter::State::fail(TextPlace at, const std::string& text_of_message) {
+    Message message = message_at(at, text_of_message);
+    const std::string_view text = files[at.file]->text;
     const std::size_t start = text.substr(0, at.at).find_last_of("\r\n") + 1;
     const Shown before = show(text.substr(start, std::min<std::size_t>(at.at - start, 90)));
     const std::string_view rest =
         text.substr(at.at, std::min<std::size_t>(text.find_first_of("\r\n", at.at), text.size()) - at.at);
-    const auto column =
-        1 + std::count_if(text.begin() + start, text.begin() + at.at, [](char c) { return !continues(c); });
-    std::string full = where(at) + ":" + std::to_string(column) + ": " + message;
+    message.column = 1 + static_cast<std::size_t>(std::count_if(text.begin() + start, text.begin() + at.at,
+                                                                [](char c) { return !continues(c); }));
     if (at.at - start <= 90) {
         const Shown behind = show(rest.substr(0, 110 - std::min<std::size_t>(before.width, 90)));
-        const int marked = std::min(show(token_of(rest)).width, behind.width);
-        full += "\n    " + before.text + behind.text + "\n    " + std::string(before.width, ' ') + "^" +
-                std::string(std::max(0, marked - 1), '~');
+        message.length = std::max(1, std::min(show(token_of(rest)).width, behind.width));
+        message.excerpt = "\n    " + before.text + behind.text + "\n    " + std::string(before.width, ' ') + "^" +
+                          std::string(message.length - 1, '~');
     }
     std::size_t told = 0;
     for (std::size_t i = readings.size(); i-- > 1;) {
         const Reading& reading = readings[i];
         if (++told > 8) {
-            full += "\n  and so on, " + std::to_string(i) + " levels more";
+            message.calls += "\n  and so on, " + std::to_string(i) + " levels more";
             break;
         }
-        full += reading.macro ? "\n  in the macro " + strahl::quoted(names.text(reading.macro->name)) + ", called from "
-                              : "\n  included from ";
-        full += where(reading.called);
+        message.calls += reading.macro
+                             ? "\n  in the macro " + strahl::quoted(names.text(reading.macro->name)) + ", called from "
+                             : "\n  included from ";
+        message.calls += where(reading.called);
+        if (reading.called.file == 0) message.caller = message_at(reading.called, "").line;
     }
-    throw FileError(full);
+    throw FileError(std::vector{std::move(message)});
 }
 
 std::string Interpreter::State::advice_on_name(const std::string& name, const std::string& what) {

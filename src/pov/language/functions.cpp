@@ -6,6 +6,7 @@
 
 #include "files/words.h"
 #include "pov/language/internal_functions.h"
+#include "pov/language/maths.h"
 #include "pov/language/spline.h"
 #include "pov/language/state.h"
 
@@ -81,10 +82,6 @@ void call_function(const FunctionThing& function, const Lanes* given, Lanes* res
     function.evaluate_lanes(given, result);
 }
 
-double truncated(double value) {
-    return value > -2147483649. && value < 2147483648. ? std::trunc(value) : -2147483648.;
-}
-
 /// Executes instructions, and returns the stack with their result on top: no number if there are no steps left.
 template <class S>
 S* CompiledFunction::run(std::size_t first, std::size_t last, S* numbers, S* top) const {
@@ -150,92 +147,6 @@ S* CompiledFunction::run(std::size_t first, std::size_t last, S* numbers, S* top
             case '|':
                 binary([](double a, double b) { return a != 0 || b != 0 ? 1. : 0.; });
                 break;
-            case word("abs"):
-                unary([](double v) { return std::abs(v); });
-                break;
-            case word("acos"):
-                unary([](double v) { return std::acos(v); });
-                break;
-            case word("acosh"):
-                unary([](double v) { return std::acosh(v); });
-                break;
-            case word("asin"):
-                unary([](double v) { return std::asin(v); });
-                break;
-            case word("asinh"):
-                unary([](double v) { return std::asinh(v); });
-                break;
-            case word("atan"):
-                unary([](double v) { return std::atan(v); });
-                break;
-            case word("atanh"):
-                unary([](double v) { return std::atanh(v); });
-                break;
-            case word("ceil"):
-                unary([](double v) { return std::ceil(v); });
-                break;
-            case word("cos"):
-                unary([](double v) { return std::cos(v); });
-                break;
-            case word("cosh"):
-                unary([](double v) { return std::cosh(v); });
-                break;
-            case word("degrees"):
-                unary([](double v) { return v * (180 / std::numbers::pi); });
-                break;
-            case word("exp"):
-                unary([](double v) { return std::exp(v); });
-                break;
-            case word("floor"):
-                unary([](double v) { return std::floor(v); });
-                break;
-            case word("int"):
-                unary(truncated);
-                break;
-            case word("ln"):
-                unary([](double v) { return std::log(v); });
-                break;
-            case word("log"):
-                unary([](double v) { return std::log10(v); });
-                break;
-            case word("radians"):
-                unary([](double v) { return v * (std::numbers::pi / 180); });
-                break;
-            case word("sin"):
-                unary([](double v) { return std::sin(v); });
-                break;
-            case word("sinh"):
-                unary([](double v) { return std::sinh(v); });
-                break;
-            case word("sqrt"):
-                unary([](double v) { return std::sqrt(v); });
-                break;
-            case word("tan"):
-                unary([](double v) { return std::tan(v); });
-                break;
-            case word("tanh"):
-                unary([](double v) { return std::tanh(v); });
-                break;
-            case word("atan2"):
-                binary([](double a, double b) { return std::atan2(a, b); });
-                break;
-            case word("div"):
-                binary([](double a, double b) { return truncated(a / b); });
-                break;
-            case word("mod"):
-                binary([](double a, double b) { return std::fmod(a, b); });
-                break;
-            case word("pow"):
-                binary([](double a, double b) { return b == 2 ? a * a : std::pow(a, b); });
-                break;
-            case word("min"):
-            case word("max"):
-                for (int k = 1; k < step.count; ++k)
-                    if (step.operation == word("min"))
-                        binary([](double a, double b) { return std::min(a, b); });
-                    else
-                        binary([](double a, double b) { return std::max(a, b); });
-                break;
             case word("select"): {
                 // Only branches that are needed are evaluated.
                 const S by = *--top;
@@ -295,6 +206,11 @@ S* CompiledFunction::run(std::size_t first, std::size_t last, S* numbers, S* top
                 i += step.count;
                 break;
             }
+            default:
+                if (with_unary(step.operation, unary) || with_binary(step.operation, binary)) break;
+                with_any_count(step.operation, [&](auto operation) {
+                    for (int k = 1; k < step.count; ++k) binary(operation);
+                });
         }
     }
     return top;
@@ -472,13 +388,13 @@ class FunctionReader {
         if (code == value_code) return declared();
         if (code == word("sum") || code == word("prod")) return loop(code);
         if (code == word("select")) return choice();
-        if (code >= first_word_code && has_instruction(code)) {
+        const auto nothing = [](const auto&) {};
+        const bool one = with_unary(code, nothing), two = with_binary(code, nothing);
+        if (one || two || with_any_count(code, nothing)) {
             state.take();
             const int count = arguments();
-            const bool any = code == word("min") || code == word("max");
-            const bool two = code == word("atan2") || code == word("div") || code == word("mod") || code == word("pow");
-            const bool valid = any ? count >= 1 : count == (two ? 2 : 1);
-            if (!valid) state.fail(state.last, name_of_code(code) + " has another number of arguments");
+            if (one || two ? count != 1 + two : count < 1)
+                state.fail(state.last, name_of_code(code) + " has another number of arguments");
             return add(code, 1 - count, static_cast<std::size_t>(count));
         }
         switch (code) {
@@ -498,42 +414,6 @@ class FunctionReader {
             }
         }
         state.expected("a number, a parameter or a function");
-    }
-
-    static bool has_instruction(std::uint16_t code) {
-        switch (code) {
-            case word("abs"):
-            case word("acos"):
-            case word("acosh"):
-            case word("asin"):
-            case word("asinh"):
-            case word("atan"):
-            case word("atanh"):
-            case word("ceil"):
-            case word("cos"):
-            case word("cosh"):
-            case word("degrees"):
-            case word("exp"):
-            case word("floor"):
-            case word("int"):
-            case word("ln"):
-            case word("log"):
-            case word("radians"):
-            case word("sin"):
-            case word("sinh"):
-            case word("sqrt"):
-            case word("tan"):
-            case word("tanh"):
-            case word("atan2"):
-            case word("div"):
-            case word("mod"):
-            case word("pow"):
-            case word("min"):
-            case word("max"):
-                return true;
-            default:
-                return false;
-        }
     }
 
     int arguments() {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "files/error.h"
 #include "pov/language/state.h"
-#include "scene/error.h"
 
 namespace strahl::pov {
 
@@ -270,7 +270,7 @@ void Interpreter::expected(const std::string& what) { state->expected(what); }
 void Interpreter::misplaced() { state->wrong_token(""); }
 std::string_view Interpreter::text_at(TextPlace at) const { return state->text_at(at); }
 const std::string& Interpreter::path_of(TextPlace at) const { return state->files[at.file]->path; }
-std::string Interpreter::name_of(TextPlace at) const { return state->where(at); }
+Message Interpreter::message_at(TextPlace at, const std::string& text) const { return state->message_at(at, text); }
 
 double Interpreter::version() const { return state->version; }
 bool Interpreter::version_given() const { return state->version_given; }

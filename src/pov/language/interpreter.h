@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "files/error.h"
 #include "num/vec.h"
 #include "pov/language/interpreter_options.h"
 #include "pov/language/scene_layer.h"
@@ -135,8 +136,8 @@ class Interpreter {
     /// Returns the text of a file from a place on, and the file's path.
     std::string_view text_at(TextPlace at) const;
     const std::string& path_of(TextPlace at) const;
-    /// "wood.inc:12" of a place.
-    std::string name_of(TextPlace at) const;
+    /// Returns a message about the line of a place.
+    Message message_at(TextPlace at, const std::string& text) const;
 
     // Settings that the language itself needs to know.
     /// Returns the version that holds here, 3.7 if none was given yet.

@@ -5,12 +5,12 @@
 #include <filesystem>
 #include <fstream>
 
+#include "files/error.h"
 #include "files/read_file.h"
 #include "files/shell.h"
 #include "files/utf8.h"
 #include "files/words.h"
 #include "pov/language/state.h"
-#include "scene/error.h"
 #include "text/reading/messages.h"
 
 namespace strahl::pov {

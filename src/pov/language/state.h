@@ -215,6 +215,7 @@ struct Interpreter::State {
     /// Returns what an unknown name may stand for, or how to declare it.
     std::string advice_on_name(const std::string& name, const std::string& what);
     void warn(TextPlace at, const std::string& text) { in.remark(Remark::Kind::warning, at, text); }
+    Message message_at(TextPlace at, const std::string& text) const;
     std::string where(TextPlace at) const;
 
     /// Counts how deeply the interpreter calls itself.

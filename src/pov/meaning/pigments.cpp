@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <bit>
 
+#include "files/error.h"
 #include "files/words.h"
 #include "num/vec_math.h"
 #include "pov/things/outlines.h"
 #include "pov/things/pattern_values.h"
 #include "pov/things/pictures.h"
 #include "pov/things/solids.h"
-#include "scene/error.h"
 
 namespace strahl::pov {
 namespace {

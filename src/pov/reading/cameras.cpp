@@ -1,7 +1,22 @@
 // Reads cameras, fog and the sky.
+#include <array>
+
 #include "pov/reading/reader.h"
+#include "pov/reading/values.h"
+#include "pov/things/numbers.h"
 
 namespace strahl::pov {
+namespace {
+
+constexpr std::array fog_values{
+    value_word<FogThing, &FogThing::distance>("distance"),     value_word<FogThing, &FogThing::type>("fog_type"),
+    value_word<FogThing, &FogThing::turbulence>("turbulence"), value_word<FogThing, &FogThing::up>("up"),
+    value_word<FogThing, &FogThing::offset>("fog_offset"),     value_word<FogThing, &FogThing::altitude>("fog_alt"),
+    value_word<FogThing, &FogThing::depth>("turb_depth"),      value_word<FogThing, &FogThing::octaves>("octaves"),
+    value_word<FogThing, &FogThing::omega>("omega"),           value_word<FogThing, &FogThing::lambda>("lambda"),
+};
+
+}  // namespace
 
 /// Reads a camera from '{' to '}'.
 CameraThing PovReader::read_camera(Interpreter& in) {
@@ -100,42 +115,7 @@ FogThing PovReader::read_fog(Interpreter& in) {
             fog.distance = in.read_number();
             continue;
         }
-        const std::uint16_t code = in.code();
-        in.skip();
-        switch (code) {
-            case word("distance"):
-                fog.distance = in.read_number();
-                break;
-            case word("fog_type"):
-                fog.type = in.read_integer();
-                break;
-            case word("turbulence"):
-                fog.turbulence = in.read_vector();
-                break;
-            case word("up"):
-                fog.up = in.read_vector();
-                break;
-            case word("fog_offset"):
-                fog.offset = in.read_number();
-                break;
-            case word("fog_alt"):
-                fog.altitude = in.read_number();
-                break;
-            case word("turb_depth"):
-                fog.depth = in.read_number();
-                break;
-            case word("octaves"):
-                fog.octaves = in.read_integer();
-                break;
-            case word("omega"):
-                fog.omega = in.read_number();
-                break;
-            case word("lambda"):
-                fog.lambda = in.read_number();
-                break;
-            default:
-                in.misplaced();
-        }
+        if (!accept_value(in, fog_values, fog)) in.misplaced();
         in.skip_comma();
     }
     in.end_block();

@@ -1,5 +1,7 @@
 // Reads blobs, and bodies that other functions define, which become meshes: polynomials, isosurfaces and parametric
 // surfaces.
+#include "pov/things/implicit.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,9 +10,8 @@
 
 #include "files/words.h"
 #include "num/vec_math.h"
-#include "pov/reading/next_value.h"
 #include "pov/reading/reader.h"
-#include "pov/things/implicit.h"
+#include "pov/reading/values.h"
 #include "pov/things/surfaces.h"
 
 namespace strahl::pov {

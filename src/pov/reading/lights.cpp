@@ -1,11 +1,30 @@
 // Reads lights.
+#include <array>
 #include <cmath>
 
 #include "num/vec_math.h"
 #include "pov/reading/reader.h"
+#include "pov/reading/values.h"
 #include "pov/things/numbers.h"
 
 namespace strahl::pov {
+namespace {
+
+constexpr std::array light_values{
+    value_word<LightThing, &LightThing::radius>("radius"),
+    value_word<LightThing, &LightThing::falloff>("falloff"),
+    value_word<LightThing, &LightThing::tightness>("tightness"),
+    value_word<LightThing, &LightThing::fade_distance>("fade_distance"),
+    value_word<LightThing, &LightThing::fade_power>("fade_power"),
+    value_word<LightThing, &LightThing::adaptive>("adaptive"),
+    value_word<LightThing, &LightThing::jitter>("jitter"),
+    value_word<LightThing, &LightThing::circular>("circular"),
+    value_word<LightThing, &LightThing::orient>("orient"),
+    value_word<LightThing, &LightThing::area_illumination>("area_illumination"),
+    value_word<LightThing, &LightThing::dimmed>("media_attenuation"),
+};
+
+}  // namespace
 
 /// Reads light_source { ... }, at its word.
 std::shared_ptr<const ObjectThing> PovReader::read_light(Interpreter& in) {
@@ -32,6 +51,10 @@ std::shared_ptr<const ObjectThing> PovReader::read_light(Interpreter& in) {
             continue;
         }
         if (const auto known = in.accept_thing<ObjectThing>(ValueKind::object)) continue;
+        if (accept_value(in, light_values, light)) {
+            in.skip_comma();
+            continue;
+        }
         const std::uint16_t code = in.code();
         in.skip();
         switch (code) {
@@ -47,21 +70,6 @@ std::shared_ptr<const ObjectThing> PovReader::read_light(Interpreter& in) {
             case word("point_at"):
                 light.point_at = transform_point(matrix_of(inverse(object->steps)), in.read_vector());
                 break;
-            case word("radius"):
-                light.radius = in.read_number();
-                break;
-            case word("falloff"):
-                light.falloff = in.read_number();
-                break;
-            case word("tightness"):
-                light.tightness = in.read_number();
-                break;
-            case word("fade_distance"):
-                light.fade_distance = in.read_number();
-                break;
-            case word("fade_power"):
-                light.fade_power = in.read_number();
-                break;
             case word("shadowless"):
                 light.shadowless = true;
                 break;
@@ -74,24 +82,6 @@ std::shared_ptr<const ObjectThing> PovReader::read_light(Interpreter& in) {
                 light.area = area;
                 break;
             }
-            case word("adaptive"):
-                light.adaptive = in.read_integer();
-                break;
-            case word("jitter"):
-                light.jitter = in.read_flag();
-                break;
-            case word("circular"):
-                light.circular = in.read_flag();
-                break;
-            case word("orient"):
-                light.orient = in.read_flag();
-                break;
-            case word("area_illumination"):
-                light.area_illumination = in.read_flag();
-                break;
-            case word("media_attenuation"):
-                light.dimmed = in.read_flag();
-                break;
             case word("media_interaction"):
                 in.read_flag();
                 break;

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "pov/reading/reader.h"
+#include "pov/reading/values.h"
 
 namespace strahl::pov {
 namespace {
@@ -115,6 +116,14 @@ std::vector<std::shared_ptr<const ObjectThing>> PovReader::read_object_block(Int
     return all;
 }
 
+static constexpr std::array object_values{
+    value_word<ObjectThing, &ObjectThing::no_shadow>("no_shadow"),
+    value_word<ObjectThing, &ObjectThing::no_image>("no_image"),
+    value_word<ObjectThing, &ObjectThing::no_reflection>("no_reflection"),
+    value_word<ObjectThing, &ObjectThing::hollow>("hollow"),
+    value_word<ObjectThing, &ObjectThing::both_sides>("double_illuminate"),
+};
+
 /// Reads something about an object that is no transformation; reads nothing and returns false if none comes.
 bool PovReader::read_object_modifier(Interpreter& in, ObjectThing& object) {
     if (Steps steps; read_step(in, steps)) return transform_object(object, steps), true;
@@ -124,6 +133,7 @@ bool PovReader::read_object_modifier(Interpreter& in, ObjectThing& object) {
         in.read_color(), in.warn("a colour outside of a pigment has no effect: pigment { color ... }");
         return true;
     }
+    if (accept_value(in, object_values, object)) return true;
     const std::uint16_t code = in.code();
     const auto change = [&](const auto& read) {
         auto kept = kept_texture(object);
@@ -167,29 +177,9 @@ bool PovReader::read_object_modifier(Interpreter& in, ObjectThing& object) {
             in.skip();
             object.inner = PlacedTexture{read_texture(in), {}};
             return true;
-        case word("no_shadow"):
-            in.skip();
-            object.no_shadow = in.read_flag();
-            return true;
-        case word("no_image"):
-            in.skip();
-            object.no_image = in.read_flag();
-            return true;
-        case word("no_reflection"):
-            in.skip();
-            object.no_reflection = in.read_flag();
-            return true;
         case word("inverse"):
             in.skip();
             object.inverse = !object.inverse;
-            return true;
-        case word("hollow"):
-            in.skip();
-            object.hollow = in.read_flag();
-            return true;
-        case word("double_illuminate"):
-            in.skip();
-            object.both_sides = in.read_flag();
             return true;
         case word("no_radiosity"):
         case word("hierarchy"):

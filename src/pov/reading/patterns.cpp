@@ -4,10 +4,12 @@
 #include <cmath>
 #include <utility>
 
+#include "files/error.h"
 #include "num/turn_rows.h"
 #include "num/vec_math.h"
 #include "pov/reading/reader.h"
-#include "scene/error.h"
+#include "pov/reading/values.h"
+#include "pov/things/pictures.h"
 
 namespace strahl::pov {
 namespace {
@@ -498,6 +500,25 @@ bool PovReader::read_pattern_word(Interpreter& in, Blend& blend, ValueKind level
     }
 }
 
+constexpr std::array modifier_values{
+    value_word<Blend, &Blend::turbulence>("turbulence"),
+    value_word<Blend, &Blend::agate_turbulence>("agate_turb"),
+    value_word<Blend, &Blend::octaves>("octaves"),
+    value_word<Blend, &Blend::omega>("omega"),
+    value_word<Blend, &Blend::lambda>("lambda"),
+    value_word<Blend, &Blend::frequency>("frequency"),
+    value_word<Blend, &Blend::phase>("phase"),
+    value_word<Blend, &Blend::mortar>("mortar"),
+    value_word<Blend, &Blend::brick_size>("brick_size"),
+    value_word<Blend, &Blend::crackle, &CrackleForm::form>("form"),
+    value_word<Blend, &Blend::facets, &FacetForm::size>("size"),
+    value_word<Blend, &Blend::facets, &FacetForm::coords>("coords"),
+    value_word<Blend, &Blend::crackle, &CrackleForm::metric>("metric"),
+    value_word<Blend, &Blend::crackle, &CrackleForm::offset>("offset"),
+    value_word<Blend, &Blend::crackle, &CrackleForm::solid>("solid"),
+    value_word<Blend, &Blend::noise_generator>("noise_generator"),
+};
+
 /// Reads a word that changes how a pattern is laid out, or its map; reads nothing and returns false if none comes.
 bool PovReader::read_modifier(Interpreter& in, Blend& blend, ValueKind level) {
     const auto wave = [&](Wave own) {
@@ -517,33 +538,12 @@ bool PovReader::read_modifier(Interpreter& in, Blend& blend, ValueKind level) {
         if (in.read_number_or(1) != own->value) blend.ignored = code;
         return true;
     }
+    if (accept_value(in, modifier_values, blend)) return true;
     switch (code) {
-        case word("turbulence"):
-            in.skip();
-            blend.turbulence = in.read_vector();
-            return true;
-        case word("agate_turb"):
-            return number(blend.agate_turbulence);
         case word("control0"):
             return number(blend.controls[0]);
         case word("control1"):
             return number(blend.controls[1]);
-        case word("octaves"):
-            return number(blend.octaves);
-        case word("omega"):
-            return number(blend.omega);
-        case word("lambda"):
-            return number(blend.lambda);
-        case word("frequency"):
-            return number(blend.frequency);
-        case word("phase"):
-            return number(blend.phase);
-        case word("mortar"):
-            return number(blend.mortar);
-        case word("brick_size"):
-            in.skip();
-            blend.brick_size = in.read_vector();
-            return true;
         case word("ramp_wave"):
             return wave(Wave::ramp);
         case word("triangle_wave"):
@@ -570,44 +570,20 @@ bool PovReader::read_modifier(Interpreter& in, Blend& blend, ValueKind level) {
             blend.map = in.at('{') ? read_map(in, ValueKind::none) : in.accept_thing<MapThing>(ValueKind::color_map);
             return true;
         case word("pigment_map"):
-            in.skip();
-            blend.map = read_map(in, ValueKind::pigment);
-            return true;
         case word("normal_map"):
-            in.skip();
-            blend.map = read_map(in, ValueKind::normal);
-            return true;
         case word("texture_map"):
             in.skip();
-            blend.map = read_map(in, ValueKind::texture);
+            blend.map = read_map(in, code == word("pigment_map")  ? ValueKind::pigment
+                                     : code == word("normal_map") ? ValueKind::normal
+                                                                  : ValueKind::texture);
             return true;
         case word("slope_map"):
             in.skip();
             blend.slopes = read_map(in, ValueKind::slope_map);
             return true;
-        case word("form"):
-            in.skip();
-            blend.crackle.form = in.read_vector();
-            return true;
-        case word("size"):
-            return number(blend.facets.size);
-        case word("coords"):
-            return number(blend.facets.coords);
-        case word("metric"):
-            return number(blend.crackle.metric);
-        case word("offset"):
-            return number(blend.crackle.offset);
-        case word("solid"):
-            in.skip();
-            blend.crackle.solid = in.read_flag();
-            return true;
         case word("exponent"):
             in.skip();
             blend.fractal.exponent = std::clamp(in.read_integer(), 2, 33);
-            return true;
-        case word("noise_generator"):
-            in.skip();
-            blend.noise_generator = in.read_integer();
             return true;
         case word("interior"):
         case word("exterior"): {

@@ -1,4 +1,6 @@
 // Reads the items of a scene, and the right sides of declarations.
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "pov/reading/reader.h"
@@ -154,6 +156,22 @@ NamedValue PovReader::read_thing(Interpreter& in) {
         else
             return NamedValue{.kind = kind, .thing = std::move(thing)};
     };
+    struct MapWord {
+        std::uint16_t code;
+        ValueKind kind, level;
+    };
+    static constexpr std::array maps{
+        MapWord{word("color_map"), ValueKind::color_map, ValueKind::none},
+        MapWord{word("pigment_map"), ValueKind::pigment_map, ValueKind::pigment},
+        MapWord{word("normal_map"), ValueKind::normal_map, ValueKind::normal},
+        MapWord{word("texture_map"), ValueKind::texture_map, ValueKind::texture},
+        MapWord{word("slope_map"), ValueKind::slope_map, ValueKind::slope_map},
+        MapWord{word("density_map"), ValueKind::density_map, ValueKind::none},
+    };
+    if (const auto map = std::ranges::find(maps, in.code(), &MapWord::code); map != maps.end()) {
+        in.skip();
+        return value(map->kind, read_map(in, map->level));
+    }
     switch (in.code()) {
         case value_code: {
             const ValueKind kind = in.kind();
@@ -202,24 +220,6 @@ NamedValue PovReader::read_thing(Interpreter& in) {
             in.skip_block();
             return value(kind, std::make_shared<Thing>());
         }
-        case word("color_map"):
-            in.skip();
-            return value(ValueKind::color_map, read_map(in, ValueKind::none));
-        case word("pigment_map"):
-            in.skip();
-            return value(ValueKind::pigment_map, read_map(in, ValueKind::pigment));
-        case word("normal_map"):
-            in.skip();
-            return value(ValueKind::normal_map, read_map(in, ValueKind::normal));
-        case word("texture_map"):
-            in.skip();
-            return value(ValueKind::texture_map, read_map(in, ValueKind::texture));
-        case word("slope_map"):
-            in.skip();
-            return value(ValueKind::slope_map, read_map(in, ValueKind::slope_map));
-        case word("density_map"):
-            in.skip();
-            return value(ValueKind::density_map, read_map(in, ValueKind::none));
         case word("camera"):
             in.skip();
             return value(ValueKind::camera, read_camera(in));

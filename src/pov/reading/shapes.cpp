@@ -6,8 +6,8 @@
 
 #include "mesh/split.h"
 #include "num/vec_math.h"
-#include "pov/reading/next_value.h"
 #include "pov/reading/reader.h"
+#include "pov/reading/values.h"
 #include "pov/things/surfaces.h"
 
 namespace strahl::pov {

@@ -5,12 +5,12 @@
 #include <array>
 #include <cmath>
 
+#include "files/error.h"
 #include "files/words.h"
 #include "num/vec_math.h"
 #include "pov/reading/reader.h"
 #include "pov/things/letters.h"
 #include "pov/things/prisms.h"
-#include "scene/error.h"
 
 namespace strahl::pov {
 namespace {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "pov/reading/reader.h"
+#include "pov/reading/values.h"
 #include "pov/things/numbers.h"
 #include "pov/things/solids.h"
 
@@ -115,8 +116,21 @@ struct Albedos {
     bool diffuse = false, phong = false, specular = false;
 };
 
-/// Reads what follows this word of a finish.
-void read_finish_word(Interpreter& in, std::uint16_t code, FinishThing& finish, Albedos& albedos) {
+constexpr std::array finish_values{
+    value_word<FinishThing, &FinishThing::brilliance>("brilliance"),
+    value_word<FinishThing, &FinishThing::phong_size>("phong_size"),
+    value_word<FinishThing, &FinishThing::roughness>("roughness"),
+    value_word<FinishThing, &FinishThing::crand>("crand"),
+    value_word<FinishThing, &FinishThing::conserve_energy>("conserve_energy"),
+    value_word<FinishThing, &FinishThing::ior>("ior"),
+    value_word<FinishThing, &FinishThing::refraction>("refraction"),
+};
+
+/// Reads a word of a finish and what follows it.
+void read_finish_word(Interpreter& in, FinishThing& finish, Albedos& albedos) {
+    if (accept_value(in, finish_values, finish)) return;
+    const std::uint16_t code = in.code();
+    in.skip();
     switch (code) {
         case word("ambient"):
             finish.ambient = read_rgb(in);
@@ -129,20 +143,11 @@ void read_finish_word(Interpreter& in, std::uint16_t code, FinishThing& finish, 
             in.skip_comma();
             finish.diffuse_behind = in.read_number_or(finish.diffuse_behind);
             break;
-        case word("brilliance"):
-            finish.brilliance = in.read_number();
-            break;
         case word("phong"):
             albedos.phong = read_albedo(in, finish.phong);
             break;
-        case word("phong_size"):
-            finish.phong_size = in.read_number();
-            break;
         case word("specular"):
             albedos.specular = read_albedo(in, finish.specular);
-            break;
-        case word("roughness"):
-            finish.roughness = in.read_number();
             break;
         case word("metallic"):
             finish.metallic = in.read_number_or(1);
@@ -156,12 +161,6 @@ void read_finish_word(Interpreter& in, std::uint16_t code, FinishThing& finish, 
         }
         case word("reflection_exponent"):
             finish.reflection.exponent = in.read_number();
-            break;
-        case word("crand"):
-            finish.crand = in.read_number();
-            break;
-        case word("conserve_energy"):
-            finish.conserve_energy = in.read_flag();
             break;
         case word("irid"):
             in.begin_block();
@@ -178,12 +177,6 @@ void read_finish_word(Interpreter& in, std::uint16_t code, FinishThing& finish, 
         case word("subsurface"):
             finish.subsurface = true;
             in.skip_block();
-            break;
-        case word("ior"):
-            finish.ior = in.read_number();
-            break;
-        case word("refraction"):
-            finish.refraction = in.read_number();
             break;
         case word("caustics"):
         case word("fade_distance"):
@@ -216,9 +209,7 @@ void PovReader::read_finish(Interpreter& in, FinishThing& finish) {
             finish = *known;
             continue;
         }
-        const std::uint16_t code = in.code();
-        in.skip();
-        read_finish_word(in, code, finish, albedos);
+        read_finish_word(in, finish, albedos);
         in.skip_comma();
     }
     in.end_block();
@@ -234,9 +225,8 @@ bool PovReader::read_old_texture_word(Interpreter& in, LayerValues& layer) {
     const std::uint16_t code = in.code();
     if (is_one_of(code, old_finish_words)) {
         layer.finish.place = in.place();
-        in.skip();
         Albedos none;
-        read_finish_word(in, code, layer.finish, none);
+        read_finish_word(in, layer.finish, none);
     } else if (is_one_of(code, old_normal_words)) {
         if (!read_pattern_word(in, layer.normal.blend, ValueKind::normal))
             return read_modifier(in, layer.normal.blend, ValueKind::normal);

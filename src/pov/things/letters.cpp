@@ -8,9 +8,9 @@
 #include <map>
 #include <memory>
 
+#include "files/error.h"
 #include "files/utf8.h"
 #include "files/words.h"
-#include "scene/error.h"
 
 namespace strahl::pov {
 namespace {

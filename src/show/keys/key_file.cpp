@@ -5,10 +5,10 @@
 #include <optional>
 #include <utility>
 
+#include "files/error.h"
+#include "files/os/user_file.h"
 #include "files/regular_file.h"
-#include "files/user_file.h"
 #include "files/words.h"
-#include "scene/error.h"
 #include "text/reading/messages.h"
 
 namespace strahl {
@@ -77,7 +77,7 @@ std::optional<KeyLine> read_line(std::string_view line, Diagnostics& diagnostics
 
 }  // namespace
 
-std::string keys_file() { return user_file("XDG_CONFIG_HOME", ".config", "strahl/keys"); }
+std::string keys_file() { return os::user_file("XDG_CONFIG_HOME", ".config", "strahl/keys"); }
 
 KeysRead keys_in(std::string_view text, const std::string& file) {
     KeysRead result;

@@ -101,9 +101,9 @@ std::string report_of(const Benchmark& b, const BenchmarkSetting& s) {
     std::string text =
         printable(s.scene) + format(", %dx%d, depth %d, %d threads, %s (%s), at most %g pictures/s\n", s.width,
                                     s.height, s.depth, s.threads, s.precision.c_str(), s.simd.c_str(), s.fps);
-    if (s.wanted.width > 0 && s.wanted != s.window)
+    if (s.wanted && *s.wanted != s.window)
         text += format("the window manager made the window %dx%d instead of %dx%d: compare with figures of that size\n",
-                       s.window.width, s.window.height, s.wanted.width, s.wanted.height);
+                       s.window.width, s.window.height, s.wanted->width, s.wanted->height);
     text += format("%d pictures in %.2f s, %.1f/s\n", b.pictures, b.seconds, rate(b));
     text += format("from one to the next: median %.2f ms, 99th percentile %.2f ms, worst %.2f ms\n", 1000 * b.median,
                    1000 * b.p99, 1000 * b.worst);

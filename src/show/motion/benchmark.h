@@ -57,7 +57,8 @@ Benchmark benchmark_of(const std::vector<ShownPicture>& shown);
 struct BenchmarkSetting {
     std::string scene, precision, simd;
     int width = 0, height = 0;  // of the picture, which may be smaller than the window
-    PixelSize window, wanted;   // wanted: 0x0 if none was given
+    PictureSize window;
+    std::optional<PictureSize> wanted{};  // the window's, if one was given
     int depth = 0, threads = 0;
     double fps = 0, draw_seconds = 0;  // pictures per second requested; time to draw one
 };

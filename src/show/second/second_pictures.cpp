@@ -1,12 +1,10 @@
 #include "show/second/second_pictures.h"
 
-#include <malloc.h>
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <exception>
 
+#include "files/os/memory.h"
+#include "files/os/thread.h"
 #include "povref/compare/run_povray.h"
 
 namespace strahl {
@@ -16,15 +14,6 @@ constexpr std::size_t most_kept = 32'000'000;  // pixels of all kept pictures to
 
 }  // namespace
 
-SecondPictures::SecondPictures(int threads, std::function<void()> notify_function)
-    : threads(threads), notify(std::move(notify_function)) {}
-
-SecondPictures::~SecondPictures() {
-    const std::lock_guard lock(mutex);
-    thread.request_stop();
-    stop = true;
-}
-
 void SecondPictures::want(SecondOrder order) {
     const bool same_order = order == wanted;
     wanted = std::move(order);  // the next comparison need not look into an equal scene again
@@ -32,23 +21,21 @@ void SecondPictures::want(SecondOrder order) {
     current.reset(), why_none.clear();
     const auto same = std::ranges::find(kept, wanted, &decltype(kept)::value_type::first);
     if (same != kept.end()) current = same->second;
-    {
-        const std::lock_guard lock(mutex);
-        ++number;
-        stop = true, next.reset();
-        if (under_way()) next.emplace(wanted, number);
-    }
-    if (!under_way()) return;
-    if (!thread.joinable()) thread = std::jthread([this](const std::stop_token& quit) { loop(quit); });
-    wake.notify_one();
+    ++number;
+    if (!under_way()) return void(worker.drop());
+    worker.replace(
+        [this, order = wanted, own_number = number](const std::atomic<bool>& stop) {
+            os::lower_priority();
+            std::optional<Result> result = make(order, own_number, stop);
+            os::trim_memory();
+            return result;
+        },
+        true);
 }
 
 bool SecondPictures::take() {
     std::optional<Result> taken;
-    {
-        const std::lock_guard lock(mutex);
-        taken = std::exchange(made, std::nullopt);
-    }
+    while (auto newer = worker.take()) taken = std::move(newer);
     if (!taken || taken->number != number) return false;
     why_none = taken->fault;
     if (taken->picture) current = taken->picture;
@@ -61,37 +48,17 @@ bool SecondPictures::take() {
     return true;
 }
 
-void SecondPictures::loop(const std::stop_token& quit) {
-    // On Linux priority belongs to a thread and is inherited by the threads and programs that it starts.
-    static_cast<void>(::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), 10));
-    while (true) {
-        std::unique_lock lock(mutex);
-        if (!wake.wait(lock, quit, [this] { return next.has_value(); })) return;
-        const auto [order, order_number] = *std::exchange(next, std::nullopt);
-        stop = quit.stop_requested();
-        lock.unlock();
-        make(order, order_number);
-        ::malloc_trim(0);  // gives memory back to the system
-    }
-}
-
-void SecondPictures::make(const SecondOrder& order, std::uint64_t order_number) try {
+std::optional<SecondPictures::Result> SecondPictures::make(const SecondOrder& order, std::uint64_t own_number,
+                                                           const std::atomic<bool>& stop) try {
     ThreadPool pool(threads);
     make_second(order, pool, stop, [&](SecondPicture picture) {
-        publish(order_number, std::make_shared<const SecondPicture>(std::move(picture)), "");
+        worker.give({own_number, std::make_shared<const SecondPicture>(std::move(picture))});
     });
+    return std::nullopt;
 } catch (const Stopped&) {
+    return std::nullopt;
 } catch (const std::exception& error) {
-    publish(order_number, nullptr, error.what());
-}
-
-void SecondPictures::publish(std::uint64_t order_number, std::shared_ptr<const SecondPicture> picture,
-                             const std::string& fault) {
-    {
-        const std::lock_guard lock(mutex);
-        made = Result{order_number, std::move(picture), fault};
-    }
-    notify();
+    return Result{own_number, nullptr, error.what()};
 }
 
 }  // namespace strahl

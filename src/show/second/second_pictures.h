@@ -1,26 +1,24 @@
 // Makes second pictures in the background, at low priority, and keeps the last ones.
 #pragma once
 #include <atomic>
-#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 #include <utility>
 
 #include "show/second/second_picture.h"
+#include "show/work/worker.h"
 
 namespace strahl {
 
 class SecondPictures {
   public:
     /// `notify` is called from another thread when there is something to take.
-    SecondPictures(int threads, std::function<void()> notify);
-    ~SecondPictures();
-    SecondPictures(const SecondPictures&) = delete;
+    SecondPictures(int threads, std::function<void()> notify) : threads(threads), worker(std::move(notify)) {}
 
     /// Asks for a picture, unless it is the one that was asked for last. Ends what is under way for another one:
     /// POV-Ray at once, Strahl after the tiles in work. Never waits for it.
@@ -38,31 +36,21 @@ class SecondPictures {
     bool under_way() const { return wanted.scene && why_none.empty() && !(current && current->finished); }
 
   private:
-    void loop(const std::stop_token& quit);
-    void make(const SecondOrder& order, std::uint64_t number);
-    void publish(std::uint64_t number, std::shared_ptr<const SecondPicture> picture, const std::string& fault);
+    struct Result {
+        std::uint64_t number = 0;  // of the order
+        std::shared_ptr<const SecondPicture> picture{};
+        std::string fault{};
+    };
+    std::optional<Result> make(const SecondOrder& order, std::uint64_t number, const std::atomic<bool>& stop);
 
     const int threads;
-    const std::function<void()> notify;
     SecondOrder wanted;
     std::uint64_t number = 0;  // of `wanted`, counted from 1
     std::shared_ptr<const SecondPicture> current;
     std::string why_none;
     /// Finished pictures, the latest first.
     std::deque<std::pair<SecondOrder, std::shared_ptr<const SecondPicture>>> kept;
-
-    // Shared between threads:
-    std::mutex mutex;
-    std::condition_variable_any wake;
-    std::optional<std::pair<SecondOrder, std::uint64_t>> next;
-    struct Result {
-        std::uint64_t number = 0;
-        std::shared_ptr<const SecondPicture> picture{};
-        std::string fault{};
-    };
-    std::optional<Result> made;
-    std::atomic<bool> stop = false;
-    std::jthread thread;
+    Worker<Result> worker;
 };
 
 }  // namespace strahl

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "scene/error.h"
+#include "files/error.h"
 #include "text/music_text.h"
 #include "text/reading/tracks_file.h"
 

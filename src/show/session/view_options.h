@@ -10,14 +10,8 @@
 
 namespace strahl {
 
-/// A size in pixels; 0x0 if not given.
-struct PixelSize {
-    int width = 0, height = 0;
-    bool operator==(const PixelSize&) const = default;
-};
-
 /// Returns how large a window is at first that shows pictures of this width / height.
-inline PixelSize first_window_size(double aspect) {
+inline PictureSize first_window_size(double aspect) {
     constexpr int width = 960;
     return {width, static_cast<int>(std::lround(std::clamp(width / aspect, 240., 960.)))};
 }
@@ -25,8 +19,8 @@ inline PixelSize first_window_size(double aspect) {
 struct ViewOptions {
     std::string scene;         // a file, or "-" for standard input
     OpeningOptions opening{};
-    PixelSize size;            // of the window; by default 960 wide, with the aspect ratio of the scene's camera
-    PixelSize still_size;      // of stills; by default that of the picture in the window
+    std::optional<PictureSize> size;  // of the window; by default 960 wide, with the aspect ratio of the scene's camera
+    std::optional<PictureSize> still_size;  // of stills; by default that of the picture in the window
     std::string still_folder;  // by default the current folder
     std::string still_ending = ".bmp";  // or ".png"
     bool full_screen = false;

@@ -1,15 +1,15 @@
 #include "show/welcome/gallery.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdio>
 #include <filesystem>
 #include <system_error>
 #include <utility>
 
+#include "files/os/file.h"
+#include "files/os/system.h"
 #include "files/output_file.h"
 #include "files/read_file.h"
 #include "show/work/stills.h"
@@ -46,8 +46,7 @@ GallerySection section_of(const char* title, const fs::path& folder, bool begins
 
 /// Returns the folders where installed scenes may be.
 std::array<fs::path, 2> scene_folders() {
-    std::error_code error;
-    const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
+    const fs::path program = os::program_folder();
     return {(program / "../share/strahl/scenes").lexically_normal(),
             (program / "../../scenes").lexically_normal()};  // of a program in build/release
 }
@@ -130,16 +129,14 @@ std::string begin_scene(const std::string& from, std::string path) {
         path = reserve_file("untitled", ".rt");
     } else {
         if (!path.ends_with(".rt")) path += ".rt";
-        const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (file < 0)
-            throw FileError(errno == EEXIST ? "'" + path + "' exists; choose another name, or open it by Ctrl+O"
+        if (!os::OpenFile(path.c_str(), os::OpenFile::OpenMode::create))
+            throw FileError(errno == EEXIST ? "'" + path + "' exists; choose another name, or open that file"
                                             : "cannot write '" + path + "': " + std::generic_category().message(errno));
-        ::close(file);
     }
     try {
         write_file(path, text);
     } catch (...) {
-        ::unlink(path.c_str());
+        std::remove(path.c_str());
         throw;
     }
     return path;

@@ -1,16 +1,10 @@
 #include "show/welcome/gallery_reader.h"
 
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <chrono>
-#include <condition_variable>
-#include <cstdlib>
-#include <mutex>
 #include <new>
-#include <set>
+#include <utility>
 
+#include "files/os/thread.h"
 #include "files/read_file.h"
 #include "files/regular_file.h"
 #include "image/pixels.h"
@@ -24,101 +18,42 @@
 
 namespace strahl {
 
-/// The data that the window and the thread share.
-struct GalleryReader::Desk {
-    std::mutex mutex;
-    std::condition_variable wake, ended_now;
-    bool quit = false, ended = false, to_list = false;
-    std::vector<std::string> wanted;
-    int width = 1, height = 1;
-    std::string under_way;
-    std::atomic<bool> stop = false;  // what is under way
-    std::set<std::string> made;
-    std::optional<std::vector<GallerySection>> listed;
-    std::vector<std::pair<std::string, SmallPicture>> pictures;
-
-    /// Does one thing that is asked for, or waits. Returns false at the end.
-    bool work(ThreadPool& pool, const std::function<void()>& notify);
-};
-
-bool GalleryReader::Desk::work(ThreadPool& pool, const std::function<void()>& notify) {
-    std::unique_lock lock(mutex);
-    const auto next = [this] {
-        return std::ranges::find_if(wanted, [this](const std::string& path) { return !made.contains(path); });
-    };
-    wake.wait(lock, [&] { return quit || to_list || next() != wanted.end(); });
-    if (quit) return false;
-    if (std::exchange(to_list, false)) {
-        lock.unlock();
-        auto sections = gallery_of(installed_scenes(), read_recent_files());
-        lock.lock();
-        listed = std::move(sections);
-    } else {
-        under_way = *next(), stop = false;
-        const std::string path = under_way;
-        const int columns = width, rows = height;
-        lock.unlock();
-        SmallPicture picture = small_picture(path, columns, rows, pool, stop);
-        lock.lock();
-        under_way.clear();
-        if (stop) return !quit;
-        made.insert(path), pictures.emplace_back(path, std::move(picture));
-    }
-    if (quit) return false;
-    lock.unlock();
-    notify();
-    return true;
-}
-
-GalleryReader::GalleryReader(int threads, std::function<void()> notify)
-    : desk(std::make_shared<Desk>()), thread([desk = desk, threads, notify = std::move(notify)] {
-          static_cast<void>(::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), 10));
-          {
-              ThreadPool pool(threads);
-              while (desk->work(pool, notify)) {
-              }
-          }
-          std::lock_guard lock(desk->mutex);
-          desk->ended = true;
-          desk->ended_now.notify_all();
-      }) {}
-
-GalleryReader::~GalleryReader() {
-    std::unique_lock lock(desk->mutex);
-    desk->quit = desk->stop = true;
-    desk->wake.notify_one();
-    const bool ended = desk->ended_now.wait_for(lock, std::chrono::seconds(5), [this] { return desk->ended; });
-    lock.unlock();
-    if (ended) {
-        thread.join();
-        return;
-    }
-    // It may still make a scene, with data that are destroyed after main() has returned.
-    thread.detach();
-    ::on_exit([](int status, void*) { std::_Exit(status); }, nullptr);
-}
-
 void GalleryReader::list() {
-    std::lock_guard lock(desk->mutex);
-    desk->to_list = true;
-    desk->wake.notify_one();
+    listing = true;
+    worker.add([](const std::atomic<bool>&) {
+        os::lower_priority();
+        return GalleryNews{.listed = gallery_of(installed_scenes(), read_recent_files())};
+    });
 }
 
-void GalleryReader::want(std::vector<std::string> paths, int width, int height) {
-    std::lock_guard lock(desk->mutex);
-    desk->wanted = std::move(paths), desk->width = width, desk->height = height;
-    if (std::ranges::find(desk->wanted, desk->under_way) == desk->wanted.end()) desk->stop = true;
-    desk->wake.notify_one();
+void GalleryReader::want(std::vector<std::string> paths, int own_width, int own_height) {
+    wanted = std::move(paths), width = own_width, height = own_height;
+    if (!under_way.empty() && std::ranges::find(wanted, under_way) == wanted.end()) {
+        worker.drop(), under_way.clear();
+        if (listing) list();
+    }
+    make_next();
 }
 
-std::optional<std::vector<GallerySection>> GalleryReader::take_list() {
-    std::lock_guard lock(desk->mutex);
-    return std::exchange(desk->listed, std::nullopt);
+void GalleryReader::make_next() {
+    const auto next = std::ranges::find_if(wanted, [this](const std::string& path) { return !made.contains(path); });
+    if (!under_way.empty() || next == wanted.end()) return;
+    under_way = *next;
+    worker.add([path = under_way, columns = width, rows = height, threads = threads](const std::atomic<bool>& stop) {
+        os::lower_priority();
+        ThreadPool pool(threads);
+        return GalleryNews{.path = path, .picture = small_picture(path, columns, rows, pool, stop)};
+    });
 }
 
-std::vector<std::pair<std::string, SmallPicture>> GalleryReader::take_pictures() {
-    std::lock_guard lock(desk->mutex);
-    return std::exchange(desk->pictures, {});
+std::optional<GalleryReader::GalleryNews> GalleryReader::take() {
+    std::optional<GalleryNews> found = worker.take();
+    if (!found) return found;
+    if (found->listed) return listing = false, found;
+    made.insert(found->path);
+    if (under_way == found->path) under_way.clear();
+    make_next();
+    return found;
 }
 
 SmallPicture small_picture(const std::string& path, int width, int height, ThreadPool& pool,

@@ -2,15 +2,15 @@
 #pragma once
 #include <atomic>
 #include <functional>
-#include <memory>
 #include <optional>
+#include <set>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
 #include "show/welcome/gallery.h"
 #include "show/welcome/kept_pictures.h"
+#include "show/work/worker.h"
 
 namespace strahl {
 
@@ -18,9 +18,7 @@ namespace strahl {
 class GalleryReader {
   public:
     /// `notify` is called from another thread when there is something to take.
-    GalleryReader(int threads, std::function<void()> notify);
-    ~GalleryReader();
-    GalleryReader(const GalleryReader&) = delete;
+    GalleryReader(int threads, std::function<void()> notify) : threads(threads), worker(std::move(notify), 5) {}
 
     /// Lists the installed scenes and the recent files.
     void list();
@@ -28,15 +26,25 @@ class GalleryReader {
     /// pixels. What is under way is given up if it is not among these.
     void want(std::vector<std::string> paths, int width, int height);
 
-    /// Returns what was listed since the last call.
-    std::optional<std::vector<GallerySection>> take_list();
-    /// Returns the pictures that were made since the last call, with the paths of their scenes.
-    std::vector<std::pair<std::string, SmallPicture>> take_pictures();
+    /// What was listed, or a picture that was made.
+    struct GalleryNews {
+        std::optional<std::vector<GallerySection>> listed{};
+        std::string path{};  // of the picture's scene
+        SmallPicture picture{};
+    };
+    /// Returns what was found and not taken yet.
+    std::optional<GalleryNews> take();
 
   private:
-    struct Desk;
-    std::shared_ptr<Desk> desk;
-    std::thread thread;
+    void make_next();
+
+    const int threads;
+    std::vector<std::string> wanted;
+    int width = 1, height = 1;
+    bool listing = false;        // a list was asked for
+    std::string under_way;       // the scene whose picture is being made
+    std::set<std::string> made;  // scenes whose pictures are
+    Worker<GalleryNews> worker;
 };
 
 /// Traces a small picture of a scene, or takes the one that is kept. Empty if the scene cannot be read, or `stop`

@@ -6,10 +6,11 @@
 #include <functional>
 #include <string_view>
 
+#include "files/os/system.h"
+#include "files/os/user_file.h"
 #include "files/output_file.h"
 #include "files/regular_file.h"
 #include "files/streams.h"
-#include "files/user_file.h"
 
 namespace strahl {
 namespace {
@@ -27,7 +28,7 @@ std::string file_of(const std::string& scene) {
 std::string state_of(const std::string& scene, int width, int height, const std::vector<std::string>& files) {
     const auto time = [](const std::string& file) { return fs::last_write_time(file).time_since_epoch().count(); };
     TextStream state;
-    state << time("/proc/self/exe") << ' ' << width << ' ' << height << '\n' << fs::absolute(scene).string() << '\n';
+    state << time(os::program_file()) << ' ' << width << ' ' << height << '\n' << fs::absolute(scene).string() << '\n';
     for (const std::string& file : files) state << time(file) << ' ' << fs::absolute(file).string() << '\n';
     return state.str() + '\n';
 }

@@ -2,13 +2,13 @@
 
 #include <filesystem>
 
+#include "files/os/user_file.h"
 #include "files/output_file.h"
 #include "files/regular_file.h"
-#include "files/user_file.h"
 
 namespace strahl {
 
-std::string recent_files_file() { return user_file("XDG_STATE_HOME", ".local/state", "strahl/recent"); }
+std::string recent_files_file() { return os::user_file("XDG_STATE_HOME", ".local/state", "strahl/recent"); }
 
 std::vector<std::string> recent_files_in(std::string_view text) {
     std::vector<std::string> recent;

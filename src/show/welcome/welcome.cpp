@@ -33,17 +33,18 @@ bool Welcome::key(int key) {
 
 void Welcome::take(const Screen& screen) {
     if (!reader) return;
-    if (auto listed = reader->take_list()) {
-        sections = std::move(listed), chosen = {};
+    while (auto found = reader->take()) {
+        pace.redraw();
+        if (!found->listed) {
+            const auto& [image, fault, files] = found->picture;
+            pictures[found->path] = {image.width > 0 ? screen.make_texture(image) : 0, fault};
+            continue;
+        }
+        sections = std::move(found->listed), chosen = {};
         std::size_t count = 0;
         for (const GallerySection& section : *sections) count += section.items.size();
         if (missing = missing_scenes(); !missing.empty()) notes.log(missing);
         notes.log("gallery of " + std::to_string(count) + " scenes after " + seconds_text(pace.now()));
-        pace.redraw();
-    }
-    for (const auto& [path, picture] : reader->take_pictures()) {
-        pictures[path] = {picture.image.width > 0 ? screen.make_texture(picture.image) : 0, picture.fault};
-        pace.redraw();
     }
 }
 

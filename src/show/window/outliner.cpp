@@ -79,7 +79,7 @@ std::vector<std::size_t> rows_shown(const std::vector<OutlineRow>& rows, std::st
 }
 
 OutlinerInput Outliner::draw(const std::shared_ptr<const Scene>& scene, const BodyEditor& editor,
-                             const std::set<int>& hidden, const std::vector<std::string>& notes, float reserved) {
+                             const std::set<int>& hidden, const std::vector<Message>& notes, float reserved) {
     OutlinerInput input;
     if (known != scene) rows = outline_of(*scene), warnings = scene_warnings(*scene), known = scene;
     const float font = ImGui::GetFontSize(), width = 17 * font;
@@ -113,11 +113,11 @@ OutlinerInput Outliner::draw(const std::shared_ptr<const Scene>& scene, const Bo
     ImGui::TextDisabled(messages == 0 ? "check: no warnings" : "check:");
     ImGui::BeginChild("messages", {width, messages == 0 ? 1 : std::min(.2f * all, float(messages) * 3 * line)});
     ImGui::PushTextWrapPos(0);
-    for (const std::vector<std::string>* const list : {&std::as_const(warnings), &notes})
-        for (const std::string& message : *list) {
-            ImGui::TextUnformatted(message.c_str());
-            if (list == &notes && ImGui::IsItemClicked()) input.message = message;
-        }
+    for (const std::string& warning : warnings) ImGui::TextUnformatted(warning.c_str());
+    for (const Message& note : notes) {
+        ImGui::TextUnformatted(note.told().c_str());
+        if (ImGui::IsItemClicked()) input.message = note;
+    }
     ImGui::PopTextWrapPos();
     ImGui::EndChild();
     own = end_panel();

@@ -38,7 +38,7 @@ struct OutlinerInput {
     /// A row to choose; a body to hide, or to show again; a body to show alone, or to end that.
     std::optional<OutlineRow> choose{}, hide{}, alone{};
     bool show_all = false;
-    std::optional<std::string> message{};  // a message of `check` whose line is to be opened
+    std::optional<Message> message{};  // a message of `check` whose line is to be opened
 };
 
 class Outliner {
@@ -46,7 +46,7 @@ class Outliner {
     /// To be called while ImGui makes a frame. `hidden` are the bodies that the picture lacks, and `notes` what was
     /// said when the scene was opened. Leaves free so many pixels at the bottom of the window.
     OutlinerInput draw(const std::shared_ptr<const Scene>& scene, const BodyEditor& editor, const std::set<int>& hidden,
-                       const std::vector<std::string>& notes, float reserved);
+                       const std::vector<Message>& notes, float reserved);
     /// Its width in pixels, with the space beside it.
     float width() const { return wide; }
     const CoveredArea& area() const { return own; }

@@ -71,7 +71,7 @@ const NewBlock* Panels::draw_add() {
 }
 
 OutlinerInput Panels::draw_outline(const Session& session, const BodyEditor& editor, const std::set<int>& hidden,
-                                   const std::vector<std::string>& notes) {
+                                   const std::vector<Message>& notes) {
     return outline_shown() ? outliner.draw(session.scene, editor, hidden, notes, reserved()) : OutlinerInput{};
 }
 

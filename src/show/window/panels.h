@@ -34,7 +34,7 @@ class Panels {
     const NewBlock* draw_add();
     /// Draws the outline, if it is shown, and returns what the user did in it. Likewise; see Outliner::draw.
     OutlinerInput draw_outline(const Session& session, const BodyEditor& editor, const std::set<int>& hidden,
-                               const std::vector<std::string>& notes);
+                               const std::vector<Message>& notes);
     bool timeline_shown() const { return timeline_open && !quiet; }
     /// Is the help shown? It covers the window.
     bool help_shown() const { return help && !quiet; }

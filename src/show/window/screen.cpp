@@ -153,7 +153,7 @@ struct Screen::Surface {
     }
 };
 
-Screen::Screen(const std::string& title, PixelSize size, bool default_size, bool full, bool framed) {
+Screen::Screen(const std::string& title, PictureSize size, bool default_size, bool full, bool framed) {
     if (!glfwInit()) fail("no display");
     glfwWindowHint(GLFW_DECORATED, framed ? GLFW_TRUE : GLFW_FALSE);
     try {
@@ -167,7 +167,7 @@ Screen::Screen(const std::string& title, PixelSize size, bool default_size, bool
     }
 }
 
-void Screen::make_window(const std::string& title, PixelSize size, bool default_size, bool full) {
+void Screen::make_window(const std::string& title, PictureSize size, bool default_size, bool full) {
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, default_size);
     glfwWindowHint(GLFW_RED_BITS, 8);
     glfwWindowHint(GLFW_GREEN_BITS, 8);

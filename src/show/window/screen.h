@@ -27,7 +27,7 @@ class Screen {
     /// Opens the window; there can be one at a time. `size` is in pixels; a default size grows with the monitor's
     /// scale, but where a size is remembered that applies. Unless `framed` the window manager is asked for no frame, so
     /// that it leaves the size as it is. Throws WindowError.
-    Screen(const std::string& title, PixelSize size, bool default_size, bool full, bool framed);
+    Screen(const std::string& title, PictureSize size, bool default_size, bool full, bool framed);
     ~Screen();
     Screen(const Screen&) = delete;
     Screen& operator=(const Screen&) = delete;
@@ -62,7 +62,7 @@ class Screen {
   private:
     struct Functions;
     struct Surface;
-    void make_window(const std::string& title, PixelSize size, bool default_size, bool full);
+    void make_window(const std::string& title, PictureSize size, bool default_size, bool full);
     void start_drawing();
     void copy_pictures() const;
     void restore();

@@ -3,16 +3,16 @@
 
 #include <filesystem>
 
+#include "files/error.h"
+#include "files/os/user_file.h"
 #include "files/output_file.h"
 #include "files/regular_file.h"
 #include "files/streams.h"
-#include "files/user_file.h"
 #include "files/utf8.h"
-#include "scene/error.h"
 
 namespace strahl {
 
-std::string window_state_file() { return user_file("XDG_STATE_HOME", ".local/state", "strahl/window"); }
+std::string window_state_file() { return os::user_file("XDG_STATE_HOME", ".local/state", "strahl/window"); }
 
 std::optional<WindowState> window_state_in(std::string_view text) try {
     WordStream words{std::string(utf8_text(text, "window"))};

@@ -1,18 +1,17 @@
 // Reads and watches the scene file, and writes into it, in a thread of its own.
 #include "show/work/reload.h"
 
-#include <sys/stat.h>
-
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
-#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <mutex>
 #include <set>
 #include <utility>
 
+#include "files/os/file.h"
+#include "files/os/thread.h"
 #include "files/output_file.h"
 #include "files/read_file.h"
 #include "files/regular_file.h"
@@ -36,17 +35,16 @@ constexpr auto check_interval = std::chrono::milliseconds(33);
 constexpr std::size_t most_text = 16 << 20;  // bytes of a text whose numbers can be changed in the window
 
 /// All zero, unless it is a regular file: reading another one again would take something else from it.
-FileStamp stamp_of(const std::string& path) {
-    struct stat s {};
-    if (path == "-" || ::stat(path.c_str(), &s) != 0 || !S_ISREG(s.st_mode)) return {};
-    return {s.st_dev, s.st_ino, s.st_size, s.st_mtim.tv_sec, s.st_mtim.tv_nsec};
+os::FileStamp stamp_of(const std::string& path) {
+    const os::FileStatus status = path == "-" ? os::FileStatus{} : os::status_of(path);
+    return status.regular() ? status.stamp : os::FileStamp{};
 }
 
 Loaded loaded_scene(const std::string& path, const std::string& text, bool opened, const OpeningOptions& options) try {
     const std::string name = path == "-" ? "standard input" : path;
     OpenedScene read = scene_for_window(text, name, options);
     if (opened)
-        for (const std::string& note : read.notes) std::cerr << "strahl: warning: " << printable(note) << '\n';
+        for (const Message& note : read.notes) std::cerr << "strahl: warning: " << printable(note.told()) << '\n';
     auto scene = std::make_shared<const Scene>(std::move(read.scene));
     const EyeWords words = is_pov(path) || is_model(path) ? EyeWords{} : eye_words(text);
     return {.path = path,
@@ -57,7 +55,7 @@ Loaded loaded_scene(const std::string& path, const std::string& text, bool opene
             .mirrored = read.mirrored,
             .changes = read.changes,
             .sized = read.sized,
-            .read_for = {options.time.value_or(0), options.width, options.height},
+            .read_for = {options.time.value_or(0), options.size.width, options.size.height},
             .lines = std::move(read.lines),
             .text = text.size() > most_text ? std::string() : text};
 } catch (const FileError& error) {
@@ -82,8 +80,8 @@ bool same_pictures(const Scene& a, const Scene& b) {
     return a == same;
 }
 
-std::vector<FileStamp> stamps_of(const std::vector<std::string>& files) {
-    std::vector<FileStamp> stamps;
+std::vector<os::FileStamp> stamps_of(const std::vector<std::string>& files) {
+    std::vector<os::FileStamp> stamps;
     for (const std::string& file : files) stamps.push_back(stamp_of(file));
     return stamps;
 }
@@ -196,9 +194,9 @@ class Reload::FileThread {
     std::shared_ptr<const Scene> shown_scene;                  // the first one that gave the picture of the last one
     OpeningOptions options;
     bool any_scene = false;  // has been read
-    FileStamp known, before;
+    os::FileStamp known, before;
     std::vector<std::string> others;  // files that the scene includes
-    std::vector<FileStamp> known_others, others_before;
+    std::vector<os::FileStamp> known_others, others_before;
 };
 
 Reload::Reload(const std::string& path, OpeningOptions options)
@@ -224,8 +222,7 @@ Reload::~Reload() {
     desk->left = !desk->ended;
     lock.unlock();
     desk->left ? thread.detach() : thread.join();
-    // It may still make a scene, with data that are destroyed after main() has returned.
-    if (desk->left) on_exit([](int status, void*) { std::_Exit(status); }, nullptr);
+    if (desk->left) os::leave_thread_behind();
 }
 
 void Reload::listen(std::function<void()> notify) {
@@ -350,7 +347,7 @@ void Reload::FileThread::show_text(const TextToShow& changed) {
 void Reload::FileThread::read_moment(const ReadFor& moment) {
     // At the start of a flight the clock stands as it does where no moment was asked for.
     if (moment.seconds != 0 || options.time) options.time = moment.seconds;
-    options.width = moment.width, options.height = moment.height;
+    options.size = {moment.width, moment.height};
     Loaded loaded = load(path, shown_text.value_or(text), false);
     loaded.moved = true;
     std::unique_lock lock(desk->mutex);
@@ -392,7 +389,7 @@ void Reload::FileThread::check_file() {
     const bool settled = now == std::exchange(before, now);
     const bool others_settled = now_others == std::exchange(others_before, now_others);
     const bool included = now_others != known_others;
-    if (now == FileStamp{} || (now == known && !included) || !settled || !others_settled) return;
+    if (now == os::FileStamp{} || (now == known && !included) || !settled || !others_settled) return;
     known = now;
     std::optional<std::string> content = answer([this] { return text_of(path); });
     if (!content || (*content == text && !included)) return;

@@ -1,7 +1,5 @@
 // Reads the scene file again whenever it changes on disk, and writes paths and numbers into it.
 #pragma once
-#include <sys/types.h>
-
 #include <functional>
 #include <memory>
 #include <optional>
@@ -19,16 +17,6 @@ namespace strahl {
 /// Reads a scene. Throws FileError, also if the scene is too large for float, in which the window traces.
 OpenedScene scene_for_window(const std::string& text, const std::string& path, const OpeningOptions& options = {});
 
-/// Identifies a version of a file; all zero if there is none.
-struct FileStamp {
-    dev_t device = 0;
-    ino_t number = 0;
-    off_t size = 0;
-    time_t seconds = 0;
-    long nanoseconds = 0;
-    bool operator==(const FileStamp&) const = default;
-};
-
 /// Says for which moment of its flight, in seconds, and for which size of its picture a scene of POV-Ray is read.
 struct ReadFor {
     double seconds = 0;
@@ -41,7 +29,7 @@ struct Loaded {
     std::shared_ptr<const Scene> scene{};  // null if it has an error, or is still being read
     std::shared_ptr<const Scene> picture{};  // an older scene if that gives the same picture, with the same tracks
     std::string fault{};                   // the message of the error
-    std::vector<std::string> notes{};      // see OpenedScene
+    std::vector<Message> notes{};          // see OpenedScene
     std::vector<std::string> warnings{};   // of a newly opened scene, see scene_warnings()
     bool opened = false;                   // it is a newly opened file
     bool renamed = false;                  // it is the scene as it was, in another file from now on

@@ -1,21 +1,16 @@
 #include "show/work/rocket.h"
 
-#include <arpa/inet.h>
-#include <netinet/in.h>
-#include <netinet/tcp.h>
-#include <sys/socket.h>
-#include <sys/time.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <bit>
-#include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <system_error>
 #include <utility>
 
-#include "scene/error.h"
+#include "files/bytes.h"
+#include "files/error.h"
 #include "text/reading/messages.h"
 #include "text/reading/parameter.h"
 
@@ -34,14 +29,10 @@ std::size_t length_of(char command) {
     return number < lengths.size() ? lengths[number] : 0;
 }
 
-std::uint32_t number_at(std::string_view bytes, std::size_t at) {
-    std::uint32_t number = 0;
-    for (std::size_t i = at; i < at + 4; ++i) number = number << 8 | static_cast<unsigned char>(bytes[i]);
-    return number;
-}
+std::uint32_t number_at(std::string_view bytes, std::size_t at) { return get_big<std::uint32_t>(bytes, at); }
 std::string bytes_of(std::uint32_t number) {
     std::string bytes;
-    for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(number >> shift & 0xFF);
+    put_big(bytes, number);
     return bytes;
 }
 
@@ -79,21 +70,15 @@ std::optional<RocketCommand> command_of(std::string_view bytes, bool& broken) {
 std::string address_of(int port) { return "127.0.0.1:" + std::to_string(port); }
 
 /// Receives as many bytes as the greeting has; fewer if the connection ends or nothing comes for 2 seconds.
-std::string greeting_from(int socket) {
+std::string greeting_from(os::Connection& connection) {
     std::string text;
     char buffer[editor_greeting.size()];
     while (text.size() < editor_greeting.size()) {
-        const ssize_t got = ::recv(socket, buffer, editor_greeting.size() - text.size(), 0);
-        if (got < 0 && errno == EINTR) continue;
+        const std::ptrdiff_t got = connection.receive(buffer, editor_greeting.size() - text.size());
         if (got <= 0) break;
         text.append(buffer, static_cast<std::size_t>(got));
     }
     return text;
-}
-
-void set_timeout(int socket, int seconds) {
-    const timeval time{seconds, 0};
-    ::setsockopt(socket, SOL_SOCKET, SO_RCVTIMEO, &time, sizeof time);
 }
 
 }  // namespace
@@ -112,68 +97,48 @@ bool RocketDecoder::feed(std::string_view bytes, std::vector<RocketCommand>& com
     return !broken;
 }
 
-Rocket::Rocket(int port) : socket(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
-    const auto fail = [&](const std::string& why) -> void {
-        if (socket >= 0) ::close(socket);
-        throw FileError(why);
-    };
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_port = htons(static_cast<std::uint16_t>(port));
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    if (socket < 0 || ::connect(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0)
-        fail("no GNU Rocket editor at " + address_of(port) + ": " + std::strerror(errno));
-    const int on = 1;
-    ::setsockopt(socket, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
-    set_timeout(socket, 2);
-    const ssize_t sent = ::send(socket, demo_greeting.data(), demo_greeting.size(), MSG_NOSIGNAL);
-    const std::string answer = sent == ssize_t(demo_greeting.size()) ? greeting_from(socket) : "";
+Rocket::Rocket(int port) try : connection(port) {
+    connection.set_timeout(2);
+    const bool sent = connection.send(demo_greeting) == demo_greeting.size();
+    const std::string answer = sent ? greeting_from(connection) : "";
     if (answer != editor_greeting)
-        fail(address_of(port) + " is not a GNU Rocket editor: it " +
-             (answer.empty() ? "sends no greeting" : "greets with " + strahl::quoted(answer)));
-    set_timeout(socket, 0);
+        throw FileError(address_of(port) + " is not a GNU Rocket editor: it " +
+                        (answer.empty() ? "sends no greeting" : "greets with " + strahl::quoted(answer)));
+    connection.set_timeout(0);
+} catch (const std::system_error& error) {
+    throw FileError("no GNU Rocket editor at " + address_of(port) + ": " + error.code().message());
 }
 
-Rocket::~Rocket() {
-    thread.request_stop();
-    ::shutdown(socket, SHUT_RDWR);
-    if (thread.joinable()) thread.join();
-    ::close(socket);
+Rocket::~Rocket() { connection.end(); }
+
+void Rocket::listen(std::function<void()> notify) {
+    worker.emplace(std::move(notify));
+    worker->add([this](const std::atomic<bool>&) { return receive(); });
 }
 
-void Rocket::listen(std::function<void()> function) {
-    notify = std::move(function);
-    thread = std::jthread([this](std::stop_token quit) { read(quit); });
-}
-
-void Rocket::read(std::stop_token quit) {
+/// Receives until the connection ends.
+Rocket::Received Rocket::receive() {
     RocketDecoder decoder;
     std::vector<char> buffer(1 << 16);
-    for (bool well = true; well && !quit.stop_requested();) {
-        const ssize_t got = ::recv(socket, buffer.data(), buffer.size(), 0);
-        if (got < 0 && errno == EINTR) continue;
-        const std::string why = got == 0 ? "it has ended the connection" : got < 0 ? std::strerror(errno) : "";
-        {
-            std::lock_guard lock(mutex);
-            if (got <= 0)
-                lost = why, well = false;
-            else if (!decoder.feed({buffer.data(), static_cast<std::size_t>(got)}, commands))
-                lost = "it sent something that is not in the protocol", well = false;
-        }
-        notify();
+    while (true) {
+        Received received;
+        const std::ptrdiff_t got = connection.receive(buffer.data(), buffer.size());
+        if (got <= 0) return {{}, got ? std::strerror(int(-got)) : "it has ended the connection"};
+        if (!decoder.feed({buffer.data(), static_cast<std::size_t>(got)}, received.commands))
+            received.lost = "it sent something that is not in the protocol";
+        if (!received.lost.empty()) return received;
+        worker->give(std::move(received));
     }
 }
 
 RocketNews Rocket::take() {
     RocketNews news;
-    std::vector<RocketCommand> taken;
-    {
-        std::lock_guard lock(mutex);
-        taken.swap(commands);
-        news.lost = lost;
+    while (auto received = worker ? worker->take() : std::nullopt) {
+        for (const RocketCommand& command : received->commands) apply(command, news);
+        if (lost.empty()) lost = received->lost;
     }
-    for (const RocketCommand& command : taken) apply(command, news);
     if (!unsent.empty()) send("");
+    if (news.lost.empty()) news.lost = lost;
     return news;
 }
 
@@ -195,15 +160,8 @@ void Rocket::apply(const RocketCommand& command, RocketNews& news) {
 /// Sends what is not sent yet, then these bytes. What cannot be sent now is kept for later.
 void Rocket::send(std::string_view bytes) {
     unsent += bytes;
-    while (!unsent.empty()) {
-        const ssize_t sent = ::send(socket, unsent.data(), unsent.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
-        if (sent < 0 && errno == EINTR) continue;
-        if (sent < 0) break;
-        unsent.erase(0, static_cast<std::size_t>(sent));
-    }
-    if (unsent.size() < most_unsent) return;
-    std::lock_guard lock(mutex);
-    lost = "it does not read what it is sent";
+    unsent.erase(0, connection.send(unsent));
+    if (unsent.size() >= most_unsent) lost = "it does not read what it is sent";
 }
 
 void Rocket::ask(const std::vector<std::string>& names) {

@@ -3,14 +3,14 @@
 #pragma once
 #include <cstdint>
 #include <functional>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <thread>
 #include <vector>
 
+#include "files/os/connection.h"
 #include "scene/motion/track.h"
+#include "show/work/worker.h"
 
 namespace strahl {
 
@@ -65,19 +65,21 @@ class Rocket {
     void tell_row(int row);
 
   private:
-    void read(std::stop_token quit);
+    /// What one packet has brought; or the end of the connection, and the reason.
+    struct Received {
+        std::vector<RocketCommand> commands;
+        std::string lost{};
+    };
+    Received receive();
     void send(std::string_view bytes);
     void apply(const RocketCommand& command, RocketNews& news);
 
-    int socket = -1;
+    os::Connection connection;
     std::vector<Track> asked;
     std::optional<int> told;
     std::string unsent;
-    std::mutex mutex;
-    std::vector<RocketCommand> commands;
     std::string lost;
-    std::function<void()> notify;
-    std::jthread thread;
+    std::optional<Worker<Received>> worker;  // once there is one to listen
 };
 
 /// Returns `tracks` with those of `newer` added; of equal names the newer one counts.

@@ -1,6 +1,7 @@
 #include "show/work/silhouette.h"
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 #include "num/thread_pool.h"
@@ -27,7 +28,7 @@ Scene alone(const Scene& scene, int body) {
     return own;
 }
 
-std::vector<SilhouetteLine> traced_lines(const Scene& scene, View view) {
+std::vector<SilhouetteLine> traced_lines(const Scene& scene, View view, const std::atomic<bool>& stop) {
     ThreadPool pool(1);
     Tracer tracer(scene, Precision::float32);
     view.depth = 1, view.error = 0;
@@ -39,11 +40,11 @@ std::vector<SilhouetteLine> traced_lines(const Scene& scene, View view) {
                               .rows = std::max(1, view.height / step),
                               .step_x = step,
                               .step_y = step};
-        const std::vector<double> rgb = values_of(tracer, view, lattice, pool);
+        const std::vector<double> rgb = values_of(tracer, view, lattice, pool, {.grid = 1}, &stop);
         std::vector<bool> inside(rgb.size() / 3);
         for (std::size_t i = 0; i < inside.size(); ++i) inside[i] = rgb[3 * i] > .5;
         std::vector<SilhouetteLine> lines = lines_around(inside, lattice.columns, lattice.rows);
-        if (lines.size() > most_lines && step < 64) continue;
+        if (lines.size() > most_lines && step < 64 && !stop) continue;
         for (SilhouetteLine& line : lines) line.x0 *= step, line.y0 *= step, line.x1 *= step, line.y1 *= step;
         return lines;
     }
@@ -69,37 +70,26 @@ std::vector<SilhouetteLine> lines_around(const std::vector<bool>& inside, int wi
     return lines;
 }
 
-Silhouette::~Silhouette() {
-    if (thread.joinable()) thread.join();
-}
-
 void Silhouette::want(std::shared_ptr<const Scene> scene, int body, const View& view) {
     const View& last = wanted.view;
     if (wanted.scene == scene && wanted.body == body && last.camera == view.camera && last.width == view.width &&
         last.height == view.height && last.time == view.time && last.tracks == view.tracks)
         return;
-    wanted = {std::move(scene), body, view}, waiting = true;
-    if (!thread.joinable()) start();
+    wanted = {std::move(scene), body, view};
+    // The one under way is finished first, or none would be seen while the camera moves.
+    worker.replace(
+        [subject = wanted](const std::atomic<bool>& stop) {
+            return traced_lines(alone(*subject.scene, subject.body), subject.view, stop);
+        },
+        false);
 }
 
-void Silhouette::start() {
-    waiting = false;
-    thread = std::thread([this, subject = wanted] {
-        traced = traced_lines(alone(*subject.scene, subject.body), subject.view);
-        ready = true;
-        notify();
-    });
-}
-
-void Silhouette::drop() { wanted = {}, waiting = false, found.clear(); }
+void Silhouette::drop() { wanted = {}, worker.drop(), found.clear(); }
 
 bool Silhouette::take() {
-    if (!ready) return false;
-    thread.join();
-    ready = false;
-    if (wanted.scene) found = std::exchange(traced, {});
-    if (waiting) start();
-    return true;
+    auto lines = worker.take();
+    if (lines && wanted.scene) found = *std::move(lines);
+    return lines.has_value();
 }
 
 }  // namespace strahl

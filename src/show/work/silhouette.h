@@ -1,13 +1,12 @@
 // Finds the silhouette of a body in the picture, in the background: by tracing it alone.
 #pragma once
-#include <atomic>
 #include <functional>
 #include <memory>
-#include <thread>
 #include <utility>
 #include <vector>
 
 #include "scene/scene.h"
+#include "show/work/worker.h"
 #include "trace/world/view.h"
 
 namespace strahl {
@@ -23,9 +22,7 @@ std::vector<SilhouetteLine> lines_around(const std::vector<bool>& inside, int wi
 class Silhouette {
   public:
     /// `notify` is called from another thread when there is something to take.
-    explicit Silhouette(std::function<void()> notify) : notify(std::move(notify)) {}
-    ~Silhouette();
-    Silhouette(const Silhouette&) = delete;
+    explicit Silhouette(std::function<void()> notify) : worker(std::move(notify)) {}
 
     /// Asks for the silhouette of a body. Nothing is done if it is the one that was asked for last.
     void want(std::shared_ptr<const Scene> scene, int body, const View& view);
@@ -41,14 +38,10 @@ class Silhouette {
         int body = 0;
         View view;
     };
-    void start();
 
-    const std::function<void()> notify;
     Subject wanted;
-    bool waiting = false;  // `wanted` has not been started
-    std::atomic<bool> ready = false;
-    std::vector<SilhouetteLine> traced, found;  // the first is the thread's
-    std::thread thread;
+    std::vector<SilhouetteLine> found;
+    Worker<std::vector<SilhouetteLine>> worker;
 };
 
 }  // namespace strahl

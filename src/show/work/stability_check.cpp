@@ -56,50 +56,43 @@ class Undecided {
 
 }  // namespace
 
-StabilityCheck::StabilityCheck(int thread_count, std::function<void()> notify_function)
-    : threads(thread_count), notify(std::move(notify_function)) {}
-
-StabilityCheck::~StabilityCheck() { cancel(); }
-
 void StabilityCheck::start(std::shared_ptr<const Scene> scene, const View& view) {
     cancel();
     started = true;
     share = 0;
-    thread = std::thread([this, scene = std::move(scene), view] {
+    worker.add([this, scene = std::move(scene), view](const std::atomic<bool>& stop) {
+        Stability found;
         Agreements agreements(*scene, threads,
                               [gamma = scene->settings.assumed_gamma](double v) { return quantise(v, gamma, 255); });
         std::optional<Undecided> undecided;
-        if (proves()) undecided.emplace(*scene, threads), collected.proved = 0;
+        if (proves()) undecided.emplace(*scene, threads), found.proved = 0;
         constexpr int band = 64;  // rows at a time
         for (int y = 0; y < view.height && !stop; y += band) {
             const Lattice rows{.y = y, .columns = view.width, .rows = std::min(band, view.height - y)};
             const auto map = agreements.of(view, rows, nullptr, &stop);
             for (std::size_t i = 0; i < map.size(); ++i)
                 if (map[i] != Agreement::all)
-                    collected.marks.push_back(
+                    found.marks.push_back(
                         {int(i) % view.width, y + int(i) / view.width, map[i] == Agreement::not_float64});
-            if (undecided) undecided->add_rows(view, rows, collected, &stop);
+            if (undecided) undecided->add_rows(view, rows, found, &stop);
             share = double(y + rows.rows) / view.height;
-            notify();
+            worker.notify();
         }
-        ready = true;
-        notify();
+        return found;
     });
 }
 
 void StabilityCheck::cancel() {
-    stop = true;
-    if (thread.joinable()) thread.join();
-    started = stop = ready = false;
-    collected = result = {};
+    worker.cancel();
+    while (worker.take()) continue;
+    started = false;
+    result = {};
 }
 
 bool StabilityCheck::take() {
-    if (!ready) return false;
-    thread.join();
-    ready = false;
-    result = std::exchange(collected, {});
-    return true;
+    auto found = worker.take();
+    if (found) result = *std::move(found);
+    return found.has_value();
 }
 
 }  // namespace strahl

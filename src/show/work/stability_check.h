@@ -5,9 +5,10 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <thread>
+#include <utility>
 #include <vector>
 
+#include "show/work/worker.h"
 #include "trace/tracer.h"
 
 namespace strahl {
@@ -32,8 +33,7 @@ struct Stability {
 class StabilityCheck {
   public:
     /// `notify` is called from another thread when there is progress.
-    StabilityCheck(int threads, std::function<void()> notify);
-    ~StabilityCheck();
+    StabilityCheck(int threads, std::function<void()> notify) : threads(threads), worker(std::move(notify)) {}
 
     /// Starts, after cancelling what is under way.
     void start(std::shared_ptr<const Scene> scene, const View& view);
@@ -41,7 +41,7 @@ class StabilityCheck {
     void cancel();
     /// Is it under way, or is there something found?
     bool active() const { return started; }
-    bool under_way() const { return thread.joinable() && !ready; }
+    bool under_way() const { return worker.unfinished() > 0; }
     /// The share of the picture that is done, 0 to 1.
     double progress() const { return share; }
     /// Returns true once, when it has come to its end.
@@ -51,12 +51,10 @@ class StabilityCheck {
 
   private:
     const int threads;
-    const std::function<void()> notify;
     bool started = false;
-    std::atomic<bool> stop = false, ready = false;
     std::atomic<double> share = 0;
-    Stability collected, result;  // the first is the thread's
-    std::thread thread;
+    Stability result;
+    Worker<Stability> worker;
 };
 
 }  // namespace strahl

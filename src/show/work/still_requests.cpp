@@ -15,7 +15,7 @@ StillRequests::StillRequests(const ViewOptions& options, Notes& notes, Pace& pac
 void StillRequests::add(const Session& session, const std::string& scene_path, View view,
                         const std::string& ending) {
     if (finishing) return notes.note("the window is closing, and makes no more stills");
-    if (options.still_size.width > 0) view.width = options.still_size.width, view.height = options.still_size.height;
+    if (const auto& size = options.still_size) view.width = size->width, view.height = size->height;
     const bool in_flight = session.flight.flying() || session.time != 0;
     const std::string name =
         std::filesystem::path(options.still_folder) /

@@ -1,17 +1,15 @@
 // Stills: pictures in full quality, rendered in the background.
 #pragma once
 #include <atomic>
-#include <condition_variable>
-#include <deque>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
+#include <utility>
 #include <vector>
 
 #include "image/transfer.h"
+#include "show/work/worker.h"
 #include "trace/tracer.h"
 
 namespace strahl {
@@ -29,13 +27,11 @@ struct Still {
 class Stills {
   public:
     /// `notify` is called from another thread when a still is finished or its progress has visibly changed.
-    Stills(int threads, std::function<void()> notify);
-    /// Drops unfinished stills.
-    ~Stills();
+    Stills(int threads, std::function<void()> notify) : threads(threads), worker(std::move(notify)) {}
 
     void add(Still still);
     /// Number of stills that are not written yet.
-    int pending() const;
+    int pending() const { return static_cast<int>(worker.unfinished()); }
     /// The share of the current still that is done, 0 to 1.
     double progress() const { return share; }
     /// Stops at once. Returns the names of the stills that were not written.
@@ -48,18 +44,13 @@ class Stills {
     std::vector<Outcome> outcomes();
 
   private:
-    void loop(std::stop_token quit, int threads);
-    /// Renders and writes a still. The outcome is empty if it was stopped.
-    Outcome make(const Still& still, class ThreadPool& pool);
+    /// Renders and writes a still. Returns nothing if it was stopped.
+    std::optional<Outcome> make(const Still& still, const std::atomic<bool>& stop);
 
-    mutable std::mutex mutex;
-    std::condition_variable_any wake;
-    std::deque<Still> queue;  // the front one is being traced
-    std::vector<Outcome> finished;
+    const int threads;
+    std::vector<std::string> names;  // of all that were asked for
     std::atomic<double> share = 0;
-    std::atomic<bool> stop = false;
-    const std::function<void()> notify;
-    std::jthread thread;
+    Worker<Outcome> worker;
 };
 
 /// Creates an empty file `name` with this ending, or `name`-2, ... if that exists. The caller fills it. Throws

@@ -1,10 +1,8 @@
 #include "show/work/text_file.h"
 
-#include <sys/stat.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <filesystem>
+#include <system_error>
 
 #include "files/output_file.h"
 #include "files/read_file.h"
@@ -33,8 +31,8 @@ void write_text_file(const std::string& path, const TextOnDisk& file) {
 }
 
 bool is_gone(const std::string& path) {
-    struct stat status {};
-    return ::stat(path.c_str(), &status) != 0 && errno == ENOENT;
+    std::error_code error;
+    return std::filesystem::status(path, error).type() == std::filesystem::file_type::not_found;
 }
 
 std::string back_up(const std::string& path) {

@@ -1,11 +1,10 @@
 // Traces for the window, in a thread of its own.
 #include "show/work/trace_thread.h"
 
-#include <malloc.h>
-
 #include <algorithm>
 #include <utility>
 
+#include "files/os/memory.h"
 #include "image/transfer.h"
 
 namespace strahl {
@@ -42,16 +41,7 @@ void PictureOnScreen::take(const std::function<void(const Fresh&)>& upload, cons
 }
 
 TraceThread::TraceThread(int threads, std::function<void()> notify_function)
-    : notify(std::move(notify_function)), pool(threads), thread([this](std::stop_token quit) { loop(quit); }) {}
-
-TraceThread::~TraceThread() {
-    {
-        std::lock_guard lock(mutex);
-        thread.request_stop();
-        stop = true;
-    }
-    thread.join();
-}
+    : notify(std::move(notify_function)), pool(threads), worker([] {}) {}
 
 /// Should the picture in work be abandoned for `newer`? A coarse picture is finished first, or nothing would be shown
 /// in fast motion; unless it has become useless, or takes far longer than planned and a coarser one would not.
@@ -65,13 +55,14 @@ bool TraceThread::outdated(const Order& newer) const {
 }
 
 void TraceThread::want(Order newer) {
-    {
-        std::lock_guard lock(mutex);
-        if (outdated(newer)) stop = true;
-        if (newer.number != state.number) complete = false;
-        next = std::move(newer);
-    }
-    wake.notify_one();
+    std::lock_guard lock(mutex);
+    const bool at_once = outdated(newer);
+    if (newer.number != state.number) complete = false;
+    const auto job = [this, newer = std::move(newer)](const std::atomic<bool>& stop) {
+        trace(newer, stop);
+        return std::nullopt;
+    };
+    worker.replace(job, at_once);
 }
 
 std::optional<Refinement> TraceThread::take(const Upload& upload) {
@@ -86,29 +77,22 @@ double TraceThread::seconds_built() const {
     return since == Clock::time_point() ? 0 : seconds_since(since);
 }
 
-void TraceThread::loop(std::stop_token quit) {
-    while (accept(quit)) done < 0 ? first_picture() : refine();
-}
-
-/// Waits for work. Returns false when the thread should end.
-bool TraceThread::accept(std::stop_token quit) {
+/// Traces the first picture of an order and its passes, until another one waits.
+void TraceThread::trace(const Order& newer, const std::atomic<bool>& stop) {
     std::unique_lock lock(mutex);
+    if (newer.scene != order.scene) tracer.reset();
+    if (newer.scene != order.scene || newer.exposure != order.exposure)
+        table.emplace(newer.scene->settings.assumed_gamma, newer.exposure);
+    if (newer.number != order.number) done = -1, cells.reset();
+    order = newer;
+    while ((done < 0 || (done < averaged_level && !order.moving)) && !stop && !worker.waiting()) {
+        work = done < 0 ? Work::first : Work::refining;
+        work_began = Clock::now();
+        lock.unlock();
+        done < 0 ? first_picture(stop) : refine(stop);
+        lock.lock();
+    }
     work = Work::none;
-    const auto unfinished = [&] { return done < 0 || (done < averaged_level && !order.moving); };
-    do {
-        wake.wait(lock, quit, [&] { return next || (order.number > 0 && unfinished()); });
-        if (quit.stop_requested()) return false;
-        if (!next) break;
-        if (next->scene != order.scene) tracer.reset();
-        if (next->scene != order.scene || next->exposure != order.exposure)
-            table.emplace(next->scene->settings.assumed_gamma, next->exposure);
-        if (next->number != order.number) done = -1, cells.reset();
-        order = *std::exchange(next, std::nullopt);
-    } while (!unfinished());
-    work = done < 0 ? Work::first : Work::refining;
-    work_began = Clock::now();
-    stop = quit.stop_requested();
-    return true;
 }
 
 void TraceThread::announce(std::unique_lock<std::mutex>& lock) {
@@ -126,7 +110,7 @@ QuickPictures::Wish TraceThread::wish() const {
             .contrast = most_off / steepest(order.scene->settings.assumed_gamma) / gain_of(order.exposure)};
 }
 
-void TraceThread::first_picture() {
+void TraceThread::first_picture(const std::atomic<bool>& stop) {
     // The world is built here and not when the scene arrives, because the window must not wait for it.
     const bool built = tracer.has_value();
     building = Clock::now();
@@ -149,12 +133,12 @@ void TraceThread::first_picture() {
     std::unique_lock lock(mutex);
     shown.replace(spare);
     state = {order.number, order.scene, view, level, 0, seconds(), rays};
-    complete = state.finished() && !next;
+    complete = state.finished() && !worker.waiting();
     announce(lock);
 }
 
 /// Traces the next pass of the picture's cells.
-void TraceThread::refine() {
+void TraceThread::refine(const std::atomic<bool>& stop) {
     const View& view = order.view;
     if (!cells)
         cells.emplace(tracer->scene(), view, Lattice{.columns = view.width, .rows = view.height},
@@ -178,11 +162,11 @@ void TraceThread::refine() {
     state.share = before + part_of_all;
     state.rays += rays;
     state.seconds += seconds_since(start);
-    complete = state.finished() && !next;
+    complete = state.finished() && !worker.waiting();
     announce(lock);
     if (level != averaged_level) return;
     cells.reset();
-    ::malloc_trim(0);  // gives the memory that the passes needed back to the system
+    os::trim_memory();
 }
 
 }  // namespace strahl

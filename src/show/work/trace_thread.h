@@ -2,16 +2,17 @@
 #pragma once
 #include <atomic>
 #include <chrono>
-#include <condition_variable>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <thread>
+#include <utility>
+#include <variant>
 
 #include "num/thread_pool.h"
 #include "show/motion/quick_pictures.h"
 #include "show/motion/screen_image.h"
+#include "show/work/worker.h"
 #include "trace/cells/cell_picture.h"
 #include "trace/tracer.h"
 
@@ -66,7 +67,6 @@ class TraceThread {
   public:
     /// `notify` is called from other threads when there is something to take, once until it is taken.
     TraceThread(int threads, std::function<void()> notify);
-    ~TraceThread();
 
     /// Replaces the last order. Never waits for tracing.
     void want(Order order);
@@ -88,12 +88,11 @@ class TraceThread {
     using Clock = std::chrono::steady_clock;
     enum class Work { none, first, refining };
 
-    void loop(std::stop_token quit);
-    bool accept(std::stop_token quit);
-    void first_picture();
+    void trace(const Order& newer, const std::atomic<bool>& stop);
+    void first_picture(const std::atomic<bool>& stop);
     bool sharpens() const { return order.moving && order.finest == sharpened_level; }
     QuickPictures::Wish wish() const;
-    void refine();
+    void refine(const std::atomic<bool>& stop);
     void announce(std::unique_lock<std::mutex>& lock);
     bool outdated(const Order& order) const;
 
@@ -107,13 +106,10 @@ class TraceThread {
 
     // Shared between threads:
     std::mutex mutex;
-    std::condition_variable_any wake;
-    std::optional<Order> next;
     Order order;  // read by its thread without a lock, because no other one changes it
     Work work = Work::none;
     double planned = 0;  // seconds for the first picture in work; 0 if none would be faster
     Clock::time_point work_began;
-    std::atomic<bool> stop = false;
     PictureOnScreen shown;
     std::atomic<bool> fresh = false, complete = false;
     std::atomic<Clock::time_point> building;  // since then; zero if it is not
@@ -121,7 +117,7 @@ class TraceThread {
 
     const std::function<void()> notify;
     ThreadPool pool;
-    std::jthread thread;
+    Worker<std::monostate> worker;
 };
 
 }  // namespace strahl

@@ -3,56 +3,53 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <condition_variable>
+#include <thread>
 #include <utility>
 
-#include "scene/error.h"
+#include "files/error.h"
 #include "scene/moving_scene.h"
 
 namespace strahl {
 
 TrackEditor::TrackEditor(std::optional<int> port, Session& session, Notes& notes, Pace& pace,
                          std::function<void()> notify_function)
-    : port(port), session(session), notes(notes), pace(pace), notify(std::move(notify_function)) {
+    : port(port),
+      session(session),
+      notes(notes),
+      pace(pace),
+      notify(notify_function),
+      worker(std::move(notify_function)) {
     if (port) await_editor();
 }
 
-/// Tries to connect, a few times a second, in a thread of its own.
+/// Tries to connect, a few times a second, until it succeeds or fails for another reason than before.
 void TrackEditor::await_editor() {
-    thread = std::jthread([this](const std::stop_token& quit) {
-        std::condition_variable_any wake;
-        for (std::unique_lock lock(mutex, std::defer_lock); !quit.stop_requested();) {
-            std::unique_ptr<Rocket> connection;
-            std::string fault;
+    worker.add([port = *port, known = fault](const std::atomic<bool>& stop) {
+        EditorSearch search;
+        while (!stop) {
             try {
-                connection = std::make_unique<Rocket>(*port);
+                search.found = std::make_unique<Rocket>(port);
+                break;
             } catch (const FileError& error) {
-                fault = error.what();
+                search.fault = error.what();
             }
-            lock.lock();
-            found = std::move(connection);
-            const bool done = found != nullptr, news = done || fault != last_fault;
-            if (news) why = fault;
-            if (!done) last_fault = fault;
-            lock.unlock();
-            if (news) notify();
-            if (done) return;
-            lock.lock();
-            wake.wait_for(lock, quit, std::chrono::milliseconds(300), [] { return false; });
-            lock.unlock();
+            if (search.fault != known) break;
+            for (int part = 0; part < 10 && !stop; ++part) std::this_thread::sleep_for(std::chrono::milliseconds(30));
         }
+        return search;
     });
 }
 
 /// Takes over the connection, once there is one.
 void TrackEditor::take_editor() {
-    std::string fault;
-    {
-        std::lock_guard lock(mutex);
-        rocket = std::move(found), fault = std::exchange(why, "");
+    std::optional<EditorSearch> search = worker.take();
+    if (!search) return;
+    if (!search->fault.empty()) fault = search->fault;
+    rocket = std::move(search->found);
+    if (!rocket) {
+        notes.announce(fault + "; waiting for one");
+        return await_editor();
     }
-    if (!fault.empty()) notes.announce(fault + "; waiting for one");
-    if (!rocket) return;
     notes.announce("connected to the GNU Rocket editor");
     session.flight.driven = true;
     rocket->listen(notify);

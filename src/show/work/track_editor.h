@@ -2,13 +2,12 @@
 #pragma once
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 
 #include "show/work/notes.h"
 #include "show/work/rocket.h"
+#include "show/work/worker.h"
 
 namespace strahl {
 
@@ -43,12 +42,12 @@ class TrackEditor {
     const std::function<void()> notify;
     std::unique_ptr<Rocket> rocket;
     std::optional<double> heard;  // when the editor sent a change that is not on the screen yet
-    // Shared with the thread that waits for an editor:
-    std::mutex mutex;
-    std::unique_ptr<Rocket> found;
-    std::string why;         // there is no editor, if that is news
-    std::string last_fault;  // that the thread met
-    std::jthread thread;
+    std::string fault;            // why there is no editor
+    struct EditorSearch {
+        std::unique_ptr<Rocket> found;  // null if there is none
+        std::string fault;              // the reason
+    };
+    Worker<EditorSearch> worker;
 };
 
 }  // namespace strahl

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "scene/error.h"
+#include "files/error.h"
 
 namespace strahl {
 

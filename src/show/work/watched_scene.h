@@ -27,7 +27,7 @@ class WatchedScene {
     /// Is the first file still being read?
     bool reading() const { return awaited && error.empty() && !file.empty(); }
     /// Returns the messages about the scene that reading it gave, see OpenedScene::notes.
-    const std::vector<std::string>& messages() const { return said; }
+    const std::vector<Message>& messages() const { return said; }
     /// Does the scene use POV-Ray's clock?
     bool uses_clock() const { return changes; }
     /// Opens another file, unless it has an error and there is a scene. One that is opened while there is none is
@@ -76,7 +76,7 @@ class WatchedScene {
     std::string error;
     double error_until = Pace::forever;  // only the error of another file, which was not opened, expires
     bool changes = false, sized = false;  // see Loaded
-    std::vector<std::string> said;
+    std::vector<Message> said;
     ReadFor read_for;                    // for what the scene was read, or was asked to be
     double write_until = -1;             // until then the user may confirm that a changed file is written
 };

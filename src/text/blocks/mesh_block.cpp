@@ -1,6 +1,6 @@
 #include "text/blocks/mesh_block.h"
 
-#include "scene/error.h"
+#include "files/error.h"
 #include "text/blocks/blocks.h"
 
 namespace strahl {

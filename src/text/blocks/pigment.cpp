@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "files/error.h"
 #include "num/decimal.h"
-#include "scene/error.h"
 #include "text/blocks/blocks.h"
 #include "text/blocks/transformations.h"
 #include "text/reading/reader.h"

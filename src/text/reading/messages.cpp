@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "files/utf8.h"
-#include "scene/error.h"
 #include "text/reading/advice.h"
 
 namespace strahl {
@@ -45,14 +44,11 @@ void Diagnostics::check() const {
     std::vector<Fault> sorted = faults;
     std::stable_sort(sorted.begin(), sorted.end(),
                      [](const Fault& a, const Fault& b) { return a.at.data() < b.at.data(); });
-    std::string all;
-    for (const Fault& fault : sorted) all.append(all.empty() ? "" : "\n").append(tell(fault));
+    std::vector<Message> all;
+    for (const Fault& fault : sorted) all.push_back(message_of(fault));
     if (sorted.size() == most)
-        all.append("\n")
-            .append(show(file).text)
-            .append(": there may be more; these are the first ")
-            .append(std::to_string(most));
-    throw FileError(all);
+        all.push_back({"there may be more; these are the first " + std::to_string(most), std::string(file)});
+    throw FileError(std::move(all));
 }
 
 void Diagnostics::check_encoding() {
@@ -77,7 +73,7 @@ std::string Diagnostics::line(std::string_view at) const {
     return "line " + std::to_string(line_number(own.source, own.source_at));
 }
 
-std::string Diagnostics::tell(const Fault& fault) const {
+Message Diagnostics::message_of(const Fault& fault) const {
     const TextOrigin own = origin(fault.at);
     const std::string_view source = own.source;
     std::size_t at = own.source_at;
@@ -98,10 +94,14 @@ std::string Diagnostics::tell(const Fault& fault) const {
     const Shown before = show(source.substr(from, at - from)), marked = show(source.substr(at, fault_end - at));
     const Shown after = show(source.substr(fault_end, to - fault_end));
     const std::string left = from > start ? "..." : "", right = to < end ? "..." : "";
-    const std::string line = std::to_string(line_number(source, start));
-    return show(own.file).text + ":" + line + ":" + std::to_string(column) + ": " + fault.message + "\n    " + left +
-           before.text + marked.text + after.text + right + "\n    " +
-           std::string(left.size() + before.width, ' ') + "^" + std::string(std::max(0, marked.width - 1), '~');
+    const std::size_t length = std::max(1, marked.width);
+    return {.text = fault.message,
+            .file = std::string(own.file),
+            .line = line_number(source, start),
+            .column = static_cast<std::size_t>(column),
+            .length = length,
+            .excerpt = "\n    " + left + before.text + marked.text + after.text + right + "\n    " +
+                       std::string(left.size() + before.width, ' ') + "^" + std::string(length - 1, '~')};
 }
 
 std::string_view nearest(std::string_view word, std::span<const std::string_view> known) {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "files/error.h"
 #include "files/words.h"
 
 namespace strahl {
@@ -42,7 +43,7 @@ class Diagnostics {
         std::string_view at;
         std::string message;
     };
-    std::string tell(const Fault& fault) const;
+    Message message_of(const Fault& fault) const;
     /// Returns where a slice of the text comes from.
     TextOrigin origin(std::string_view at) const;
 

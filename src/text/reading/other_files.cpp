@@ -4,9 +4,9 @@
 #include <array>
 #include <string>
 
+#include "files/error.h"
 #include "files/utf8.h"
 #include "files/words.h"
-#include "scene/error.h"
 
 namespace strahl {
 namespace {

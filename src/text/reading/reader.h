@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "scene/error.h"
+#include "files/error.h"
 #include "scene/motion/track.h"
 #include "text/reading/lexer.h"
 #include "text/reading/parameter.h"

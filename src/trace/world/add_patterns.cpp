@@ -5,7 +5,7 @@
 #include <numbers>
 #include <tuple>
 
-#include "scene/error.h"
+#include "files/error.h"
 #include "scene/leaves.h"
 #include "trace/world/pattern_space.h"
 

@@ -9,8 +9,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "files/error.h"
 #include "num/vec_math.h"
-#include "scene/error.h"
 #include "scene/leaves.h"
 #include "scene/overlap.h"
 #include "trace/world/extended_numbers.h"

@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "files/error.h"
 #include "image/film.h"
-#include "scene/error.h"
 #include "tests/unit/scratch.h"
 
 /// Replaces the C library's function: fails for lack of memory.

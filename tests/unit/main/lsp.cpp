@@ -1,6 +1,4 @@
 // The language server, by a client that speaks its protocol.
-#include "main/lsp/server.h"
-
 #include <doctest/doctest.h>
 
 #include <fstream>
@@ -12,10 +10,11 @@
 #include <string>
 #include <vector>
 
+#include "files/error.h"
 #include "main/lsp/document.h"
 #include "main/lsp/protocol.h"
 #include "main/lsp/scene_names.h"
-#include "scene/error.h"
+#include "main/lsp/server.h"
 #include "tests/unit/scratch.h"
 
 using namespace strahl;

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "scene/error.h"
+#include "files/error.h"
 
 namespace strahl {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "files/error.h"
 #include "pov/language/interpreter.h"
-#include "scene/error.h"
 
 namespace strahl::pov {
 
@@ -49,7 +49,7 @@ inline ScriptResult run_script(const std::string& text, InterpreterOptions optio
         while (!in.at_end())
             if (layer.read_thing(in).kind == ValueKind::none) in.expected("a body");
         for (const Remark& remark : in.remarks())
-            result.remarks += in.name_of(remark.place) + ": " + remark.text + "\n";
+            result.remarks += in.message_at(remark.place, remark.text).told() + "\n";
     } catch (const FileError& error) {
         result.error = error.what();
     }

@@ -20,14 +20,14 @@ inline pov::OpenedPov opened(const std::string& text, bool camera = true) {
 /// Opens a scene that a file says exactly.
 inline Scene whole(const std::string& text, bool camera = true) {
     const pov::OpenedPov all = opened(text, camera);
-    for (const pov::PovNote& note : all.notes) CHECK_MESSAGE(false, note.text);
+    for (const pov::PovNote& note : all.notes) CHECK_MESSAGE(false, note.message.told());
     return all.scene;
 }
 
 /// Returns all notes in one line.
 inline std::string notes_of(const std::string& text) {
     std::string all;
-    for (const pov::PovNote& note : opened(text).notes) all += (all.empty() ? "" : "; ") + note.text;
+    for (const pov::PovNote& note : opened(text).notes) all += (all.empty() ? "" : "; ") + note.message.told();
     return all;
 }
 

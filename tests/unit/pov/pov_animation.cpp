@@ -150,7 +150,7 @@ TEST_CASE("a scene that uses its clock is read for a moment of its flight") {
     const OpenedScene by_ini = at(.2, far);
     CHECK(place_of(by_ini) == doctest::Approx(6052));
     CHECK(by_ini.frames == std::pair(0, 10));
-    CHECK(says(by_ini.notes.at(0), "Library_Path is not read; --library '/etc' allows it"));
+    CHECK(says(by_ini.notes.at(0).told(), "Library_Path is not read; --library '/etc' allows it"));
     CHECK(says(fault_of([&] { at(0, pov_eye + "#include \"passwd\""); }), "cannot find 'passwd'"));
     put(folder / "a.ini", "Input_File_Name=b.pov\nFinal_Frame=11");
     CHECK(!at({}, text).frames);

@@ -512,7 +512,7 @@ TEST_CASE("POV-Ray: numbers below 0 of finishes and lights take light away, or l
         options.file = "x.pov", options.as_text = true;
         std::string all;
         for (const pov::PovNote& each : open_pov("camera { right -4/3*x } " + text, options, {}).notes)
-            all += each.text;
+            all += each.message.told();
         CHECK(says(all, std::string("approximated: ") + note));
     };
     told("sphere { 0, 1 finish { ambient -.05 } }", "ambient light");

@@ -935,9 +935,9 @@ TEST_CASE("POV-Ray: bodies that no ray meets are not missing") {
     }
     CHECK(whole("difference { sphere { 0, 1 } sphere { 0, 0 } }").primitives.size() == 1);
     const std::string bent = "polygon { 4, 0, x, <1, 1, .1>, y }";
-    const std::vector<std::string> warnings = opened(bent).warnings;
+    const std::vector<Message> warnings = opened(bent).warnings;
     REQUIRE(warnings.size() == 1);
-    CHECK(says(warnings[0], "not in one plane"));
+    CHECK(says(warnings[0].told(), "not in one plane"));
     CHECK(whole(bent).primitives.empty());
     CHECK(shape<Disc>(whole("disc { 0, z, -1, -.5 }")) == shape<Disc>(whole("disc { 0, z, 1, .5 }")));
     // What a part of a composite without extent takes away is not known.

@@ -127,7 +127,7 @@ TEST_CASE("POV-Ray: what is read, but hardly meant, is a warning") {
     const auto told = [&](const std::string& text, const std::string& warning) {
         const auto warnings = library.open(text).warnings;
         REQUIRE(warnings.size() == 1);
-        CHECK_MESSAGE(says(warnings[0], warning), text, " tells: ", warnings[0]);
+        CHECK_MESSAGE(says(warnings[0].told(), warning), text, " tells: ", warnings[0].told());
     };
     told("sphere { 0, 1 pigment { rgb 1 } }", "x.pov:1: no camera: POV-Ray's is used");
     told(front_camera + "sphere { 0, 1 color rgb 1 }", "x.pov:2: a colour outside of a pigment has no effect");

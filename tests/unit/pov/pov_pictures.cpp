@@ -1,5 +1,6 @@
 // Pictures of POV-Ray's scenes. The expected colours are what POV-Ray 3.7.0.10 prints by #debug of the results of
 // `#declare F = function { pigment { ... } }`.
+#include "files/output_file.h"
 #include "num/decimal.h"
 #include "tests/referee/pattern.h"
 #include "tests/unit/pov/opened.h"

@@ -171,7 +171,7 @@ const Kind kinds[]{
 /// Returns the share of the pixels that differ by more than 1/255 from POV-Ray's own.
 double differing(const std::string& path, const std::string& text) {
     std::ofstream(path) << header << text << '\n';
-    const OpenedScene opened = open_scene(bytes_of(path), path, {.width = width, .height = height}, read_pixels);
+    const OpenedScene opened = open_scene(bytes_of(path), path, {.size = {width, height}}, read_pixels);
     CHECK(opened.summary == "opens whole");
     const View view{.camera = opened.scene.camera,
                     .width = width,

@@ -187,9 +187,8 @@ TEST_CASE("povray renders an emitted .ini without warnings, to Strahl's picture"
         CAPTURE(name);
         const std::string pov = scratch / "it's a scene.pov";
         REQUIRE(pov_command({.scene = std::string(STRAHL_SOURCE) + "/scenes/" + name + ".rt",
-                             .output = pov,
-                             .width = 64,
-                             .height = 48}) == 0);
+                             .opening = {.size = {64, 48}},
+                             .output = pov}) == 0);
         // POV-Ray is called by the command in a comment of the .ini file.
         std::ifstream ini(scratch / "it's a scene.ini");
         std::string command;
@@ -215,11 +214,10 @@ TEST_CASE("animations of ten frames agree frame by frame") {
         CAPTURE(name);
         const Scene scene = read_scene(std::string("crosscheck/") + name);
         REQUIRE(pov_command({.scene = std::string(STRAHL_SOURCE "/scenes/crosscheck/") + name + ".rt",
+                             .opening = {.size = {64, 48}},
                              .output = scratch / "film.pov",
                              .animation = true,
-                             .rate = rate,
-                             .width = 64,
-                             .height = 48}) == 0);
+                             .rate = rate}) == 0);
         const std::string log = output_of("povray '" + (scratch / "film.ini") + "'");
         CHECK_MESSAGE(log.find("Rendering frame 10 of 10") != std::string::npos, log);
         Tracer tracer(scene, Precision::float64);
@@ -254,8 +252,7 @@ TEST_CASE("a camera that asks for the picture's size shows what POV-Ray's shows,
                                 << " location <1, 2, -6> look_at <0, .5, 0> }\n"
                                    "light_source { <-5, 9, -3>, 1 } plane { y, 0 pigment { rgb <.3, .6, .2> } }\n"
                                    "sphere { <.5, 1, 1>, 1 pigment { rgb <(image_width > image_height), .2, .1> } }\n";
-            const OpenedScene opened =
-                open_scene(bytes_of(path), path, {.width = width, .height = height}, read_pixels);
+            const OpenedScene opened = open_scene(bytes_of(path), path, {.size = {width, height}}, read_pixels);
             CHECK(opened.sized);
             const PovFile file{.path = path, .width = width, .height = height, .gamma = 1};
             const View view{.camera = opened.scene.camera, .width = width, .height = height};

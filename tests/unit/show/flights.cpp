@@ -159,7 +159,7 @@ TEST_CASE("figures of a flight are those of its times and levels") {
                                    .width = 640,
                                    .height = 480,
                                    .window = {640, 481},
-                                   .wanted = {640, 480},
+                                   .wanted = PictureSize{640, 480},
                                    .depth = 20,
                                    .threads = 2,
                                    .fps = 60,

@@ -12,7 +12,7 @@
 #include <memory>
 #include <thread>
 
-#include "scene/error.h"
+#include "files/error.h"
 #include "show/session/session.h"
 #include "show/work/notes.h"
 #include "show/work/reload.h"

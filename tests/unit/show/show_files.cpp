@@ -333,7 +333,7 @@ TEST_CASE("a scene that asks for the picture's size is read again for the size o
     std::ofstream(path) << "camera { location -6*z right x*image_width/image_height look_at 0 }\n"
                            "sphere { 0, image_height/1000 }\n";
     OpeningOptions first;
-    first.width = 900, first.height = 600;
+    first.size = {900, 600};
     Reload reload(path, first);
     std::optional<Loaded> loaded;
     const auto next = [&] { return soon([&] { return (loaded = reload.take()).has_value(); }); };

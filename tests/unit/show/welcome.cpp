@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "files/error.h"
 #include "num/thread_pool.h"
-#include "scene/error.h"
 #include "show/welcome/gallery.h"
 #include "show/welcome/gallery_reader.h"
 #include "show/welcome/recent_files.h"
@@ -120,22 +120,24 @@ TEST_CASE("small pictures are made of what is wanted, and none of what cannot be
     CHECK(std::set(picture.pixels.begin(), picture.pixels.end()).size() > 10);
     CHECK(small_picture(folder / "missing.rt", 20, 15, pool, stop).image.width == 0);
 
-    std::vector<std::pair<std::string, SmallPicture>> made;
+    std::vector<GalleryReader::GalleryNews> made;
     GalleryReader reader(1, [] {});
     const auto take = [&] {
-        for (auto& one : reader.take_pictures()) made.push_back(std::move(one));
+        while (auto one = reader.take()) made.push_back(*std::move(one));
         return made.size();
     };
     reader.list();
-    CHECK(soon([&] { return reader.take_list().has_value(); }));
+    CHECK(soon([&] { return take() == 1; }));
+    CHECK(made[0].listed.has_value());
+    made.clear();
     reader.want({folder / "broken.rt", folder / "endless.rt", folder / "scene.rt"}, 20, 15);
     CHECK(soon([&] { return take() == 1; }));
-    CHECK(made[0].second.image.width == 0);
-    CHECK(made[0].second.fault.find("broken.rt:1:9") != std::string::npos);
+    CHECK(made[0].picture.image.width == 0);
+    CHECK(made[0].picture.fault.find("broken.rt:1:9") != std::string::npos);
     reader.want({folder / "scene.rt", folder / "broken.rt"}, 20, 15);  // the endless one is given up
     CHECK(soon([&] { return take() == 2; }));
-    CHECK(made[1].first == folder / "scene.rt");
-    CHECK(made[1].second.image.pixels == picture.pixels);
+    CHECK(made[1].path == folder / "scene.rt");
+    CHECK(made[1].picture.image.pixels == picture.pixels);
     reader.want({folder / "endless.rt"}, 20, 15);  // so it is at the end
     ::unsetenv("XDG_CACHE_HOME");
 }

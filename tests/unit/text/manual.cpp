@@ -20,7 +20,7 @@ namespace {
 
 const std::string page = read_text(STRAHL_SOURCE "/src/text/README.md");
 
-std::string replaced(std::string text, const std::string& old, const std::string& by) {
+std::string with_changed(std::string text, const std::string& old, const std::string& by) {
     const std::size_t at = text.find(old);
     REQUIRE(at != text.npos);
     return text.replace(at, old.size(), by);
@@ -53,15 +53,15 @@ TEST_CASE("every body has its rows, and a stale table is made anew") {
         (first_row(Kinds{}), ...);
     };
     check(std::type_identity<Shape>{});
-    CHECK(with_current_tables(replaced(page, "| `ior` | `1` |", "| `ior` | `2` |")) == page);
-    CHECK(with_current_tables(replaced(page, "| `sphere` | centre", "| `ball` | middle")) == page);
-    CHECK(with_current_tables(replaced(page, "`fov` | required", "`fov` | `25`")) == page);
+    CHECK(with_current_tables(with_changed(page, "| `ior` | `1` |", "| `ior` | `2` |")) == page);
+    CHECK(with_current_tables(with_changed(page, "| `sphere` | centre", "| `ball` | middle")) == page);
+    CHECK(with_current_tables(with_changed(page, "`fov` | required", "`fov` | `25`")) == page);
 }
 
 TEST_CASE("a page with a missing, unknown, doubled or open table is refused") {
     CHECK_THROWS_AS(with_current_tables(""), std::runtime_error);
-    CHECK_THROWS_AS(with_current_tables(replaced(page, "<!-- table: light -->", "")), std::runtime_error);
-    CHECK_THROWS_AS(with_current_tables(replaced(page, "table: light", "table: lamp")), std::runtime_error);
+    CHECK_THROWS_AS(with_current_tables(with_changed(page, "<!-- table: light -->", "")), std::runtime_error);
+    CHECK_THROWS_AS(with_current_tables(with_changed(page, "table: light", "table: lamp")), std::runtime_error);
     CHECK_THROWS_AS(with_current_tables(page + "<!-- table: light -->\n<!-- end of table -->"), std::runtime_error);
     CHECK_THROWS_AS(with_current_tables(page + "<!-- table: light -->\n"), std::runtime_error);
 }

@@ -8,9 +8,9 @@
 #include <random>
 #include <string>
 
+#include "files/error.h"
 #include "num/decimal.h"
 #include "num/vec_math.h"
-#include "scene/error.h"
 #include "tests/unit/scenes.h"
 #include "tests/unit/text/random_texts.h"
 #include "text/body_text.h"

@@ -11,8 +11,8 @@
 #include <tuple>
 #include <vector>
 
+#include "files/error.h"
 #include "num/thread_pool.h"
-#include "scene/error.h"
 #include "scene/scene.h"
 #include "tests/referee/random_pattern.h"
 #include "tests/referee/referee.h"

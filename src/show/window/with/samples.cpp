@@ -25,7 +25,7 @@ std::vector<float> peaks_of(const Samples& samples) {
     return peaks;
 }
 
-Samples decode_ogg(std::FILE* file, const std::string& name, const std::stop_token& stop) {
+Samples decode_ogg(std::FILE* file, const std::string& name, const std::atomic<bool>& stop) {
     OggVorbis_File opened;
     if (!file) return {{}, 0, 0, name + " cannot be opened"};
     if (::ov_open_callbacks(file, &opened, nullptr, 0, OV_CALLBACKS_DEFAULT) != 0)
@@ -36,7 +36,7 @@ Samples decode_ogg(std::FILE* file, const std::string& name, const std::stop_tok
     constexpr std::size_t most = std::size_t(1) << 30;
     int holes = 1 << 20;  // places without sound; each reading yields samples or one of these, so that it ends
     std::array<char, 1 << 16> block;
-    for (int part = 0; !stop.stop_requested();) {
+    for (int part = 0; !stop;) {
         const int big_endian = std::endian::native == std::endian::big;
         const long got = ::ov_read(&opened, block.data(), static_cast<int>(block.size()), big_endian, 2, 1, &part);
         const vorbis_info* const now = ::ov_info(&opened, -1);

@@ -1,7 +1,7 @@
 // Decodes Ogg Vorbis files.
 #pragma once
+#include <atomic>
 #include <cstdio>
-#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -19,6 +19,6 @@ std::vector<float> peaks_of(const Samples& samples);
 
 /// Decodes an Ogg Vorbis file of one channel or two to its end, or until it is asked to stop. Closes the file, which
 /// may be null; `name` is for the message.
-Samples decode_ogg(std::FILE* file, const std::string& name, const std::stop_token& stop);
+Samples decode_ogg(std::FILE* file, const std::string& name, const std::atomic<bool>& stop);
 
 }  // namespace strahl

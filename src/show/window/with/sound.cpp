@@ -5,17 +5,19 @@
 #include <AL/al.h>
 #include <AL/alc.h>
 #include <AL/alext.h>
-#include <dlfcn.h>
 
 #include <array>
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
-#include <stop_token>
-#include <thread>
+#include <optional>
+#include <utility>
+#include <variant>
 
+#include "files/os/system.h"
 #include "show/window/with/samples.h"
+#include "show/work/worker.h"
 
 namespace strahl {
 namespace {
@@ -25,10 +27,10 @@ void ignore_message(const char*, int, const char*, int, const char*, ...) {}
 
 /// Keeps the messages of OpenAL and of ALSA, which it loads, off the terminal: fault() says why there is no sound.
 void quieten() {
-    ::setenv("ALSOFT_LOGLEVEL", "0", 0);
-    void* const alsa = ::dlopen("libasound.so.2", RTLD_LAZY);
-    if (void* const set = alsa ? ::dlsym(alsa, "snd_lib_error_set_handler") : nullptr)
-        reinterpret_cast<int (*)(decltype(&ignore_message))>(set)(ignore_message);
+    os::set_variable("ALSOFT_LOGLEVEL", "0");
+    const os::Library alsa("libasound.so.2");
+    if (auto* const set = alsa.function<int(decltype(&ignore_message))>("snd_lib_error_set_handler"))
+        set(ignore_message);
 }
 
 }  // namespace
@@ -41,13 +43,14 @@ struct Sound::Implementation {
     bool tells_latency = false;
     std::vector<float> peaks;
     std::string fault;
-    std::atomic<bool> done = false;
-    std::jthread thread;
+    Worker<std::monostate> worker;
 
-    void load(const std::string& path, const std::stop_token& stop) {
+    explicit Implementation(std::function<void()> notify) : worker(std::move(notify)) {}
+
+    void load(const std::string& path, const std::atomic<bool>& stop) {
         const Samples samples = decode_ogg(std::fopen(path.c_str(), "rb"), "'" + path + "'", stop);
         fault = samples.fault;
-        if (!fault.empty() || stop.stop_requested()) return;
+        if (!fault.empty() || stop) return;
         peaks = peaks_of(samples);
         device = ::alcOpenDevice(nullptr);
         context = device ? ::alcCreateContext(device, nullptr) : nullptr;
@@ -62,7 +65,7 @@ struct Sound::Implementation {
         if (::alGetError() != AL_NO_ERROR) fault = "the sound device does not accept '" + path + "'";
     }
     ~Implementation() {
-        thread = {};
+        worker.cancel();
         if (source) ::alDeleteSources(1, &source);
         if (buffer) ::alDeleteBuffers(1, &buffer);
         ::alcMakeContextCurrent(nullptr);
@@ -72,17 +75,16 @@ struct Sound::Implementation {
 };
 
 Sound::Sound(const std::string& path, std::function<void()> notify)
-    : implementation(std::make_unique<Implementation>()) {
+    : implementation(std::make_unique<Implementation>(std::move(notify))) {
     quieten();
-    implementation->thread = std::jthread([own = implementation.get(), path, notify](const std::stop_token& stop) {
+    implementation->worker.add([own = implementation.get(), path](const std::atomic<bool>& stop) {
         own->load(path, stop);
-        own->done = true;
-        notify();
+        return std::nullopt;
     });
 }
 Sound::~Sound() = default;
 
-bool Sound::loading() const { return !implementation->done; }
+bool Sound::loading() const { return implementation->worker.busy(); }
 
 const std::vector<float>& Sound::peaks() const {
     static const std::vector<float> none;

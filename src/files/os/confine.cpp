@@ -1,4 +1,4 @@
-#include "povref/compare/confine.h"
+#include "files/os/confine.h"
 
 #include <fcntl.h>
 #include <linux/landlock.h>
@@ -11,7 +11,9 @@
 #include <cstring>
 #include <stdexcept>
 
-namespace strahl {
+#include "files/os/descriptor.h"
+
+namespace strahl::os {
 namespace {
 
 constexpr std::uint64_t all_writing = LANDLOCK_ACCESS_FS_WRITE_FILE | LANDLOCK_ACCESS_FS_REMOVE_DIR |
@@ -20,15 +22,9 @@ constexpr std::uint64_t all_writing = LANDLOCK_ACCESS_FS_WRITE_FILE | LANDLOCK_A
                                       LANDLOCK_ACCESS_FS_MAKE_SOCK | LANDLOCK_ACCESS_FS_MAKE_FIFO |
                                       LANDLOCK_ACCESS_FS_MAKE_BLOCK | LANDLOCK_ACCESS_FS_MAKE_SYM;
 
-/// An open file that is closed in the end.
-struct Opened {
-    const int number;
-    ~Opened() { ::close(number); }
-};
-
 /// Adds to the rules that `access` is allowed at a path and below it.
-bool allow(const Opened& rules, const char* path, std::uint64_t access) {
-    const Opened place{::open(path, O_PATH | O_CLOEXEC)};
+bool allow(const Descriptor& rules, const char* path, std::uint64_t access) {
+    const Descriptor place = ::open(path, O_PATH | O_CLOEXEC);
     const landlock_path_beneath_attr rule{access, place.number};
     return ::syscall(SYS_landlock_add_rule, rules.number, LANDLOCK_RULE_PATH_BENEATH, &rule, 0) == 0;
 }
@@ -38,8 +34,8 @@ bool allow(const Opened& rules, const char* path, std::uint64_t access) {
 void write_only_below(const std::string& folder) {
     landlock_ruleset_attr handled{};
     handled.handled_access_fs = all_writing;
-    const Opened rules{int(::syscall(SYS_landlock_create_ruleset, &handled, sizeof handled.handled_access_fs, 0))};
-    if (rules.number >= 0 && allow(rules, folder.c_str(), all_writing) &&
+    const Descriptor rules = int(::syscall(SYS_landlock_create_ruleset, &handled, sizeof handled.handled_access_fs, 0));
+    if (rules && allow(rules, folder.c_str(), all_writing) &&
         allow(rules, "/dev/null", LANDLOCK_ACCESS_FS_WRITE_FILE) && ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
         ::syscall(SYS_landlock_restrict_self, rules.number, 0) == 0)
         return;
@@ -49,4 +45,4 @@ void write_only_below(const std::string& folder) {
         std::strerror(errno) + ")");
 }
 
-}  // namespace strahl
+}  // namespace strahl::os

@@ -1,9 +1,9 @@
-#include "files/user_file.h"
+#include "files/os/user_file.h"
 
 #include <cstdlib>
 #include <filesystem>
 
-namespace strahl {
+namespace strahl::os {
 
 std::string user_file(const char* variable, const char* usual, const char* name) {
     const auto absolute = [](const char* of) {
@@ -15,4 +15,4 @@ std::string user_file(const char* variable, const char* usual, const char* name)
     return folder.empty() ? "" : folder / name;
 }
 
-}  // namespace strahl
+}  // namespace strahl::os

@@ -1,7 +1,7 @@
 // Signal handling. A handler can only reach static data, so the flag is static, in this file alone.
-#include "main/process/interrupt.h"
+#include "files/os/interrupt.h"
 
-namespace strahl {
+namespace strahl::os {
 namespace {
 
 std::atomic<bool> was_asked = false;
@@ -39,4 +39,4 @@ Interrupt::~Interrupt() {
 
 const std::atomic<bool>* Interrupt::flag() const { return &was_asked; }
 
-}  // namespace strahl
+}  // namespace strahl::os

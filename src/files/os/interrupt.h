@@ -3,7 +3,7 @@
 #include <atomic>
 #include <csignal>
 
-namespace strahl {
+namespace strahl::os {
 
 /// While one of these lives, SIGINT, SIGTERM and SIGHUP (the terminal was closed) set a flag instead of ending the
 /// program; after the first of them the next one ends it as usual. A signal that was ignored when the program started
@@ -21,4 +21,4 @@ class Interrupt {
     struct sigaction old_interrupt, old_terminate, old_hang_up;
 };
 
-}  // namespace strahl
+}  // namespace strahl::os
