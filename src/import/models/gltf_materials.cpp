@@ -153,7 +153,7 @@ GltfMaterial GltfMaterials::read(const GltfValue& own) {
         // Thin walls do not bend light.
         const double ior = std::clamp(extensions["KHR_materials_ior"]["ior"].number(1.5), 1., 10.);
         material.ior = thick ? ior : 1;
-        if (thick) material.fresnel = 1, material.reflection = 1;
+        if (thick) reflect_as_glass(material);
         if (const double distance = volume["attenuationDistance"].number(0); thick && distance > 0) {
             // c^(way / distance) = exp(-(1 - f) way / d) with d = k distance and f = 1 + k ln c.
             const Color c = volume["attenuationColor"].numbers<3>(Color(1));

@@ -30,6 +30,11 @@ Material plain_material(const Color& color) {
     return material;
 }
 
+void reflect_as_glass(Material& material) {
+    material.reflection = 1, material.mirror = Color(1);
+    material.fresnel = 1, material.facing = 0, material.conserve = 1;
+}
+
 double linear_light(double encoded) {
     return encoded <= .04045 ? encoded / 12.92 : std::pow((encoded + .055) / 1.055, 2.4);
 }

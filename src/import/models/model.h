@@ -40,6 +40,9 @@ Model read_model(const std::string& path, const ReadPixels& read_pixels);
 /// The material of what has none: light grey.
 Material plain_material(const Color& color = Color(.55));
 
+/// Makes a transparent material reflect by Fresnel's law; what it reflects does not come through.
+void reflect_as_glass(Material& material);
+
 /// Returns the linear light of an sRGB-encoded value from 0 to 1 (IEC 61966-2-1).
 double linear_light(double encoded);
 Color linear_light(const Color& encoded);

@@ -205,8 +205,7 @@ Material material_of(const MtlMaterial& own, const std::string& path, const std:
             material.ior = own.illum == 9 ? 1 : std::clamp(own.ior, 1., 10.);
             if (material.diffuse * (1 - clear) < .05 || own.filter)
                 material.rgb = Pigment(own.filter.value_or(Color(1)));
-            material.fresnel = own.illum == 7 && material.ior > 1 ? 1 : 0;
-            if (material.fresnel > 0) material.reflection = 1, material.mirror = Color(1);
+            if (own.illum == 7 && material.ior > 1) reflect_as_glass(material);
             material.diffuse *= 1 - clear, material.ambient *= 1 - clear;
         } else if (material.rgb.pattern) {
             material.refraction = clear, material.diffuse *= own.opacity, material.ambient *= own.opacity;

@@ -87,6 +87,8 @@ TEST_CASE("mtl: materials as Whitted's model has them") {
     const Material better = material_by("d .1\nNi 1.5\nillum 7\n");
     CHECK(better.fresnel == 1);
     CHECK(better.reflection == 1);
+    CHECK(better.facing == 0);
+    CHECK(better.conserve == 1);
     const Material lamp = material_by("Kd 0 0 0\nKe 1 1 0\n");
     CHECK(lamp.ambient == 1);
     CHECK(lamp.rgb == Pigment(1, 1, 0));
