@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 std::string file_of(const std::string& scene) {
     TextStream name;
     name << "strahl/pictures/" << std::hex << std::hash<std::string>()(fs::absolute(scene).lexically_normal().string());
-    return user_file("XDG_CACHE_HOME", ".cache", name.str().c_str());
+    return os::user_file("XDG_CACHE_HOME", ".cache", name.str().c_str());
 }
 
 /// Returns what must be the same for a picture to be still that of its scene: the size of the picture, and the times of
