@@ -72,6 +72,8 @@ const NoiseTables& noise_tables() {
     return tables;
 }
 
+const NoiseLanes noise_by_points = noise_lanes<double>;
+
 double noise(const DVec3& point, int generator) { return lattice_noise(point, generator); }
 
 DVec3 vector_noise(const DVec3& point) { return lattice_vector_noise(point); }

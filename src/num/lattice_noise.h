@@ -19,6 +19,14 @@ struct NoiseTables {
 };
 const NoiseTables& noise_tables();
 
+/// Noise at several points at once, in the lanes of the caller's SIMD level.
+struct NoiseLanes {
+    void (*noise)(const DVec3* points, int count, int generator, double* values);
+    void (*vector_turbulence)(const DVec3* points, int count, int octaves, float omega, float lambda, DVec3* ways);
+};
+/// The same, one point after the other.
+extern const NoiseLanes noise_by_points;
+
 /// Noise from 0 to 1 at a point; `generator` is 1, 2 or 3.
 double noise(const DVec3& point, int generator);
 /// Three independent noises without an offset.

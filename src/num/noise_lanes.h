@@ -1,5 +1,7 @@
 // POV-Ray's noise for a double or a pack of doubles: each lane has the bits that lattice_noise.h has for its point.
 #pragma once
+#include <algorithm>
+
 #include "num/lattice_noise.h"
 #include "num/memory.h"
 
@@ -198,6 +200,37 @@ Vec3<S> lattice_vector_turbulence(const Vec3<S>& point, int octaves, float omega
     }
     return sum;
 }
+
+/// Calls visit(pack, first, number) for points in packs; lanes without a point have that of the last one.
+template <class S, class Visit>
+STRAHL_INLINE void each_pack(const DVec3* points, int count, const Visit& visit) {
+    for (int i = 0; i < count; i += width<S>) {
+        alignas(64) double at[3][width<S>];
+        for (int k = 0; k < width<S>; ++k)
+            for (int c = 0; c < 3; ++c) at[c][k] = points[i + k < count ? i + k : count - 1][c];
+        visit(Vec3<S>(load_lanes<S>(at[0]), load_lanes<S>(at[1]), load_lanes<S>(at[2])), i,
+              count - i < width<S> ? count - i : width<S>);
+    }
+}
+template <class S>
+inline constexpr lattice::NoiseLanes noise_lanes{
+    [](const DVec3* points, int count, int generator, double* values) {
+        each_pack<S>(points, count, [&](const Vec3<S>& p, int first, int number) {
+            alignas(64) double own[width<S>];
+            store_lanes(own, lattice_noise(p, generator));
+            std::copy_n(own, number, values + first);
+        });
+    },
+    [](const DVec3* points, int count, int octaves, float omega, float lambda, DVec3* ways) {
+        each_pack<S>(points, count, [&](const Vec3<S>& p, int first, int number) {
+            const Vec3<S> way = lattice_vector_turbulence(p, octaves, omega, lambda);
+            alignas(64) double own[width<S>];
+            for (int c = 0; c < 3; ++c) {
+                store_lanes(own, way[c]);
+                for (int k = 0; k < number; ++k) ways[first + k][c] = own[k];
+            }
+        });
+    }};
 
 /// Returns the share of the variance of an octave that a grid lacks: what has faded, and what is left out by straight
 /// lines between points that are these parts of a cell apart. Fitted to 40,000 points of noise.

@@ -10,6 +10,7 @@ namespace {
 using strahl::target;
 FollowTarget target(Pigment& pigment) { return pigment.pattern ? FollowTarget{} : target(pigment.color); }
 FollowTarget target(Relief&) { return {}; }
+FollowTarget target(bool&) { return {}; }
 template <class T>
 FollowTarget target(std::optional<T>& value) {
     return value ? target(*value) : FollowTarget{};
@@ -44,18 +45,13 @@ void follow(Camera& camera, const std::vector<Follow>& follows, const TrackValue
 void follow(Light& light, const TrackValues& values) {
     const Light declared = light;
     set_followed(light.follows, values, [&](const std::string& name) {
-        return name == "position"                   ? target(light.position)
-               : name == "direction"                ? target(light.direction)
-               : name == "color"                    ? target(light.color)
-               : name == "beam"                     ? target(light.beam)
-               : name == "core"                     ? target(light.core)
-               : name == "fade_distance"            ? target(light.fade_distance)
-               : name == "fade_power"               ? target(light.fade_power)
-               : name == "group"                    ? target(light.group)
-               : name == "tightness" && !light.spot ? target(light.tightness)
-               : name == "look_at"                  ? (light.spot ? target(light.spot->look_at) : FollowTarget{})
-               : light.spot                         ? field_of(*light.spot, name)
-                                                    : FollowTarget{};
+        if (name == "position") return target(light.position);
+        if (name == "direction") return target(light.direction);
+        if (name == "color") return target(light.color);
+        if (!light.spot) return field_of(light, name);
+        if (name == "look_at") return target(light.spot->look_at);
+        const FollowTarget of_spot = field_of(*light.spot, name);
+        return of_spot.number ? of_spot : field_of(light, name);
     });
     light.follows.clear();
     if (light.direction && *light.direction == DVec3(0)) light.direction = declared.direction;
@@ -72,19 +68,7 @@ void follow(Material& material, const TrackValues& values) {
 
 void follow(Fog& fog, const TrackValues& values) {
     set_followed(fog.follows, values, [&](const std::string& name) {
-        if (name == "color") return target(fog.color);
-        if (name == "up") return target(fog.up);
-        if (name == "turbulence") return target(fog.turbulence);
-        return name == "distance"   ? target(fog.distance)
-               : name == "altitude" ? target(fog.altitude)
-               : name == "offset"   ? target(fog.offset)
-               : name == "filter"   ? target(fog.filter)
-               : name == "transmit" ? target(fog.transmit)
-               : name == "octaves"  ? target(fog.octaves)
-               : name == "omega"    ? target(fog.omega)
-               : name == "lambda"   ? target(fog.lambda)
-               : name == "depth"    ? target(fog.depth)
-                                    : target(fog.generator);
+        return name == "distance" ? target(fog.distance) : name == "color" ? target(fog.color) : field_of(fog, name);
     });
     fog.follows.clear();
 }

@@ -62,6 +62,32 @@ struct Light {
     bool fades() const { return fade_distance > 0 && fade_power > 0 && (!direction || from); }
     /// Does it take light away?
     bool darkens() const { return color.x < 0 || color.y < 0 || color.z < 0; }
+
+    /// Parameters that each have one value, besides `position`, `direction`, `from` and `color`.
+    static constexpr auto fields = std::make_tuple(
+        Field{"shadowless", &Light::shadowless, "it shines through all bodies, without highlights", Range::any,
+              Given::optional, "shadows"},
+        Field{"soft", &Light::soft, "light comes from the centre; the size only blurs shadows", Range::any,
+              Given::optional, "hard shadows"},
+        Field{"adaptive", &Light::adaptive,
+              "levels of the `grid` of a `soft` light that are always subdivided; after that only at shadow edges",
+              Range::levels, Given::optional, "all its points shine"},
+        Field{"circular", &Light::circular, "makes that grid round", Range::any, Given::optional, "it is square"},
+        Field{"orient", &Light::orient, "turns that grid towards each point that it lights", Range::any,
+              Given::optional, "it stays as it is"},
+        Field{"beam", &Light::beam,
+              "the distance from its axis, through `from`, beyond which parallel light does not shine", Range::length,
+              Given::optional, "it is as wide as the plane"},
+        Field{"core", &Light::core, "the distance from that axis at which it begins to fade", Range::length,
+              Given::optional, "it does not fade"},
+        Field{"tightness", &Light::tightness, "exponent by which the light of a `beam` fades off its axis",
+              Range::zero_or_more, Given::optional, "`0`"},
+        Field{"fade_distance", &Light::fade_distance,
+              "the distance at which it is as strong as `color`; 0: it does not fade", Range::zero_or_more},
+        Field{"fade_power", &Light::fade_power,
+              "light is multiplied by 2 / (1 + (distance / `fade_distance`)^`fade_power`)", Range::zero_or_more},
+        Field{"group", &Light::group, "it shines only on bodies whose material has the same `group`; 0: on all",
+              Range::zero_or_more});
 };
 
 /// The number of lights that the tracer makes of one.
@@ -80,14 +106,11 @@ inline std::vector<Light> points_of(const std::vector<Light>& lights) {
         const auto [u, v, columns, rows] = *light.area;
         const auto offset = [](int i, int count) { return count > 1 ? double(i) / (count - 1) - .5 : 0; };
         for (int j = 0; j < rows; ++j)
-            for (int i = 0; i < columns; ++i)
-                all.push_back({.position = light.position + offset(i, columns) * u + offset(j, rows) * v,
-                               .color = light.color / (double(columns) * rows),
-                               .shadowless = light.shadowless,
-                               .fade_distance = light.fade_distance,
-                               .fade_power = light.fade_power,
-                               .group = light.group,
-                               .motion = light.motion});
+            for (int i = 0; i < columns; ++i) {
+                Light& own = all.emplace_back(light);
+                own.position = light.position + offset(i, columns) * u + offset(j, rows) * v;
+                own.color = light.color / (double(columns) * rows), own.area.reset(), own.follows.clear();
+            }
     }
     return all;
 }

@@ -1,6 +1,7 @@
 // A scene as a plain value: the contents of an .rt file, in double.
 #pragma once
 #include <optional>
+#include <tuple>
 #include <vector>
 
 #include "scene/camera.h"
@@ -48,6 +49,21 @@ struct Fog {
     double octaves = 6, omega = .5, lambda = 2, depth = .5, generator = 2;  // generator: POV-Ray's noise_generator
     std::vector<Follow> follows{};  // numbers of it that follow tracks
     bool operator==(const Fog&) const = default;
+
+    /// Its parameters besides `distance` and `color`.
+    static constexpr auto fields = std::make_tuple(
+        Field{"altitude", &Fog::altitude, "ground fog: height at which it is half as dense; 0: it is even",
+              Range::zero_or_more},
+        Field{"offset", &Fog::offset, "where along `up` ground fog begins to become thinner", Range::coordinate},
+        Field{"up", &Fog::up, "the direction in which ground fog becomes thinner, of any length", Range::direction},
+        Field{"filter", &Fog::filter, "how much what is seen through it has the colour of the fog", Range::zero_to_one},
+        Field{"transmit", &Fog::transmit, "the least share of light that comes through", Range::zero_to_one},
+        Field{"turbulence", &Fog::turbulence, "how fine noise is that makes it patchy, along each axis"},
+        Field{"octaves", &Fog::octaves, "how many sizes of detail that noise has", Range::octaves},
+        Field{"omega", &Fog::omega, "strength of each octave relative to the one before"},
+        Field{"lambda", &Fog::lambda, "how many times finer each octave is than the one before"},
+        Field{"depth", &Fog::depth, "how strong that noise is"},
+        Field{"generator", &Fog::generator, "POV-Ray's noise_generator: 1, 2 or 3", Range::positive});
 };
 
 struct Scene {

@@ -162,6 +162,21 @@ std::string primitive_text(const Primitive& primitive, const std::vector<Materia
     return text.append(lines ? new_line : " ").append("}");
 }
 
+/// The parameters of a field table that are not as usual, each after two spaces.
+template <class Struct>
+std::string fields_text(const Struct& own, const std::vector<Follow>& follows) {
+    std::string text;
+    const auto add = [&](const auto& field) {
+        const auto& value = own.*field.member;
+        if (value == Struct{}.*field.member && !any_follows(follows, field.name)) return;
+        text.append("  ").append(field.name);
+        if constexpr (!std::is_same_v<std::decay_t<decltype(value)>, bool>)
+            text.append(" ").append(text_of(value, follows, field.name));
+    };
+    std::apply([&](const auto&... field) { (add(field), ...); }, Struct::fields);
+    return text;
+}
+
 std::string light_text(const Light& light) {
     const auto& follows = light.follows;
     std::string text = light.direction ? "light { direction " + text_of(*light.direction, follows, "direction")
@@ -171,27 +186,12 @@ std::string light_text(const Light& light) {
     if (light.area) text += "  edges " + text_of(light.area->u) + ", " + text_of(light.area->v);
     if (light.area && light.area->columns > 0)
         text += "  grid " + std::to_string(light.area->columns) + ", " + std::to_string(light.area->rows);
-    if (light.spot) {
-        text += "  spot { look_at " + text_of(light.spot->look_at, follows, "look_at");
-        const auto add = [&](const auto& field) {
-            const double value = *light.spot.*field.member;
-            if (value != Spot{}.*field.member || any_follows(follows, field.name))
-                text.append("  ").append(field.name).append(" ").append(text_of(value, follows, field.name));
-        };
-        std::apply([&](const auto&... field) { (add(field), ...); }, Spot::fields);
-        text += " }";
-    }
-    if (light.shadowless) text += "  shadowless";
-    if (light.soft) text += "  soft";
-    if (light.adaptive != Light{}.adaptive) text += "  adaptive " + text_of(light.adaptive);
-    if (light.circular) text += "  circular";
-    if (light.orient) text += "  orient";
-    if (light.beam != 0) text += "  beam " + text_of(light.beam, follows, "beam");
-    if (light.core != 0) text += "  core " + text_of(light.core, follows, "core");
-    if (light.tightness != 0) text += "  tightness " + text_of(light.tightness, follows, "tightness");
-    if (light.fade_distance != 0) text += "  fade_distance " + text_of(light.fade_distance, follows, "fade_distance");
-    if (light.fade_power != 0) text += "  fade_power " + text_of(light.fade_power, follows, "fade_power");
-    if (light.group != 0) text += "  group " + text_of(light.group, follows, "group");
+    if (light.spot)
+        text += "  spot { look_at " + text_of(light.spot->look_at, follows, "look_at") +
+                fields_text(*light.spot, follows) + " }";
+    std::vector<Follow> own = follows;
+    if (light.spot) std::erase_if(own, [](const Follow& f) { return f.parameter == "tightness"; });  // the spot's
+    text += fields_text(light, own);
     if (light.motion) return text + "\n  " + text_of(*light.motion, "\n  ") + "\n}\n";
     return text + " }\n";
 }
@@ -209,18 +209,8 @@ std::string settings_text(const Settings& settings) {
 }
 
 std::string fog_text(const Fog& fog) {
-    const Fog usual;
-    std::string more;
-    const auto add = [&](const char* name, auto Fog::*member) {
-        if (fog.*member != usual.*member || any_follows(fog.follows, name))
-            more += std::string("  ") + name + " " + text_of(fog.*member, fog.follows, name);
-    };
-    add("altitude", &Fog::altitude), add("offset", &Fog::offset), add("up", &Fog::up);
-    add("filter", &Fog::filter), add("transmit", &Fog::transmit), add("turbulence", &Fog::turbulence);
-    add("octaves", &Fog::octaves), add("omega", &Fog::omega), add("lambda", &Fog::lambda), add("depth", &Fog::depth);
-    add("generator", &Fog::generator);
     return "fog { distance " + text_of(fog.distance, fog.follows, "distance") + "  color " +
-           text_of(fog.color, fog.follows, "color") + more + " }\n";
+           text_of(fog.color, fog.follows, "color") + fields_text(fog, fog.follows) + " }\n";
 }
 
 std::string primitives_text(const std::vector<Primitive>& primitives, const std::vector<Material>& materials) {

@@ -42,23 +42,27 @@ struct CompiledFunction : FunctionThing {
     int variables = 0;  // arguments, then variables of loops
     int levels = 1;
 
-    void evaluate(const double* given, double* result) const override { execute(given, result); }
-    void evaluate_lanes(const Lanes* given, Lanes* result) const override { execute(given, result); }
+    void evaluate(const double* given, double* result) const override {
+        execute(given, result, lattice::noise_by_points);
+    }
+    void evaluate_lanes(const Lanes* given, Lanes* result, const lattice::NoiseLanes& noise) const override {
+        execute(given, result, noise);
+    }
 
   private:
     /// Evaluates the function for one list of arguments, or for some at once.
     template <class S>
-    void execute(const S* given, S* result) const {
+    void execute(const S* given, S* result, const lattice::NoiseLanes& noise) const {
         const bool outermost = levels_open == 0;
         S numbers[most_numbers];
         std::copy_n(given, arguments, numbers);
         if (outermost) steps_left = most_steps;
         ++levels_open;
-        *result = run(0, instructions.size(), numbers, numbers + variables)[-1];
+        *result = run(0, instructions.size(), numbers, numbers + variables, noise)[-1];
         --levels_open;
     }
     template <class S>
-    S* run(std::size_t first, std::size_t last, S* numbers, S* top) const;
+    S* run(std::size_t first, std::size_t last, S* numbers, S* top, const lattice::NoiseLanes& noise) const;
     static inline thread_local int levels_open = 0;
     static inline thread_local long steps_left = 0;
 };
@@ -75,16 +79,17 @@ void set_each(S& to, const Of& value_of_lane) {
 }
 double lane_of(const double& value, std::size_t) { return value; }
 double lane_of(const Lanes& value, std::size_t lane) { return value[lane]; }
-void call_function(const FunctionThing& function, const double* given, double* result) {
+void call_function(const FunctionThing& function, const double* given, double* result, const lattice::NoiseLanes&) {
     function.evaluate(given, result);
 }
-void call_function(const FunctionThing& function, const Lanes* given, Lanes* result) {
-    function.evaluate_lanes(given, result);
+void call_function(const FunctionThing& function, const Lanes* given, Lanes* result, const lattice::NoiseLanes& noise) {
+    function.evaluate_lanes(given, result, noise);
 }
 
 /// Executes instructions, and returns the stack with their result on top: no number if there are no steps left.
 template <class S>
-S* CompiledFunction::run(std::size_t first, std::size_t last, S* numbers, S* top) const {
+S* CompiledFunction::run(std::size_t first, std::size_t last, S* numbers, S* top,
+                         const lattice::NoiseLanes& noise) const {
     S* const base = top;
     const auto set = [](S& to, double value) { set_each(to, [&](std::size_t) { return value; }); };
     const auto stop = [&] {
@@ -160,7 +165,7 @@ S* CompiledFunction::run(std::size_t first, std::size_t last, S* numbers, S* top
                     bool any = false;
                     for (std::size_t i = 0; i < sizeof(S) / sizeof(double); ++i) any |= takes(number, i);
                     if (!any) continue;
-                    const S value = run(at + 1, at + 1 + instructions[at].count, numbers, top)[-1];
+                    const S value = run(at + 1, at + 1 + instructions[at].count, numbers, top, noise)[-1];
                     if (steps_left < 0) return stop();
                     set_each(chosen, [&](std::size_t i) { return lane_of(takes(number, i) ? value : chosen, i); });
                 }
@@ -171,7 +176,7 @@ S* CompiledFunction::run(std::size_t first, std::size_t last, S* numbers, S* top
             case call: {
                 S results[5];
                 top -= step.count;
-                call_function(*called[step.index], top, results);
+                call_function(*called[step.index], top, results, noise);
                 if (steps_left < 0) return stop();
                 set_each(*top++, [&](std::size_t i) {
                     double own[5];
@@ -195,7 +200,7 @@ S* CompiledFunction::run(std::size_t first, std::size_t last, S* numbers, S* top
                 };
                 for (; any_goes_on(); set_each(at, [&](std::size_t i) { return lane_of(at, i) + 1; })) {
                     numbers[step.index] = at;
-                    const S value = run(i + 1, i + 1 + step.count, numbers, top)[-1];
+                    const S value = run(i + 1, i + 1 + step.count, numbers, top, noise)[-1];
                     if (steps_left < 0) return stop();
                     set_each(total, [&](std::size_t i) {
                         const double own = lane_of(value, i), sum = lane_of(total, i);
@@ -544,7 +549,7 @@ class FunctionReader {
 
 }  // namespace
 
-void FunctionThing::evaluate_lanes(const Lanes* given, Lanes* result) const {
+void FunctionThing::evaluate_lanes(const Lanes* given, Lanes* result, const lattice::NoiseLanes&) const {
     std::array<double, 64> own;
     double found[5];
     for (std::size_t lane = 0; lane < given->size(); ++lane) {
@@ -554,13 +559,14 @@ void FunctionThing::evaluate_lanes(const Lanes* given, Lanes* result) const {
     }
 }
 
-void FunctionThing::evaluate_all(std::span<const DVec3> points, double* values) const {
+void FunctionThing::evaluate_all(std::span<const DVec3> points, double* values,
+                                 const lattice::NoiseLanes& noise) const {
     for (std::size_t first = 0; first < points.size(); first += 8) {
         Lanes given[3], result;
         const std::size_t last = points.size() - 1;
         for (std::size_t lane = 0; lane < 8; ++lane)
             for (int k = 0; k < 3; ++k) given[k][lane] = points[std::min(first + lane, last)][k];
-        evaluate_lanes(given, &result);
+        evaluate_lanes(given, &result, noise);
         std::copy_n(result.begin(), std::min<std::size_t>(8, points.size() - first), values + first);
     }
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <span>
 
+#include "num/lattice_noise.h"
 #include "pov/language/value.h"
 
 namespace strahl::pov {
@@ -17,9 +18,10 @@ struct FunctionThing : Thing {
     /// Eight values, of as many evaluations at once.
     using Lanes = std::array<double, 8>;
     /// Evaluates the function for eight lists of arguments.
-    virtual void evaluate_lanes(const Lanes* given, Lanes* result) const;
+    virtual void evaluate_lanes(const Lanes* given, Lanes* result, const lattice::NoiseLanes& noise) const;
     /// Writes the values at points, of a function with one result.
-    void evaluate_all(std::span<const DVec3> points, double* values) const;
+    void evaluate_all(std::span<const DVec3> points, double* values,
+                      const lattice::NoiseLanes& noise = lattice::noise_by_points) const;
     /// The value at a point, of a function with one result.
     double at(const DVec3& point) const {
         const double given[3]{point.x, point.y, point.z};

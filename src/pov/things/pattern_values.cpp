@@ -31,10 +31,29 @@ std::shared_ptr<const SolidFunction> make_values(Function function) {
     return std::make_shared<const ComputedValues<Function>>(std::move(function));
 }
 
+/// Values of a function that a scene declares; those above 1 begin anew.
+struct FunctionValues : SolidFunction {
+    explicit FunctionValues(std::shared_ptr<const FunctionThing> function) : function(std::move(function)) {}
+    static double begun_anew(double value) { return value > 1 ? std::fmod(value, 1) : value; }
+    double value_at(const DVec3& point) const override { return begun_anew(function->at(point)); }
+    void values_at(const DVec3* points, int count, double* values, const SolidLanes& lanes) const override {
+        constexpr int few = 3;  // points, for which lanes do not pay
+        if (count < few) return SolidFunction::values_at(points, count, values, lanes);
+        function->evaluate_all({points, static_cast<std::size_t>(count)}, values, lanes.noise);
+        for (int i = 0; i < count; ++i) values[i] = begun_anew(values[i]);
+    }
+    const std::shared_ptr<const FunctionThing> function;
+};
+
 struct MovedValues : SolidFunction {
     MovedValues(Moves given, SolidPattern values)
         : moves(std::move(given)), normals(moves), values(std::move(values)) {}
     double value_at(const DVec3& point) const override { return strahl::value_at(values, moved(moves, point)); }
+    void values_at(const DVec3* points, int count, double* found, const SolidLanes& lanes) const override {
+        std::vector<DVec3> own(points, points + count);
+        move_points(moves, own, lanes.noise);
+        lanes.values(values, own.data(), count, found);
+    }
     std::optional<DVec3> bend_at(const DVec3& point, const DVec3& normal) const override {
         return normals.unmoved(strahl::bend_at(values, moved(moves, point), normals.moved(normal)), normal);
     }
@@ -510,11 +529,7 @@ Moves moves_of(const Blend& blend, bool last) {
 }
 
 std::shared_ptr<const SolidFunction> own_values_of(const Blend& blend, int generator) {
-    if (blend.function)
-        return make_values([own = blend.function](const DVec3& p) {
-            const double value = own->at(p);
-            return value > 1 ? std::fmod(value, 1) : value;
-        });
+    if (blend.function) return std::make_shared<const FunctionValues>(blend.function);
     if (blend.image) return blend.word == word("image_pattern") ? values_of(*blend.image) : nullptr;
     if (blend.pigment) {
         auto colors = colors_of(*blend.pigment, generator);

@@ -109,14 +109,27 @@ struct WarpPoint {
 }  // namespace
 
 DVec3 moved(std::span<const Move> moves, DVec3 point) {
-    for (const Move& move : moves) {
-        if (const auto* const matrix = std::get_if<glm::dmat4>(&move))
-            point = transform_point(*matrix, point);
-        else
-            point = std::visit(WarpPoint{point}, std::get<Warp>(move));
-    }
-    for (int c = 0; c < 3; ++c) point[c] = std::clamp(point[c], -farthest, farthest);
+    move_points(moves, {&point, 1}, lattice::noise_by_points);
     return point;
+}
+void move_points(std::span<const Move> moves, std::span<DVec3> points, const lattice::NoiseLanes& noise) {
+    std::vector<DVec3> ways;
+    for (const Move& move : moves) {
+        const Warp* const warp = std::get_if<Warp>(&move);
+        const TurbulenceWarp* const turbulence = warp ? std::get_if<TurbulenceWarp>(warp) : nullptr;
+        if (turbulence && points.size() > 1) {
+            ways.resize(points.size());
+            noise.vector_turbulence(points.data(), static_cast<int>(points.size()), turbulence->octaves,
+                                    static_cast<float>(turbulence->omega), static_cast<float>(turbulence->lambda),
+                                    ways.data());
+            for (std::size_t i = 0; i < points.size(); ++i) points[i] += turbulence->by * ways[i];
+            continue;
+        }
+        for (DVec3& point : points)
+            point = warp ? std::visit(WarpPoint{point}, *warp) : transform_point(std::get<glm::dmat4>(move), point);
+    }
+    for (DVec3& point : points)
+        for (int c = 0; c < 3; ++c) point[c] = std::clamp(point[c], -farthest, farthest);
 }
 
 MovedNormals::MovedNormals(std::span<const Move> moves) {

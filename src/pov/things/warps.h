@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "num/lattice_noise.h"
 #include "pov/things/steps.h"
 
 namespace strahl::pov {
@@ -63,6 +64,8 @@ struct PlaceMoves {
 };
 
 DVec3 moved(std::span<const Move> moves, DVec3 point);
+/// Moves several points at once.
+void move_points(std::span<const Move> moves, std::span<DVec3> points, const lattice::NoiseLanes& noise);
 
 /// Turns normals to the space of moved points. As in POV-Ray they have length 1 in either space, and warps leave them
 /// as they are.

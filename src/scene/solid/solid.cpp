@@ -84,7 +84,6 @@ double quilt_value(const DVec3& way) { return value_of_quilt(way); }
 
 double single_value(const SolidPattern& own, const DVec3& p, double step) {
     constexpr double pi = std::numbers::pi;
-    if (own.function) return own.function->value_at(p);
     if (own.solid == Solid::radial)
         return std::fabs(p.x) < .001 && std::fabs(p.z) < .001 ? .25 : .25 + (std::atan2(p.x, p.z) + pi) / (2 * pi);
     if (own.solid == Solid::uniform) return 0;

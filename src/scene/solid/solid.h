@@ -7,6 +7,7 @@
 #include <string_view>
 #include <tuple>
 
+#include "num/lattice_noise.h"
 #include "scene/kinds/field.h"
 
 namespace strahl {
@@ -22,11 +23,23 @@ inline constexpr std::array<std::string_view, 24> solid_names{
     "marble", "onion", "planar", "quilted", "radial", "ripples", "spherical", "spiral1", "spiral2", "uniform",
     "waves", "wood", "wrinkles"};
 
+struct SolidPattern;
+
+/// Noise, and values of patterns, at several points at once, in the lanes of the caller's SIMD level.
+struct SolidLanes {
+    lattice::NoiseLanes noise;
+    void (*values)(const SolidPattern& pattern, const DVec3* points, int count, double* values);
+};
+
 /// Values that a POV-Ray scene computes in a way of its own, such as by a function. Scene text cannot say them.
 struct SolidFunction {
     virtual ~SolidFunction() = default;
     /// Returns the value at a point, before frequency, phase and wave. Several threads may call it at once.
     virtual double value_at(const DVec3& point) const = 0;
+    /// Writes the values at several points.
+    virtual void values_at(const DVec3* points, int count, double* values, const SolidLanes&) const {
+        for (int i = 0; i < count; ++i) values[i] = value_at(points[i]);
+    }
     /// Returns what is added at a point to the normal, of length 1; nothing if that is the slope of the values.
     virtual std::optional<DVec3> bend_at(const DVec3& point, const DVec3& normal) const;
 };

@@ -22,7 +22,7 @@ const std::array<WaveSource, 10>& wave_sources();
 SolidDetails::Repeat repeat_of(const SolidPattern& own);
 /// Does the kind itself begin anew at whole numbers, where that makes no difference?
 bool goes_on(const SolidPattern& own);
-/// Returns the value that spirals, `radial` and functions have at a point before frequency, phase and wave.
+/// Returns the value that spirals and `radial` have at a point before frequency, phase and wave.
 double single_value(const SolidPattern& own, const DVec3& point, double step);
 
 }  // namespace strahl
@@ -161,6 +161,27 @@ STRAHL_INLINE S mean_of_grain(const SolidPattern& own, const Vec3<S>& p) {
     return mean;
 }
 
+template <class S>
+S solid_value(const SolidPattern& own, const Vec3<S>& p);
+template <class S>
+inline constexpr SolidLanes solid_lanes{
+    noise_lanes<S>, [](const SolidPattern& pattern, const DVec3* points, int count, double* values) {
+        each_pack<S>(points, count, [&](const Vec3<S>& p, int first, int number) {
+            alignas(64) double own[width<S>];
+            store_lanes(own, solid_value(pattern, p));
+            std::copy_n(own, number, values + first);
+        });
+    }};
+/// Returns the values of a pattern's function.
+template <class S>
+S function_values(const SolidPattern& own, const Vec3<S>& p) {
+    DVec3 points[width<S>];
+    alignas(64) double values[width<S>];
+    for (int k = 0; k < width<S>; ++k) points[k] = point_in_lane(p, k);
+    own.function->values_at(points, width<S>, values, solid_lanes<S>);
+    return load_lanes<S>(values);
+}
+
 /// Returns the value before frequency, phase and wave, at a point that turbulence has moved. Where a kind sums up
 /// several sizes of detail, those too fine for points that are `step` apart fade to their means.
 template <class S>
@@ -257,6 +278,7 @@ template <class S>
         case Solid::spiral1:
         case Solid::spiral2:
         case Solid::uniform:
+            if (own.function) return function_values(own, p);
             return by_points(p, [&](const DVec3& point) { return single_value(own, point, step); });
     }
     return zero;

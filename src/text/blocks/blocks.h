@@ -139,33 +139,15 @@ inline std::array<Parameter, 6> motion_parameters(MotionKeyText& key) {
     return joined(joined(time_parameters(key.when, "the time of the key in seconds"), place), ease_parameter(key.ease));
 }
 
-inline std::array<Parameter, 15> light_parameters(Light& light) {
-    return {
+inline auto light_parameters(Light& light) {
+    const std::array<Parameter, 4> place{
         {{"position", &light.position, coordinates, "where the light is", required, "direction"},
          {"direction", &light.direction, directions, "the direction in which parallel light shines"},
          {"from", &light.from, coordinates,
           "a point of the plane from which parallel light comes: bodies behind it cast no shadow",
           "infinitely far away"},
-         {"color", &light.color, strengths, "its colour and strength; below 0 it takes light away", required},
-         {"shadowless", &light.shadowless, {}, "it shines through all bodies, without highlights", "shadows"},
-         {"soft", &light.soft, {}, "light comes from the centre; the size only blurs shadows", "hard shadows"},
-         {"adaptive", &light.adaptive, grid_levels,
-          "levels of the `grid` of a `soft` light that are always subdivided; after that only at shadow edges",
-          "all its points shine"},
-         {"circular", &light.circular, {}, "makes that grid round", "it is square"},
-         {"orient", &light.orient, {}, "turns that grid towards each point that it lights", "it stays as it is"},
-         {"beam", &light.beam, lengths,
-          "the distance from its axis, through `from`, beyond which parallel light does not shine",
-          "it is as wide as the plane"},
-         {"core", &light.core, lengths, "the distance from that axis at which it begins to fade", "it does not fade"},
-         {"tightness", &light.tightness, not_negative, "exponent by which the light of a `beam` fades off its axis",
-          "`0`"},
-         {"fade_distance", &light.fade_distance, not_negative,
-          "the distance at which it is as strong as `color`; 0: it does not fade"},
-         {"fade_power", &light.fade_power, not_negative,
-          "light is multiplied by 2 / (1 + (distance / `fade_distance`)^`fade_power`)"},
-         {"group", &light.group, not_negative,
-          "it shines only on bodies whose material has the same `group`; 0: on all"}}};
+         {"color", &light.color, strengths, "its colour and strength; below 0 it takes light away", required}}};
+    return joined(place, field_parameters(light));
 }
 inline constexpr std::array<std::string_view, 4> light_words{"spot", "edges", "grid", "motion"};
 inline std::array<Parameter, 4> spot_parameters(Spot& spot) {
@@ -175,21 +157,11 @@ inline std::array<Parameter, 4> spot_parameters(Spot& spot) {
 inline std::array<Parameter, 1> background_parameters(Pigment& color) {
     return {{{"color", &color, not_negative, "the colour of rays that hit nothing", required}}};
 }
-inline std::array<Parameter, 13> fog_parameters(Fog& fog) {
-    return {
+inline auto fog_parameters(Fog& fog) {
+    const std::array<Parameter, 2> needed{
         {{"distance", &fog.distance, lengths, "range of sight: over this distance 63 % of the light is lost", required},
-         {"color", &fog.color, not_negative, "the colour of the fog", required},
-         {"altitude", &fog.altitude, seconds, "ground fog: height at which it is half as dense; 0: it is even"},
-         {"offset", &fog.offset, coordinates, "where along `up` ground fog begins to become thinner"},
-         {"up", &fog.up, directions, "the direction in which ground fog becomes thinner, of any length"},
-         {"filter", &fog.filter, shares, "how much what is seen through it has the colour of the fog"},
-         {"transmit", &fog.transmit, shares, "the least share of light that comes through"},
-         {"turbulence", &fog.turbulence, anything, "how fine noise is that makes it patchy, along each axis"},
-         {"octaves", &fog.octaves, octave_counts, "how many sizes of detail that noise has"},
-         {"omega", &fog.omega, anything, "strength of each octave relative to the one before"},
-         {"lambda", &fog.lambda, anything, "how many times finer each octave is than the one before"},
-         {"depth", &fog.depth, anything, "how strong that noise is"},
-         {"generator", &fog.generator, positive, "POV-Ray's noise_generator: 1, 2 or 3"}}};
+         {"color", &fog.color, not_negative, "the colour of the fog", required}}};
+    return joined(needed, field_parameters(fog));
 }
 
 inline std::array<Parameter, 3> music_parameters(Music& music) {

@@ -49,8 +49,12 @@ inline constexpr NumberRange anything{-largest_number, largest_number, "a number
 /// The values of a coefficient in this range.
 constexpr NumberRange range_of(Range range) {
     switch (range) {
+        case Range::coordinate:
+            return coordinates;
         case Range::positive:
             return positive;
+        case Range::length:
+            return lengths;
         case Range::length_or_zero:
         case Range::zero_or_more:
             return not_negative;
@@ -64,6 +68,8 @@ constexpr NumberRange range_of(Range range) {
             return octave_counts;
         case Range::steps:
             return step_counts;
+        case Range::levels:
+            return grid_levels;
         default:
             return anything;
     }
@@ -95,7 +101,7 @@ auto field_parameters(Struct& own) {
     return std::apply(
         [&](const auto&... field) {
             return std::array<Parameter, sizeof...(field)>{
-                Parameter{field.name, &(own.*field.member), range_of(field.range), field.help}...};
+                Parameter{field.name, &(own.*field.member), range_of(field.range), field.help, field.otherwise}...};
         },
         Struct::fields);
 }

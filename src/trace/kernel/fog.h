@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "num/lattice_noise.h"
 #include "num/memory.h"
+#include "num/noise_lanes.h"
 #include "trace/kernel/shading.h"
 
 namespace strahl::inline STRAHL_LEVEL {
@@ -34,6 +34,22 @@ STRAHL_INLINE S medium_in_fog(const Shading<S, P>& shading, const S& medium) {
     return load_lanes<S>(stacks);
 }
 
+/// Finds the noise of patchy fog halfway along rays, where it shortens the way, the less the longer it is.
+template <class S>
+void turbulence_of_fog(const FogKernel<Element<S>>& fog, const Vec3<S>& middle, double* noise) {
+    using D = Widest<double>;
+    DVec3 points[width<S>];
+    for (int k = 0; k < width<S>; ++k) {
+        const DVec3 at(double(lane(middle.x, k)), double(lane(middle.y, k)), double(lane(middle.z, k)));
+        points[k] = (fog.place + fog.unit * at) * fog.turbulence;
+    }
+    each_pack<D>(points, width<S>, [&](const Vec3<D>& p, int first, int number) {
+        alignas(64) double own[width<D>];
+        store_lanes(own, lattice_turbulence(p, fog.octaves, fog.omega, fog.lambda, fog.generator));
+        std::copy_n(own, number, noise + first);
+    });
+}
+
 /// Returns the weights that fog leaves to rays after a distance `t`: weight * exp(-t * density / the fog's distance).
 /// In nested worlds only rays outside all transparent bodies (medium 0) are dimmed. The fog's own light gets the weight
 /// that they lose.
@@ -47,17 +63,13 @@ template <class S>
         const Vec3<S> rise = splat<S>(world.fog.rise);
         const S start = dot(rise, origin) + S(world.fog.base);
         store_lanes(from, start), store_lanes(to, fma(t, dot(rise, direction), start));
+        double noise[width<S>] = {};
+        if (world.fog.swirls) turbulence_of_fog(world.fog, fma(S(T(.5)) * t, direction, origin), noise);
         for (int k = 0; k < width<S>; ++k) {
             const double even = std::exp(double(share[k]));
             share[k] *= fog_density(from[k], to[k]);
-            if (!world.fog.swirls || even == 0) continue;
-            // Noise halfway shortens the way, the less the longer it is.
-            const Vec3<S> middle = fma(S(T(.5)) * t, direction, origin);
-            const DVec3 at(double(lane(middle.x, k)), double(lane(middle.y, k)), double(lane(middle.z, k)));
-            const DVec3 p = world.fog.place + world.fog.unit * at;
-            const double noise = lattice::turbulence(p * world.fog.turbulence, world.fog.octaves, world.fog.omega,
-                                                     world.fog.lambda, world.fog.generator);
-            share[k] *= static_cast<T>(1 - even * std::min(1., noise * world.fog.depth));
+            if (world.fog.swirls && even > 0)
+                share[k] *= static_cast<T>(1 - even * std::min(1., noise[k] * world.fog.depth));
         }
     }
     for (auto& value : share) value = std::exp(value);

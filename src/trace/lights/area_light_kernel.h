@@ -89,6 +89,7 @@ class AreaSum {
             for (int x = 0; x < side; x += size) cells.add(x, y);
         for (;; size /= 2) {
             trace_corners(cells, size);
+            if (size == AreaCells::largest && faced == 4 && is_even()) return;
             const T unevenness = split(cells, mixed, size);
             add(cells, size);
             constexpr T off = T(.15);  // measured: error, as a share, of the light of a cell that an edge crosses
@@ -154,6 +155,19 @@ class AreaSum {
             known[corners[k]] = faced_side;
             for (int c = 0; c < 3; ++c) shares[c][corners[k]] = found[c][k];
         }
+    }
+
+    /// Returns true if all corners of the largest cells are in the dark or, of a light whose shadows alone are soft, if
+    /// all light comes to all of them. Then the mean share is known.
+    bool is_even() {
+        const T own = shares[0][0];
+        if (!(own == T(0) || (own == T(1) && world.lights[start.light].soft))) return false;
+        for (int y = 0; y <= side; y += AreaCells::largest)
+            for (int x = 0; x <= side; x += AreaCells::largest)
+                for (const auto& channel : shares)
+                    if (channel[y * row + x] != own) return false;
+        share = Vec3<T>(own);
+        return true;
     }
 
     static std::array<int, 4> corners_of(int x, int y, int size) {
