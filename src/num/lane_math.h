@@ -52,6 +52,14 @@ STRAHL_INLINE S signed_power(const S& x, Element<S> p) {
     return p < 0 ? S(1) / max(power_of_uniform(x, -p), S(1e-9f)) : power_of_uniform(x, p);
 }
 
+/// Returns x^p, 0 for x <= 0.
+template <class S>
+STRAHL_INLINE S power_or_zero(const S& x, Element<S> p) {
+    const Mask<S> some = x > S(0);
+    if (none(some)) return S(0);
+    return select(some, signed_power(select(some, min(x, S(1)), S(1)), p), S(0));
+}
+
 /// The type of the bits of S.
 template <class S>
 struct BitsOf {

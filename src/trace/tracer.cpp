@@ -17,9 +17,9 @@
 #include "trace/kernel/camera_rays.h"
 #include "trace/lights/light_buffer.h"
 #include "trace/proof/slack.h"
+#include "trace/scene_in_time.h"
 #include "trace/world/light_bound.h"
 #include "trace/world/mip_maps.h"
-#include "trace/world/scene_in_time.h"
 #include "trace/world/split_unions.h"
 #include "trace/world/world_arrays.h"
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tests/proof/exact_bodies.h"
+#include "tests/proof/exact_finish.h"
 #include "trace/tracer.h"
 #include "trace/world/split_unions.h"
 
@@ -43,8 +44,8 @@ class Tracer {
     Vector at(int x, int y) const {
         std::vector<int> inside;
         for (int i = 0; i < std::ssize(bodies); ++i)
-            if (bodies[i].medium->refraction > 0 && bodies[i].surrounds(eye.position)) inside.push_back(i);
-        return see(eye.ray(x, y), 1, inside);
+            if (bodies[i].medium->transmits() && bodies[i].surrounds(eye.position)) inside.push_back(i);
+        return see(eye.ray(x, y), 1, inside, 1);
     }
 
     /// Returns the share of its light that a spot sends along -l.
@@ -64,7 +65,8 @@ class Tracer {
     }
 
   private:
-    Vector see(const Line<R>& line, int generation, const std::vector<int>& inside) const {
+    /// `weight` is how strong POV-Ray takes the ray for.
+    Vector see(const Line<R>& line, int generation, const std::vector<int>& inside, R weight) const {
         int body = -1;
         Crossing<R> hit{};
         for (int i = 0; i < std::ssize(bodies); ++i)
@@ -72,14 +74,14 @@ class Tracer {
                 if (crossing.t > 0 && (body < 0 || crossing.t < hit.t)) body = i, hit = crossing;
         const bool foggy = scene.fog && inside.empty();
         if (body < 0) return foggy ? Vector(scene.fog->color) : sky.at(line.direction);
-        const Vector sum = light_of(line, hit, body, generation, inside);
+        const Vector sum = light_of(line, hit, body, generation, inside, weight);
         if (!foggy) return sum;
         const R left = exponential(-hit.t / R(scene.fog->distance));
         return left * sum + (1 - left) * Vector(scene.fog->color);
     }
 
     Vector light_of(const Line<R>& line, const Crossing<R>& hit, int body, int generation,
-                    const std::vector<int>& inside) const {
+                    const std::vector<int>& inside, R weight) const {
         const Material& material = bodies[body].material_of(hit.face);
         const Vector e = line.direction, p = line.origin + hit.t * e,
                      color = bodies[body].leaf_of(hit.face).color_at(p, hit.face);
@@ -87,49 +89,57 @@ class Tracer {
         if (dot(e, n) > 0) n = R(-1) * n;
         const Vector flat = n;
         n = bodies[body].leaf_of(hit.face).bent(p, hit.face, flat);
-        const Vector mirrored = e - 2 * dot(e, n) * n;
-        Vector sum = R(material.ambient) * color * Vector(scene.settings.ambient_light);
-        for (const Light& light : scene.lights) sum = sum + from(light, p, flat, n, mirrored, color, body, hit.face);
+        const Finish<R> finish(material, color);
+        Vector sum = finish.ambient() * Vector(scene.settings.ambient_light);
+        for (const Light& light : scene.lights) sum = sum + from(light, p, flat, n, e, finish, body, hit.face);
         if (generation >= view.depth) return sum;
-        R share = material.reflection;
-        if (material.refraction > 0) {
+        const R least = scene.settings.adc_bailout, facing = dot(e, n) > 0 ? dot(e, n) : -dot(e, n);
+        const bool enters = dot(e, hit.normal) < 0;
+        Sent<R> away = finish.reflected(facing, enters, least), through = finish.refracted(away, least);
+        if (through.strength > 0) {
             auto [ratio, after] = pass(body, inside);
             const Vector before = dot(e, n) > 0 ? R(-1) * n : n;  // on the ray's side
             const R s = -dot(e, before), k = 1 - ratio * ratio * (1 - s * s);
-            if (k < 0)
-                share += R(material.refraction);
-            else
-                sum = sum + R(material.refraction) *
-                                see({p, unit(ratio * e + (ratio * s - root(k)) * before), body, hit.face},
-                                    generation + 1, after);
+            if (k < 0) {
+                away = finish.total(through);
+            } else if (weight * through.strength >= least) {
+                const bool straight = ratio == 1 && !material.plain() && material.rgb.clear();
+                const Vector beyond = ratio == 1 ? e : unit(ratio * e + (ratio * s - root(k)) * before);
+                sum = sum + through.color * see({p, beyond, body, hit.face}, generation + !straight, after,
+                                                weight * through.strength);
+            }
         }
-        Vector away = mirrored;
-        if (dot(away, flat) < 0) {
-            if (dot(away, n) < 0) away = e;
-            away = away - 2 * dot(away, flat) * flat;
+        Vector mirrored = e - 2 * dot(e, n) * n;
+        if (dot(mirrored, flat) < 0) {
+            if (dot(mirrored, n) < 0) mirrored = e;
+            mirrored = mirrored - 2 * dot(mirrored, flat) * flat;
         }
-        if (share > 0) sum = sum + share * see({p, away, body, hit.face}, generation + 1, inside);
+        if (away.strength > 0 && weight * away.strength >= least)
+            sum = sum + away.color * see({p, mirrored, body, hit.face}, generation + 1, inside, weight * away.strength);
         return sum;
     }
 
-    Vector from(const Light& light, const Vector& p, const Vector& flat, const Vector& n, const Vector& mirrored,
-                const Vector& color, int body, int face) const {
+    Vector from(const Light& light, const Vector& p, const Vector& flat, const Vector& n, const Vector& e,
+                const Finish<R>& finish, int body, int face) const {
+        const Material& material = bodies[body].material_of(face);
+        if (light.group == 0 ? material.common == 0 : material.group != light.group) return {};
         const Vector way = light.direction ? R(-1) * Vector(*light.direction) : Vector(light.position) - p,
                      l = unit(way);
-        const R facing = dot(n, l), glance = dot(mirrored, l);
-        if (!(facing > 0) || !(dot(flat, l) > 0)) return {};
-        const Material& material = bodies[body].material_of(face);
-        const R highlight = glance > 0 ? R(material.specular) * power(glance, R(material.pow)) : R(0);
-        Vector share = light.color * (R(material.diffuse) * facing * color + Vector{highlight, highlight, highlight});
-        share = share_of_spot(light, l) * share;
+        if (!(dot(n, l) > 0) || !(light.shadowless || dot(flat, l) > 0)) return {};
         const R distance = root(dot(way, way));
+        R strength = share_of_spot(light, l);
+        if (light.fades()) strength = 2 * strength / (1 + power(distance / light.fade_distance, R(light.fade_power)));
+        Vector share = strength * (Vector(light.color) * finish.scattered(e, n, l, !light.shadowless));
+        if (light.shadowless) return share;
         for (int i = 0; i < std::ssize(bodies); ++i)
             for (const auto& crossing : bodies[i].meet({p, l, body, face}, i)) {
                 if (!(crossing.t > 0 && (light.direction || crossing.t < distance))) continue;
                 const Material& other = bodies[i].material_of(crossing.face);
-                if (!(other.refraction > 0)) return {};
-                share = R(other.refraction) * share *
-                        bodies[i].leaf_of(crossing.face).color_at(p + crossing.t * l, crossing.face);
+                if (other.shadow == 0) continue;
+                if (!other.transmits()) return {};
+                const Finish<R> own(other,
+                                    bodies[i].leaf_of(crossing.face).color_at(p + crossing.t * l, crossing.face));
+                share = share * own.shadow();
             }
         return share;
     }

@@ -200,7 +200,7 @@ struct Body {
                                   faces,
                                   count});
                 steps.push_back(leaf), faces += count;
-                if (!(medium->refraction > 0) && material.refraction > 0) medium = &material;
+                if (!medium->transmits() && material.transmits()) medium = &material;
             },
             [&](Operation operation) { steps.push_back(static_cast<int>(operation)); });
     }

@@ -148,7 +148,7 @@ int number(const char* variable, int otherwise) {
 TEST_CASE("proofs do not lie") {
     const int worlds = number("PROOF_WORLDS", sanitized() ? 15 : 60), first = number("PROOF_FIRST", 0);
     const int extended = number("PROOF_EXTENDED", 2), size = number("PROOF_SIZE", 1);
-    Judged all, edges;
+    Judged all, edges, finished;
     std::mutex mutex;
     ThreadPool pool;
     share_out(pool, worlds, 1, [&](int i, int) {
@@ -167,10 +167,12 @@ TEST_CASE("proofs do not lie") {
         CAPTURE(seed);
         check_honest(own), check_honest(near_edges);
         all += own, edges += near_edges;
+        if (scene.finished()) finished += own;
     });
-    all.print("worlds"), edges.print("edges");
+    all.print("worlds"), finished.print("of these with finishes"), edges.print("edges");
     CHECK(all.pruned > 0);
     CHECK(all.plain.certain[1] > .85 * all.plain.values);
+    CHECK(finished.plain.certain[1] > .6 * finished.plain.values);
     CHECK(edges.plain.certain[1] < .5 * edges.plain.values);
 }
 

@@ -1,11 +1,12 @@
 // Random worlds of what proofs know: glass, mirrors and dull bodies that touch and overlap, of all sizes and anywhere.
-// Two thirds of them have other bodies besides balls and rods, and patterns.
+// Two thirds of them have other bodies besides balls and rods, and patterns; a third has POV-Ray's finishes.
 #pragma once
 #include <cmath>
 #include <numbers>
 
 #include "scene/scene.h"
 #include "tests/proof/bodies.h"
+#include "tests/proof/finished.h"
 #include "tests/proof/painted.h"
 #include "tests/referee/dice.h"
 
@@ -106,6 +107,8 @@ inline Scene random_world(std::uint64_t seed) {
     scene.camera.fov = dice.in(10, 40);
     Dice paint = dice_of_paint(seed);
     if (has_others && paint.chance(.6)) paint_world(paint, size, shift, scene);
+    Dice words = dice_of_finishes(seed);
+    if (words.chance(.33)) finish_world(words, size, scene);
     return scene;
 }
 

@@ -34,7 +34,7 @@ const std::map<std::string, Module> modules{
     {"text", {{"num", "scene", "files", "mesh"}, {"reading", "blocks", "manual", ""}}},
     {"trace",
      {{"files", "num", "scene"},
-      {"hierarchy", "world", "patterns", "forms", "lights", "kernel", "proof", "cells", "", "measure"}}},
+      {"hierarchy", "world", "patterns", "finish", "forms", "lights", "kernel", "proof", "cells", "", "measure"}}},
     {"import", {{"num", "scene", "files", "mesh", "text"}, {"models", ""}}},
     {"pov", {{"num", "scene", "files", "mesh", "text", "import"}, {"language", "things", "reading", "meaning", ""}}},
     {"image", {{"num", "scene", "files", "text"}, {"", "oiio"}}},

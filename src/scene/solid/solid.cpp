@@ -47,6 +47,9 @@ SolidDetail even_detail(const SolidPattern& own) {
 
 }  // namespace
 
+void SolidFunction::values_at(const DVec3* points, int count, double* values, const SolidLanes&) const {
+    for (int i = 0; i < count; ++i) values[i] = value_at(points[i]);
+}
 std::optional<DVec3> SolidFunction::bend_at(const DVec3&, const DVec3&) const { return {}; }
 
 const double* random_numbers() {

@@ -37,9 +37,7 @@ struct SolidFunction {
     /// Returns the value at a point, before frequency, phase and wave. Several threads may call it at once.
     virtual double value_at(const DVec3& point) const = 0;
     /// Writes the values at several points.
-    virtual void values_at(const DVec3* points, int count, double* values, const SolidLanes&) const {
-        for (int i = 0; i < count; ++i) values[i] = value_at(points[i]);
-    }
+    virtual void values_at(const DVec3* points, int count, double* values, const SolidLanes& lanes) const;
     /// Returns what is added at a point to the normal, of length 1; nothing if that is the slope of the values.
     virtual std::optional<DVec3> bend_at(const DVec3& point, const DVec3& normal) const;
 };

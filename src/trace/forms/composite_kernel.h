@@ -510,13 +510,13 @@ struct FormFunctions<CompositeForm, S> : SingleByPack<FormFunctions<CompositeFor
                 const S surface = walk.surface_at(t, lanes);
                 walk.each_leaf_of(surface, lanes, [&](const CompositeLeaf& leaf, Mask<S> own) {
                     const MaterialKernel<T>& material = world.materials[leaf.material];
-                    if (!(material.refraction > 0)) {
+                    if (!passes_light(world, leaf.material)) {
                         light.limit = select(own, S(-1), light.limit);
                         return;
                     }
                     through = through | own;
                     if (patterned(world, leaf.material)) [[unlikely]]
-                        return PatternCalls<S>::filter(world, leaf.material, surface, ray, t, own, light.share);
+                        return FinishCalls<S>::filter(world, leaf.material, surface, ray, t, own, light.share);
                     for (int c = 0; c < 3; ++c)
                         light.share[c] =
                             select(own, min(light.share[c] * S(material.filter[c]), S(largest_gain)), light.share[c]);

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "num/memory.h"
-#include "trace/patterns/pattern_calls.h"
+#include "trace/finish/finish_calls.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
@@ -61,10 +61,10 @@ STRAHL_INLINE S crossing(const Crossings<S, N>& crossings, int i) {
     return crossings.t[i];
 }
 
-/// Returns true if the item lets light through.
+/// Returns true if the item lets light of lights through.
 template <class T, class Item>
 STRAHL_INLINE bool transparent(const World<T>& world, const Item& item) {
-    return world.transparent && world.materials[static_cast<int>(item.material)].refraction > 0;
+    return passes_light(world, static_cast<int>(item.material));
 }
 template <class T, class Item>
 STRAHL_INLINE const Vec3<T>& filter(const World<T>& world, const Item& item) {
@@ -114,8 +114,8 @@ template <class S, class Cross, std::size_t count>
                                           const Cross& span, const std::array<Mask<S>, count>& crossed_by,
                                           Vec3<S>& share) {
     for (std::size_t i = 0; i < count; ++i)
-        PatternCalls<S>::filter(world, material, S(static_cast<Element<S>>(surface)), ray,
-                                crossing(span, static_cast<int>(i)), crossed_by[i], share);
+        FinishCalls<S>::filter(world, material, S(static_cast<Element<S>>(surface)), ray,
+                               crossing(span, static_cast<int>(i)), crossed_by[i], share);
 }
 
 /// Attenuates light by an item; `outside` as above. Returns true if none is left in any lane.

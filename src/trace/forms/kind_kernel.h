@@ -3,7 +3,7 @@
 #pragma once
 #include "trace/forms/form_kernel.h"
 #include "trace/hierarchy/traverse.h"
-#include "trace/world/triangle_of.h"
+#include "trace/patterns/triangle_of.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
@@ -190,8 +190,8 @@ bool FormFunctions<Form, S>::occlude_single(const World<T>& world, int first, in
                 const S surface(group.items[i + n].surface);
                 Vec3<S> share = splat<S>(single.share);
                 for (std::size_t k = 0; k < crossings.size(); ++k)
-                    PatternCalls<S>::filter(world, material, surface, ray, crossing(span, static_cast<int>(k)),
-                                            own & crossed_by[k], share);
+                    FinishCalls<S>::filter(world, material, surface, ray, crossing(span, static_cast<int>(k)),
+                                           own & crossed_by[k], share);
                 for (int c = 0; c < 3; ++c) single.share[c] = lane(share[c], n);
                 continue;
             }

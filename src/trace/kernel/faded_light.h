@@ -2,8 +2,8 @@
 #pragma once
 #include <algorithm>
 
+#include "trace/finish/finish_calls.h"
 #include "trace/kernel/surface_at.h"
-#include "trace/patterns/finish_calls.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
@@ -41,7 +41,7 @@ template <class S>
 Mask<S> opaque_lanes(const World<Element<S>>& world, const S& surfaces, Mask<S> lanes) {
     for (unsigned left = bits(lanes); left != 0; left &= left - 1) {
         const int k = std::countr_zero(left), own = static_cast<int>(lane(surfaces, k));
-        if (own >= 0 && (is_on_leaf(world, own) || world.materials[material_of(world, own)].refraction > 0))
+        if (own >= 0 && (is_on_leaf(world, own) || passes_light(world, material_of(world, own))))
             lanes = lanes & !mask_of<S>(1u << k);
     }
     return lanes;
@@ -61,9 +61,7 @@ void cross_surfaces(const World<Element<S>>& world, Ray<S>& ray, const Nearest<S
     const bool on_leaf = is_on_leaf(world, surface);
     SurfaceHit<S> hit;
     int materials[width<S>];
-    const auto opaque = [&](int material) {
-        return world.finishes.list[material].shadow && !(world.materials[material].refraction > T(0));
-    };
+    const auto opaque = [&](int material) { return !passes_light(world, material); };
     const auto hide = [&](Mask<S> dark) {
         for (int c = 0; c < 3; ++c) share[c] = select(dark, S(0), share[c]);
     };

@@ -1,11 +1,11 @@
 // Shades hits in worlds with POV-Ray's finishes: their light, by layers, and their rays, which carry colours.
 #pragma once
+#include "trace/finish/finish_calls.h"
 #include "trace/kernel/faded_light.h"
 #include "trace/kernel/fog.h"
 #include "trace/kernel/footprint.h"
 #include "trace/kernel/illuminate.h"
 #include "trace/kernel/scatter.h"
-#include "trace/patterns/finish_calls.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
@@ -13,7 +13,7 @@ namespace strahl::inline STRAHL_LEVEL {
 template <class S>
 Vec3<S> color_of(const LayeredHit<S>& layers) {
     Vec3<S> sum = splat<S>(Vec3<Element<S>>(0));
-    for (int i = 0; i < most_layers; ++i)
+    for (int i = 0; i < layers.count; ++i)
         for (int c = 0; c < 3; ++c) sum[c] = fma(layers.above[i][c] * layers.opacity[i], layers.color[i][c], sum[c]);
     return sum;
 }
@@ -57,18 +57,20 @@ void look_at_layers(const Shading<S, P>& shading, const Hit<S>& hit, const int* 
 /// Adds the light of all lights to `sum`.
 template <class S, class P>
 void add_lights(const Shading<S, P>& shading, const Hit<S>& hit, const int* numbers, const LayeredHit<S>& layers,
-                const HitNotes<S, P>& notes, Vec3<S>& sum) {
+                HitNotes<S, P>& notes, Vec3<S>& sum) {
     using T = Element<S>;
     const auto& world = shading.world;
     const Vec3<S>& flat = flat_normal(shading, hit, notes);
     const Vec3<S> reflected = reflect(hit), nothing = splat<S>(Vec3<T>(0));
     const Mask<S> both = world.finishes.behind ? FinishCalls<S>::lit_behind(world, numbers) : first_lanes<S>(0);
+    Hit<S> own_hit = hit;
     for (int i = 0; i < world.light_count; ++i) {
         const LightKernel<T>& light = world.lights[i];
-        LightAt<S> at = light_at(shading, hit, light, flat, both);
-        if (world.finishes.groups) at.faces = at.faces & FinishCalls<S>::lit_by(world, numbers, light.group);
-        if (none(at.faces)) continue;
-        const Vec3<S> share = share_at(shading, hit, i, at, flat, reflected);
+        if (world.finishes.groups) own_hit.active = hit.active & FinishCalls<S>::lit_by(world, numbers, light.group);
+        const LightAt<S> at = light_at(shading, own_hit, light, flat, both);
+        const auto own = P::light_of(shading, own_hit, light, at, flat, notes.own);
+        if (none(P::lit(at.faces, own_hit, own))) continue;
+        const Vec3<S> share = share_at(shading, own_hit, i, at, flat, reflected);
         if (notes_sights(shading)) note_light(shading, hit, notes, i, share, S(dot(reflected, at.way.l)), at.faces);
         Vec3<S> arriving;
         for (int c = 0; c < 3; ++c) arriving[c] = at.strength * share[c] * S(light.color[c]);
@@ -78,6 +80,7 @@ void add_lights(const Shading<S, P>& shading, const Hit<S>& hit, const int* numb
         Vec3<S> lighted = sum;
         FinishCalls<S>::scatter(world, numbers, layers, lit, arriving, lighted);
         sum = select(at.faces, lighted, sum);
+        P::lit_layers(shading, own_hit, numbers, layers, i, at, lit, share, own, notes.own);
     }
 }
 
@@ -184,6 +187,7 @@ template <class S, class P>
     LayeredHit<S> layers;
     layers.bend = bend;
     look_at_layers(shading, hit, numbers, from, pick, notes, layers);
+    P::layers(shading, hit, numbers, layers, notes.own);
     Onward<S> on;
     carry_on(shading, hit, from, pick, bend == 0, notes.carried, on);
     Hit<S> lit = hit;
@@ -199,7 +203,9 @@ template <class S, class P>
         light = light * tint_of_fog(world, medium_in_fog(shading, S(hit.medium)));
         if (bend == 0) light = fma(pick(from.weight) - hit.weight, splat<S>(world.fog.color), light);
     }
-    add_light(shading.batch, hit.pixel, pick.lanes, light * before.tint);
+    light = light * before.tint;
+    add_light(shading.batch, hit.pixel, pick.lanes, light);
+    P::shade(shading, hit, from, pick, t, light, notes.own);
 }
 
 }  // namespace strahl::inline STRAHL_LEVEL

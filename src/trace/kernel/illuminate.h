@@ -46,20 +46,25 @@ template <class S, class P>
 /// Adds the light of a special light to `sum`, where it brings more than `faint` of its colour to plain hits.
 template <class S, class P>
 [[gnu::noinline]] void add_special_light(const Shading<S, P>& shading, const Hit<S>& hit, int number, const S& faint,
-                                         const HitNotes<S, P>& notes, Vec3<S>& sum) {
+                                         HitNotes<S, P>& notes, Vec3<S>& sum) {
     const MaterialKernel<S>& material = hit.material;
     const LightKernel<Element<S>>& light = shading.world.lights[number];
     if (light.group != 0) return;
     const Vec3<S>& flat = flat_normal(shading, hit, notes);
     const Vec3<S> reflected = reflect(hit);
     LightAt<S> at = light_at(shading, hit, light, flat, first_lanes<S>(0));
-    if (none(at.faces)) return;
+    const auto own = P::light_of(shading, hit, light, at, flat, notes.own);
+    if (none(P::lit(at.faces, hit, own))) return;
     S highlight(0);
-    if (!light.shadowless) highlight = highlight_of(hit, reflected, at.way.l, at.faces & (material.specular > S(0)));
+    if (!light.shadowless) {
+        const Mask<S> glossy = P::lit(at.faces, hit, own) & (material.specular > S(0));
+        highlight = highlight_of(hit, reflected, at.way.l, glossy);
+    }
     at.faces = at.faces & (at.strength * fma(largest(material.diffuse), at.way.cosine, highlight) > faint);
-    if (none(at.faces)) return;
+    if (none(P::lit(at.faces, hit, own))) return;
     const Vec3<S> share = share_at(shading, hit, number, at, flat, reflected);
     if (notes_sights(shading)) note_light(shading, hit, notes, number, share, S(dot(reflected, at.way.l)), at.faces);
+    P::special(shading, hit, number, at, share, highlight, own, notes.own);
     for (int c = 0; c < 3; ++c) {
         const S sent = fma(material.diffuse[c], at.way.cosine, highlight);
         sum[c] = select(at.faces, fma(at.strength * share[c] * S(light.color[c]), sent, sum[c]), sum[c]);
@@ -86,7 +91,7 @@ STRAHL_INLINE Vec3<S> illumination(const Shading<S, P>& shading, const Hit<S>& h
     for (int i = 0; i < world.light_count; ++i) {
         const LightKernel<Element<S>>& light = world.lights[i];
         if (light.special) [[unlikely]] {
-            P::area(shading, hit, light, notes.own);
+            if (light.area) P::area(shading, hit, light, notes.own);
             Vec3<S> copy = sum;
             if (light.area && !light.soft)
                 add_area_light(shading, hit, i, hit.active & ((strongest > faint) | glossy), notes, copy);

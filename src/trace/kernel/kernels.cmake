@@ -46,12 +46,13 @@ function(strahl_kernel level elements)
       list(APPEND sources ${folder}/proving_${name}.cpp)
     endif()
   endforeach()
-  strahl_instances(${folder}/kinds.cpp "forms/kind_kernel.h;forms/composite_kernel.h;forms/contour_kernel.h" "${strahl_kind_calls}" "${elements}")
-  strahl_instances(${folder}/features.cpp "lights/area_light_kernel.h;lights/light_buffer_kernel.h;patterns/finish_kernel.h;patterns/pattern_kernel.h"
+  strahl_instances(${folder}/kinds.cpp "forms/kind_kernel.h;forms/composite_kernel.h;forms/listed_kernel.h" "${strahl_kind_calls}" "${elements}")
+  strahl_instances(${folder}/features.cpp "lights/area_light_kernel.h;lights/light_buffer_kernel.h;finish/finish_kernel.h;patterns/pattern_kernel.h"
                    "AreaLightCalls<;LightBufferCalls<;FinishCalls<;PatternCalls<" "${elements}")
   list(APPEND sources ${folder}/kinds.cpp ${folder}/features.cpp)
   if(proving)
-    strahl_instances(${folder}/pattern_bounds.cpp proof/relief_bounds_kernel.h PatternBounds< "${proving}")
+    strahl_instances(${folder}/pattern_bounds.cpp "proof/relief_bounds_kernel.h;proof/finish_bounds_kernel.h" "PatternBounds<;FinishBounds<"
+                     "${proving}")
     list(APPEND sources ${folder}/pattern_bounds.cpp)
   endif()
   set_property(SOURCE src/trace/simd.cpp APPEND PROPERTY COMPILE_DEFINITIONS STRAHL_KERNEL_${level})

@@ -1,7 +1,7 @@
 // Lights as hits see them: the way there, and how much of their light arrives.
 #pragma once
 #include "trace/kernel/faded_light.h"
-#include "trace/patterns/finish_calls.h"
+#include "trace/lights/light_strength.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
@@ -9,15 +9,8 @@ namespace strahl::inline STRAHL_LEVEL {
 template <class T>
 inline constexpr T least_square = std::numeric_limits<T>::min() / std::numeric_limits<T>::epsilon();
 
-/// The direction to a light, its distance, and the cosine of the direction with the normal. For lights so near that the
-/// square of the distance underflows.
-template <class S>
-struct WayToLight {
-    Vec3<S> l;
-    S distance, cosine;
-};
-/// Finds these without squares of small numbers. The cosine is 0 if it is not below 2: then the normal is not of length
-/// 1, as of a body too small or too large for this kind of number.
+/// Finds the way to a light so near that the square of the distance underflows. The cosine is 0 if it is not below 2:
+/// then the normal is not of length 1, as of a body too small or too large for this kind of number.
 template <class S>
 [[gnu::noinline]] WayToLight<S> way_to_near_light(const Hit<S>& hit, const Vec3<S>& to_light) {
     const S longest = max(abs(to_light.x), max(abs(to_light.y), abs(to_light.z)));
@@ -26,19 +19,6 @@ template <class S>
     const Vec3<S> l = scale(S(1) / length, way);
     const S cosine = dot(hit.normal, l);
     return {l, longest * length, select(cosine < S(2), cosine, S(0))};
-}
-
-/// Returns the share of its light that a spotlight sends along -l. 1 - cosine is computed from the difference of the
-/// directions: in a narrow cone, cosines have few digits.
-template <class S>
-[[gnu::noinline]] S spot_share(const LightKernel<Element<S>>& light, const Vec3<S>& l) {
-    using T = Element<S>;
-    const Vec3<S> off = l + splat<S>(light.axis);
-    const S from_axis = dot(off, off) * S(T(.5)), cosine = S(1) - from_axis;
-    const S u = min(max((S(light.falloff) - from_axis) * S(light.per), S(0)), S(1));
-    S share = select(from_axis > S(light.radius), u * u * fma(S(-2), u, S(3)), S(1));
-    if (light.tightness != 0) share = share * signed_power(max(cosine, S(0)), light.tightness);
-    return select(cosine > S(0), share, S(0));
 }
 
 /// Returns the share of light that is left of an area light, whose shadows alone are soft. Its rays go to the side of
@@ -66,14 +46,6 @@ template <class T>
 bool lights_bent_sides(const World<T>& world) {
     return world.patterns.bends && world.passed_over > 0;
 }
-
-/// A light as hits see it.
-template <class S>
-struct LightAt {
-    WayToLight<S> way;               // the cosine without its sign
-    Mask<S> faces, behind, inwards;  // the hits that it shines on; it is behind the bent normal, or behind the surface
-    S strength;                      // the share of its light that arrives where nothing is in its way
-};
 
 /// Finds the way to a light of any kind. Those of the hits in `both` are lit from behind too.
 template <class S, class P>
@@ -105,8 +77,8 @@ template <class S, class P>
         at.faces = at.faces & (both | (dot(flat, way.l) > zero));
     if (none(at.faces)) return at;
     if (light.spot) at.strength = spot_share(light, way.l);
-    if (light.beam > 0) at.strength = FinishCalls<S>::in_beam(light, hit.position, way.l, way.distance);
-    if (light.fade_per > 0) at.strength = at.strength * FinishCalls<S>::faded(light, max(way.distance, zero));
+    if (light.beam > 0) at.strength = share_of_beam(light, hit.position, way.l, way.distance);
+    if (light.fade_per > 0) at.strength = at.strength * faded_share(light, max(way.distance, zero));
     at.faces = at.faces & (at.strength > zero);
     return at;
 }

@@ -53,9 +53,11 @@ struct Plain {
     static constexpr auto start = nothing, miss = nothing, meet = nothing, bend = nothing, shade = nothing;
     /// Called for reflected and for refracted rays, and when rays are put into a queue.
     static constexpr auto reflect = nothing, refract = nothing, put = nothing;
-    /// Called for area lights; for lights where normals are bent, to find those behind the surface itself; and
-    /// for spotlights, once hits outside their cones are known.
-    static constexpr auto area = nothing, side = nothing, spot = nothing;
+    /// Called for rectangular lights; for lights where normals are bent, to find those behind the surface itself; for
+    /// spotlights, once hits outside their cones are known; and for special lights, once they have lit plain hits.
+    static constexpr auto area = nothing, side = nothing, spot = nothing, special = nothing;
+    /// Called for hits with finishes, once their layers are known, and once a light has lit them.
+    static constexpr auto layers = nothing, lit_layers = nothing;
 
     /// Selects, lane by lane, between the data of two rays.
     template <class S>
@@ -76,6 +78,12 @@ struct Plain {
     template <class S>
     STRAHL_INLINE static OfLight<S> light(const OfHit<S>&, const Hit<S>&, const LightKernel<Element<S>>&, const S&,
                                           const S&, const S&, const S&) {
+        return {};
+    }
+    /// Does so for lights of any kind, see light_at.
+    template <class S>
+    STRAHL_INLINE static OfLight<S> light_of(const Shading<S, Plain>&, const Hit<S>&, const LightKernel<Element<S>>&,
+                                             const LightAt<S>&, const Vec3<S>&, OfHit<S>&) {
         return {};
     }
     /// Returns the hits for which a light must be looked at: those of `faces`, and in other policies more.

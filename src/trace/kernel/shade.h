@@ -238,7 +238,7 @@ bool shade_bin(const Shading<S, P>& shading, const BinHits<Element<S>>& own) {
         if (world.finishes.carries) [[unlikely]]
             light = light * carried_by(shading, from, pick).tint;
         add_light(shading.batch, hit.pixel, pick.lanes, light);
-        P::shade(shading, hit, from, pick, t, light, notes.own);
+        P::shade(shading, hit, from, pick, pick(t), light, notes.own);
     }
     next.inside_end[bin] = next.inside.count;
     return true;

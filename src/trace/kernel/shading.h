@@ -96,6 +96,20 @@ struct HitNotes {
     [[no_unique_address]] typename P::template OfHit<S> own;
 };
 
+/// The direction to a light, its distance, and the cosine of the direction with the normal.
+template <class S>
+struct WayToLight {
+    Vec3<S> l;
+    S distance, cosine;
+};
+/// A light as hits see it.
+template <class S>
+struct LightAt {
+    WayToLight<S> way;               // the cosine without its sign
+    Mask<S> faces, behind, inwards;  // the hits that it shines on; it is behind the bent normal, or behind the surface
+    S strength;                      // the share of its light that arrives where nothing is in its way
+};
+
 /// Returns the normals of hits before they were bent.
 template <class S, class P>
 STRAHL_INLINE const Vec3<S>& flat_normal(const Shading<S, P>& shading, const Hit<S>& hit, const HitNotes<S, P>& notes) {

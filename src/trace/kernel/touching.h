@@ -5,7 +5,7 @@
 #include "trace/kernel/query.h"
 #include "trace/kernel/surface_at.h"
 #include "trace/kernel/workspace.h"
-#include "trace/world/triangle_of.h"
+#include "trace/patterns/triangle_of.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
@@ -61,7 +61,7 @@ bool passes(const World<Element<S>>& world, const Ray<S>& ray, const Nearest<S>&
         return first_of_body(world, own, static_cast<int>(lane(point.body, 0)));
     };
     return body(source, from) != body(surface, to) && !(triangle_of(world, source) && triangle_of(world, surface)) &&
-           (world.materials[material].refraction > 0 || lane(dot(ray.direction, to.point.normal), k) > 0);
+           (passes_light(world, material) || lane(dot(ray.direction, to.point.normal), k) > 0);
 }
 
 /// Lets rays pass surfaces that they start on besides their source, those of bodies that touch or overlap there: which

@@ -1,7 +1,7 @@
 // Places by uv of points on meshes.
 #pragma once
 #include "num/memory.h"
-#include "trace/world/triangle_of.h"
+#include "trace/patterns/triangle_of.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 

@@ -18,6 +18,17 @@ STRAHL_INLINE bool plain(const World<T>& world, int material) {
     return !world.finishes.list || world.finishes.list[material].plain;
 }
 
+/// Returns false if bodies of this material cast no shadow.
+template <class T>
+STRAHL_INLINE bool has_shadow(const World<T>& world, int material) {
+    return !world.finishes.list || world.finishes.list[material].shadow;
+}
+/// Returns true if lights shine through bodies of this material: transparent ones, and those without a shadow.
+template <class T>
+STRAHL_INLINE bool passes_light(const World<T>& world, int material) {
+    return world.transparent && (world.materials[material].refraction > 0 || !has_shadow(world, material));
+}
+
 /// Returns true if colours or normals of this material may vary within a piece of its pattern, see PatternCalls::piece.
 template <class T>
 STRAHL_INLINE bool uneven(const World<T>& world, int material) {
@@ -71,9 +82,6 @@ struct PatternCalls {
     /// Returns the background in these directions; the second one finds its means over footprints.
     static Vec3<S> sky(const World<T>& world, const Vec3<S>& direction);
     static Filtering<S> sky_filtered(const World<T>& world, const Footprint<S>& footprint, Vec3<S>& color);
-    /// Attenuates light in these lanes by a surface of a transparent material, at `t` along the ray.
-    static void filter(const World<T>& world, int material, const S& surface, const Ray<S>& ray, const S& t,
-                       Mask<S> lanes, Vec3<S>& share);
 };
 
 }  // namespace strahl::inline STRAHL_LEVEL

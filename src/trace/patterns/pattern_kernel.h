@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 
-#include "trace/patterns/finish_calls.h"
 #include "trace/patterns/footprint_kernel.h"
 #include "trace/patterns/pattern_calls.h"
 #include "trace/patterns/pattern_means.h"
@@ -606,22 +605,6 @@ Filtering<S> PatternCalls<S>::sky_filtered(const World<T>& world, const Footprin
     if (world.patterns.coat_count > 0) return color = sky(world, footprint.direction), Filtering<S>{S(1), S(1)};
     const Mask<S> all = first_lanes<S>(width<S>);
     return filtered_at(world, *world.patterns.sky, footprint.direction, S(-1), footprint, all, color);
-}
-
-template <class S>
-void PatternCalls<S>::filter(const World<T>& world, int material, const S& surface, const Ray<S>& ray, const S& t,
-                             Mask<S> lanes, Vec3<S>& share) {
-    if (none(lanes)) return;
-    if (!plain(world, material)) {
-        const Vec3<S> through =
-            FinishCalls<S>::through(world, material, fma(t, ray.direction, ray.origin), surface, lanes);
-        for (int c = 0; c < 3; ++c) share[c] = select(lanes, min(share[c] * through[c], S(largest_gain)), share[c]);
-        return;
-    }
-    const PatternKernel<T>& pattern = world.patterns.list[material - world.patterns.first];
-    const Vec3<S> color = color_at(world, pattern, fma(t, ray.direction, ray.origin), surface);
-    for (int c = 0; c < 3; ++c)
-        share[c] = select(lanes, min(share[c] * (S(pattern.refraction) * color[c]), S(largest_gain)), share[c]);
 }
 
 }  // namespace strahl::inline STRAHL_LEVEL

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "trace/kernel/shade.h"
+#include "trace/proof/finish_bounds.h"
 #include "trace/proof/pattern_bounds.h"
 #include "trace/proof/proving_kernel.h"
 #include "trace/proof/query_bounds.h"
@@ -42,6 +43,11 @@ struct HitBounds {
     S turn{0};         // of the incident rays
     S off{0};          // bound of the error of the light that the hit sends back, before its weight
     S diffuse{0};      // error bound of the largest channel of the diffuse colour
+    S color{0};        // and of that of a pattern's colour
+    S tint{1};         // the largest channel of colours that the ray carries
+    // Of hits with finishes, errors of the shares of light that are reflected and refracted; and the most that goes on
+    // of both.
+    S reflected{0}, refracted{0}, sent{0};
     Mask<S> followed;  // lanes whose errors are bounded; all light of the others is in their pixels' bounds
 };
 
@@ -71,7 +77,20 @@ STRAHL_INLINE T brightest_of(const Limits<T>& limits, int depth) {
 template <class S>
 STRAHL_INLINE S rounding_of(const Vec3<S>& light, int depth, int lights) {
     using T = Element<S>;
-    return S((T(2) + T(depth) + T(.5) * T(lights)) * unit_error<S>) * largest(light);
+    return S((T(2) + T(depth) + T(.5) * T(lights)) * unit_error<S>) * most_of(light);
+}
+/// Returns the generations whose roundings count: where rays carry colours, these have four more in each.
+template <class S>
+STRAHL_INLINE int rounded_depth(const ProvedShading<S>& shading) {
+    return (shading.world.finishes.carries ? 3 : 1) * shading.depth;
+}
+/// Returns the most by which colours multiply the light of rays that carry some, those of fog included, and 1 of
+/// others.
+template <class S, class Load>
+STRAHL_INLINE S tint_of(const World<Element<S>>& world, const RayQueue<Element<S>>& rays, const Load& load) {
+    if (!world.finishes.carries) return S(1);
+    const S fog(max(Element<S>(1), largest(world.fog.tint)));
+    return fog * most_of(Vec3<S>(load(rays.tint[0]), load(rays.tint[1]), load(rays.tint[2])));
 }
 
 /// Rays whose direction may be off by more than this are not followed.
@@ -107,7 +126,8 @@ STRAHL_INLINE Nearest<S> nearest_proved(const World<T>& world, const Limits<T>& 
     best.bin = select(open, plain.bin, best.bin);
     const Mask<S> lost = open & followed;
     if (none(lost)) return best;
-    const S weight = load_lanes<S>(rays.weight + i);
+    const S weight =
+        load_lanes<S>(rays.weight + i) * tint_of<S>(world, rays, [i](const T* of) { return load_lanes<S>(of + i); });
     add_bounds(batch, load_lanes<S>(rays.pixel + i), std::min(width<S>, rays.count - i),
                select(lost, weight * S(brightest_of(limits, depth)), S(0)));
     store_lanes(doubts.away + i, select(lost, S(-1), away)), store_lanes(doubts.turn + i, select(lost, S(0), turn));
@@ -184,8 +204,15 @@ template <class S>
     leave(known.away), leave(known.normal), leave(known.mirrored), leave(known.turn), leave(known.side);
     leave(known.height);
     known.followed = known.followed & !lost;
-    const S most = weight * S(brightest_of(shading.limits, shading.depth));
+    const S most = weight * known.tint * S(brightest_of(shading.limits, shading.depth));
     add_bounds(shading.batch, hit.pixel, lanes, select(lost, most, S(0)));
+}
+
+/// Returns the hits whose finishes have bounds: all plain ones have.
+template <class S>
+[[gnu::noinline]] Mask<S> known_finishes(const World<Element<S>>& world, int bin, const int* materials) {
+    const int own = world.sort_bins[bin].material, first = own >= 0 ? own : materials[0];
+    return plain(world, first) ? first_lanes<S>(width<S>) : FinishBounds<S>::known(world, materials);
 }
 
 /// Bounds the errors of hits; except in uneven fog, in fog if it is not certain whether the eye is in glass, and inside
@@ -201,12 +228,16 @@ STRAHL_INLINE void bound_hit(const ProvedShading<S>& shading, const Hit<S>& hit,
     const DoubtArrays<Element<S>> doubts(from);
     const Doubt<S> doubt{pick(doubts.away), pick(doubts.turn), pick(doubts.side),
                          world.transparent ? pick(doubts.spin) : Doubt<S>{}.spin};
-    bounds = bound_hits(shading, hit, ray, doubt, pick(t), pick(from.weight), pick.lanes,
-                        first_lanes<S>(unknown ? 0 : width<S>));
+    Mask<S> told = first_lanes<S>(unknown ? 0 : width<S>);
+    if (world.finishes.list) [[unlikely]]
+        told = told & known_finishes<S>(world, hit.bin, material.numbers);
+    const S tint = tint_of<S>(world, from, pick);
+    bounds = bound_hits(shading, hit, ray, doubt, pick(t), pick(from.weight) * tint, pick.lanes, told);
+    bounds.tint = tint, bounds.sent = hit.material.refraction;
     if (world.patterns.list) [[unlikely]] {
         const ColorErrors<S> errors = PatternBounds<S>::of_hits(world, material.numbers, Vec3<S>(hit.position),
                                                                 S(hit.surface), S(bounds.away), slack);
-        bounds.off = errors.ambient, bounds.diffuse = errors.diffuse;
+        bounds.off = errors.ambient, bounds.diffuse = errors.diffuse, bounds.color = errors.color;
     }
 }
 
@@ -218,25 +249,28 @@ STRAHL_INLINE void bound_miss(const ProvedShading<S>& shading, const LaneIndices
     const auto& d = shading.rays.open.direction;
     const DoubtArrays<Element<S>> doubts(shading.rays.open);
     const Mask<S> followed = first_lanes<S>(pick.lanes) & (pick(doubts.away) >= S(0));
-    S off = rounding_of(scale(weight, color), shading.depth, 0);
+    const S tint = tint_of<S>(world, shading.rays.open, pick);
+    S off = rounding_of(scale(weight, color), rounded_depth(shading), 0);
     if (world.fog.any && !(proving(shading.limits).slack.medium && world.fog.even)) [[unlikely]]
-        off = weight * S(brightest_of(shading.limits, shading.depth));
+        off = weight * tint * S(brightest_of(shading.limits, shading.depth));
     else if (world.patterns.sky && (!world.fog.any || world.nested)) [[unlikely]]
-        off = fma(weight, PatternBounds<S>::of_sky(world, {pick(d.x), pick(d.y), pick(d.z)}, pick(doubts.turn)), off);
+        off = fma(weight * tint, PatternBounds<S>::of_sky(world, {pick(d.x), pick(d.y), pick(d.z)}, pick(doubts.turn)),
+                  off);
     add_bounds(shading.batch, pixel, pick.lanes, select(followed, off, S(0)));
 }
 
-/// Adds the error of hits' light to the bounds of their pixels.
+/// Adds the error of hits' light to the bounds of their pixels. `t` is the length of the rays.
 template <class S>
 STRAHL_INLINE void bound_light(const ProvedShading<S>& shading, const Hit<S>& hit, const RayQueue<Element<S>>& from,
-                               const LaneIndices<S>& pick, const Element<S>* t, const Vec3<S>& light,
+                               const LaneIndices<S>& pick, const S& t, const Vec3<S>& light,
                                const HitBounds<S>& known) {
-    S off = fma(hit.weight, known.off, rounding_of(light, shading.depth, shading.world.light_count));
+    S off =
+        fma(hit.weight * known.tint, known.off, rounding_of(light, rounded_depth(shading), shading.world.light_count));
     if (shading.world.fog.any) [[unlikely]] {
         const Vec3<S> origin(pick(from.origin.x), pick(from.origin.y), pick(from.origin.z));
         const S lost =
             fog_error(shading, Vec3<S>(hit.position - origin), S(known.away + pick(DoubtArrays<Element<S>>(from).away)),
-                      pick(t), pick(from.weight), S(hit.weight));
+                      t, S(known.tint * pick(from.weight)), S(known.tint * hit.weight));
         off = off + select(hit.medium == S(0), lost, S(0));
     }
     add_bounds(shading.batch, hit.pixel, pick.lanes, select(known.followed, off, S(0)));

@@ -89,15 +89,15 @@ STRAHL_INLINE void lose_light(const World<Element<S>>& world, int material, Mask
                               LightBounds<S>& light) {
     light.doubt = light.doubt | possible;
     const MaterialKernel<Element<S>>& own = world.materials[material];
-    if (!(world.transparent && own.refraction > 0)) {
+    if (!passes_light(world, material)) {
         light.dark = light.dark | certain;
         return;
     }
-    if (patterned(world, material)) {
+    if (patterned(world, material) && has_shadow(world, material)) {
         light.doubt = light.doubt | certain;
         return;
     }
-    light.crossings = light.crossings + select(certain, S(1), S(0));
+    light.crossings = light.crossings + select(certain, S(world.finishes.list ? 4 : 1), S(0));
     light.off = select(certain, light.off * S(max(own.filter.x, max(own.filter.y, own.filter.z))), light.off);
     for (int c = 0; c < 3; ++c)
         light.share[c] = min(light.share[c] * select(certain, S(own.filter[c]), S(1)), S(largest_gain));
@@ -120,7 +120,7 @@ template <class S>
     light.off = select(crossed, fma(light.off, most, before * error), light.off);
     light.doubt = light.doubt | (crossed & !(error < S(T(1e-5))));  // here the plain kernel decides
     light.crossings = light.crossings + select(crossed, S(2), S(0));
-    PatternCalls<S>::filter(world, material, surface, own.ray, t, crossed, light.share);
+    FinishCalls<S>::filter(world, material, surface, own.ray, t, crossed, light.share);
 }
 
 template <class S, class Item>
@@ -135,8 +135,8 @@ template <class S, class Item>
     pass_crossing(span.far_low, span.far_high, span, mask, distance, off, certain[1], possible[1]);
     if constexpr (requires { span.later; })
         if (transparent(world, item)) light.doubt = light.doubt | (mask & (span.later < distance + off));
-    if (const int material = static_cast<int>(item.material); transparent(world, item) && patterned(world, material))
-        [[unlikely]] {
+    if (const int material = static_cast<int>(item.material);
+        transparent(world, item) && patterned(world, material) && plain(world, material)) [[unlikely]] {
         light.doubt = light.doubt | possible[0] | possible[1];
         pass_pattern(world, material, S(item.surface), own, span.near_low, span.near_high, certain[0], slack, light);
         pass_pattern(world, material, S(item.surface), own, span.far_low, span.far_high, certain[1], slack, light);

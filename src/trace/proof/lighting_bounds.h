@@ -27,6 +27,8 @@ struct LitBounds {
     S distance;           // error of this
     Doubt<S> ray;         // of the shadow ray
     Mask<S> doubt;        // lanes in which it is undecided whether the light is on the normal's side
+    S strength{0};        // error of the share that arrives where nothing is in its way
+    bool known = true;    // false if all of its light has been added to the errors of hits
 };
 /// Returns the hits that may be on the side of their surface that a light is on: all but those whose cosine is below
 /// -1e-3, where normal and direction are known better than that.
@@ -85,8 +87,8 @@ template <class S>
 template <class S>
 STRAHL_INLINE void add_unknown_light(const ProvedShading<S>& shading, const Hit<S>& hit,
                                      const LightKernel<Element<S>>& light, HitBounds<S>& known) {
-    const Vec3<S> most = splat<S>(light.color);
-    known.off = fma(S(proving(shading.limits).slack.gain) * largest(most),
+    const Element<S> bright = (light.fade_per > 0 ? 2 : 1) * (light.tightness < 0 ? Element<S>(1e9f) : 1);
+    known.off = fma(S(bright * proving(shading.limits).slack.gain) * most_of(splat<S>(light.color)),
                     largest(hit.material.diffuse) + known.diffuse + hit.material.specular, known.off);
 }
 
@@ -130,10 +132,18 @@ STRAHL_INLINE void add_spot_error(const ProvedShading<S>& shading, const Hit<S>&
                                   const LightKernel<Element<S>>& light, const LitBounds<S>& lit, const Vec3<S>& l,
                                   const S& cosine, const S& highlight, HitBounds<S>& known) {
     const S diffuse = largest(hit.material.diffuse), error = light_error(hit, lit, cosine, known);
-    const S most = fma(diffuse, max(cosine, S(0)), highlight) + error, color = largest(splat<S>(light.color));
+    const S most = fma(diffuse, max(cosine, S(0)), highlight) + error, color = most_of(splat<S>(light.color));
     const Mask<S> told = lit.ray.turn >= S(0);
     known.off = fma(S(proving(shading.limits).slack.gain) * color * most,
                     select(told, spot_error(light, l, lit.ray.turn), S(1)), known.off);
+}
+
+/// Returns the lanes in which it is undecided how much of a light arrives: also those with a surface in the way that
+/// lets light through, where that depends on the side or on the way inside the body.
+template <class S>
+STRAHL_INLINE Mask<S> in_doubt(const World<Element<S>>& world, const LightBounds<S>& found) {
+    const Mask<S> doubt = found.doubt & !found.dark;
+    return world.shadow_rays == ShadowRays::whole ? doubt : Mask<S>(doubt | ((found.crossings > S(0)) & !found.dark));
 }
 
 /// Returns the share of a light that reaches hits, in the lanes of `faces`. Adds the error of the light to those of the
@@ -143,11 +153,10 @@ STRAHL_INLINE Vec3<S> share_proved(const ProvedShading<S>& shading, const Hit<S>
                                    const Vec3<S>& l, const S& distance, Mask<S> faces, const S& cosine,
                                    const S& highlight, const Start<S>& start, HitBounds<S>& known) {
     const Ray<S> ray{hit.position, l, hit.surface};
-    if (shading.world.shadow_rays != ShadowRays::whole) return visibility(shading.world, ray, distance, faces, start);
     const Slack<Element<S>>& slack = proving(shading.limits).slack;
     LightBounds<S> found = light_bounds(shading.world, DoubtfulRay<S>{ray, lit.ray}, distance, lit.distance,
                                         faces & known.followed, start, slack);
-    Mask<S> doubt = faces & ((found.doubt & !found.dark) | !known.followed);
+    Mask<S> doubt = faces & (in_doubt(shading.world, found) | !known.followed);
     Vec3<S> share = select(found.dark, Vec3<S>(S(0), S(0), S(0)), found.share);
     if (any(doubt)) share = select(doubt, visibility(shading.world, ray, distance, doubt, start), share);
     doubt = doubt | (hit.active & lit.doubt);
@@ -156,8 +165,8 @@ STRAHL_INLINE Vec3<S> share_proved(const ProvedShading<S>& shading, const Hit<S>
     const S light = fma(diffuse, abs(cosine), highlight);
     const S rounding = S(unit_error<S>) * found.crossings * light;
     const S certain = select(found.dark, S(0), fma(found.off, light + error, largest(share) * (error + rounding)));
-    known.off = known.off + select(doubt, S(slack.gain) * largest(color) * (light + error),
-                                   select(faces, largest(color) * certain, S(0)));
+    known.off = known.off + select(doubt, S(slack.gain) * most_of(color) * (light + error),
+                                   select(faces, most_of(color) * certain, S(0)));
     return share;
 }
 

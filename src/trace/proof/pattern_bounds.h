@@ -11,7 +11,7 @@ namespace strahl::inline STRAHL_LEVEL {
 /// Error bounds of hits' coefficients, in their largest channel.
 template <class S>
 struct ColorErrors {
-    S ambient{0}, diffuse{0};
+    S ambient{0}, diffuse{0}, color{0};  // color: of the pattern itself
 };
 
 /// Error bounds of normals, with the lanes in which they are bent, and those of these in which a bound is known.

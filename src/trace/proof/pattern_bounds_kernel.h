@@ -235,6 +235,7 @@ ColorErrors<S> PatternBounds<S>::of_hits(const World<T>& world, const int* mater
         const S error = color_error(world, pattern, off_place(world, pattern, position, surface, away, slack));
         const T ambient =
             std::max({std::abs(pattern.ambient.x), std::abs(pattern.ambient.y), std::abs(pattern.ambient.z)});
+        errors.color = select(lanes, error, errors.color);
         errors.ambient = select(lanes, S(ambient) * error, errors.ambient);
         errors.diffuse = select(lanes, S(pattern.diffuse) * error, errors.diffuse);
     });

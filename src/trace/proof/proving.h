@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "trace/proof/eye_bounds.h"
-#include "trace/proof/lighting_bounds.h"
+#include "trace/proof/special_light_bounds.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
@@ -34,14 +34,12 @@ struct Proving {
         return proving(limits).slack.fits();
     }
     template <class T>
-    static void start(const World<T>& world, const Eye<T>& eye, const Limits<T>& limits, const PixelBatch<T>& batch,
+    static void start(const World<T>&, const Eye<T>& eye, const Limits<T>& limits, const PixelBatch<T>& batch,
                       RayQueue<T>& rays) {
         using S = Widest<T>;
         const Slack<T>& slack = proving(limits).slack;
         const DoubtArrays<T> doubts(rays);
-        // Nothing is known of POV-Ray's finishes.
-        std::fill_n(proving(batch).bounds, batch.count,
-                    world.finishes.list ? std::numeric_limits<T>::infinity() : T(0));
+        std::fill_n(proving(batch).bounds, batch.count, T(0));
         std::fill_n(doubts.away, batch.count, slack.eye_away);
         std::fill_n(doubts.side, batch.count, slack.eye_away);
         for (int i = 0; i < batch.count; i += width<S>) {
@@ -55,9 +53,6 @@ struct Proving {
     static constexpr auto meet = [](auto&&... all) __attribute__((always_inline)) { return bound_hit(all...); };
     static constexpr auto bend = [](auto&&... all) __attribute__((always_inline)) { return bound_bent(all...); };
     static constexpr auto shade = [](auto&&... all) __attribute__((always_inline)) { return bound_light(all...); };
-    static constexpr auto refract = [](auto&&... all) __attribute__((always_inline)) {
-        return bound_refraction(all...);
-    };
     static constexpr auto may_face = [](auto&&... all) __attribute__((always_inline)) {
         return strahl::may_face(all...);
     };
@@ -67,6 +62,14 @@ struct Proving {
         return bound_side_of_light(all...);
     };
     static constexpr auto spot = [](auto&&... all) __attribute__((always_inline)) { return add_spot_error(all...); };
+    static constexpr auto light_of = [](auto&&... all) __attribute__((always_inline)) {
+        return bound_light_of(all...);
+    };
+    static constexpr auto special = [](auto&&... all) __attribute__((always_inline)) { return bound_special(all...); };
+    static constexpr auto layers = [](auto&&... all) __attribute__((always_inline)) { return bound_layers(all...); };
+    static constexpr auto lit_layers = [](auto&&... all) __attribute__((always_inline)) {
+        return bound_lit_layers(all...);
+    };
     static constexpr auto arriving = [](auto&&... all) __attribute__((always_inline)) { return share_proved(all...); };
 
     template <class S>
@@ -76,6 +79,16 @@ struct Proving {
         reflected.own = bound_reflection(notes.own);
         if (shading.world.patterns.bends) [[unlikely]]
             bound_bent_reflection(shading, hit, notes, share, reflected);
+        if (shading.world.finishes.list) [[unlikely]]
+            bound_strength(shading, hit, notes.own, notes.own.reflected, reflected);
+    }
+    template <class S>
+    STRAHL_INLINE static void refract(const ProvedShading<S>& shading, const Hit<S>& hit, const HitBounds<S>& known,
+                                      Mask<S> glass, Mask<S> far, const S& b, const S& c, const S& k,
+                                      Branch<S, Proving>& refracted) {
+        bound_refraction(shading, hit, known, glass, far, b, c, k, refracted);
+        if (shading.world.finishes.list) [[unlikely]]
+            bound_strength(shading, hit, known, known.refracted, refracted);
     }
     template <class S, class Put>
     STRAHL_INLINE static void put(const Put& put, const World<Element<S>>& world, const RayQueue<Element<S>>& to,

@@ -1,5 +1,7 @@
 // Error bounds of reflected and refracted rays.
 #pragma once
+#include <bit>
+
 #include "trace/kernel/scatter.h"
 #include "trace/proof/hit_bounds.h"
 
@@ -52,6 +54,12 @@ STRAHL_INLINE S side_refracted(const HitBounds<S>& known, const S& c, const S& k
     return select(least > S(0), side, known.away);
 }
 
+/// Returns the number of lanes up to the last one of a mask.
+template <class S>
+STRAHL_INLINE int lanes_up_to(Mask<S> lanes) {
+    return std::bit_width(unsigned(bits(lanes)));
+}
+
 /// Returns the lanes in which it is undecided on which side of a bent normal a ray comes, whose cosine is c.
 template <class S>
 STRAHL_INLINE Mask<S> bent_side_in_doubt(const HitBounds<S>& known, const S& c) {
@@ -86,7 +94,8 @@ template <class S>
     reflected.own.away = select(doubt, S(-1), reflected.own.away);
     reflected.own.turn = select(doubt, S(0), reflected.own.turn);
     const S most(shading.limits.brightest_beyond(shading.depth));
-    add_bounds(shading.batch, hit.pixel, count(hit.active), select(doubt, hit.weight * share * most, S(0)));
+    add_bounds(shading.batch, hit.pixel, lanes_up_to<S>(doubt),
+               select(doubt, hit.weight * known.tint * share * most, S(0)));
 }
 
 /// Bounds the errors of refracted rays; c is the cosine before the surface, k its square beyond it and b the ratio of
@@ -108,8 +117,26 @@ STRAHL_INLINE void bound_refraction(const ProvedShading<S>& shading, const Hit<S
     refracted.own.side = side_refracted(known, c, k, k_error);
     if (none(doubt)) return;
     const S most(shading.limits.brightest_beyond(shading.depth));
-    add_bounds(shading.batch, hit.pixel, count(hit.active),
-               select(doubt, hit.weight * hit.material.refraction * most, S(0)));
+    add_bounds(shading.batch, hit.pixel, lanes_up_to<S>(doubt),
+               select(doubt, hit.weight * known.tint * known.sent * most, S(0)));
+}
+
+/// Adds the error of the share of light that a ray brings, `off`, and leaves rays whose strength is off by more than
+/// 1e-9 of it, which are not followed any more. So no strength is off by more than 256 times that, and rays are dropped
+/// as too weak as in exact arithmetic, but where their strength is within 1e-6 of the limit: these are not followed.
+template <class S>
+[[gnu::noinline]] void bound_strength(const ProvedShading<S>& shading, const Hit<S>& hit, const HitBounds<S>& known,
+                                      const S& off, Branch<S, Proving>& ray) {
+    const S most(shading.limits.brightest_beyond(shading.depth)), weight = hit.weight * known.tint;
+    const S least(shading.world.finishes.bailout);
+    const auto near = [&](const S& strength) { return abs(strength - least) < S(1e-6f) * least; };
+    const Mask<S> sends = hit.active & known.followed & ((ray.weight > S(0)) | (off > S(0)));
+    const Mask<S> doubt = sends & ((off * hit.weight > S(1e-9f) * ray.weight) | near(ray.weight) |
+                                   near(hit.weight * hit.material.refraction));
+    const S all = fma(weight, off, ray.weight * known.tint);
+    add_bounds(shading.batch, hit.pixel, lanes_up_to<S>(sends),
+               select(doubt, all * most, select(sends, weight * off * most, S(0))));
+    ray.own.away = select(doubt, S(-1), ray.own.away), ray.own.turn = select(doubt, S(0), ray.own.turn);
 }
 
 }  // namespace strahl::inline STRAHL_LEVEL

@@ -313,7 +313,7 @@ int faces_of(const Shape& shape) {
 /// contours, of blobs, of sweeps and of Julia sets are.
 template <class T>
 void WorldArrays<T>::add_composites(const Scene& scene, const Placement& placement, ThreadPool& pool, bool proves) {
-    if (forms[place_of<CompositeForm>(Forms{})].count == 0 && first_pieces.empty()) return;
+    if (!has_listed_faces()) return;
     std::array<std::vector<T>, Forms::size> leaf_numbers;
     ItemCounts before;
     for (std::size_t i = 0; i < scene.primitives.size(); ++i) {

@@ -39,20 +39,13 @@ struct PutItems {
     }
 };
 
-/// Is there a form of bodies with pieces, or of composites, whose parts may have some?
-template <class T, class... F>
-bool may_have_pieces(const std::array<FormItems<T>, Forms::size>& forms, FormList<F...>) {
-    const FormItems<T>* form = forms.data();
-    return ((form++->count > 0 && (is_composite<typename F::Kind> || lists_crossings<typename F::Kind>)) || ...);
-}
-
 }  // namespace
 
 /// Adds the pieces of contours, lumps and sweeps, those that bodies share once. Most worlds have none, and to look at a
 /// million bodies takes one thread a tenth of the time of building.
 template <class T>
 void WorldArrays<T>::add_pieces(const Scene& scene) {
-    if (!may_have_pieces(forms, Forms{})) return;
+    if (!has_listed_faces()) return;
     for (const Primitive& primitive : scene.primitives)
         for_each_leaf(primitive, [&](const Primitive& leaf, const glm::dmat4&) {
             const auto add = [&](const auto& data, auto& all) {
@@ -61,7 +54,6 @@ void WorldArrays<T>::add_pieces(const Scene& scene) {
             };
             if (const auto* const blob = std::get_if<Blob>(&leaf.shape)) add(blob->data, lump_pieces);
             if (const auto* const sweep = std::get_if<SphereSweep>(&leaf.shape)) add(sweep->data, sweep_pieces);
-            if (std::holds_alternative<JuliaFractal>(leaf.shape)) first_pieces.try_emplace(nullptr, T(0));  // none
             const ContourData* const own = contours_of(leaf.shape);
             if (!own || !first_pieces.try_emplace(own, T(contour_pieces.size())).second) return;
             for (const auto& [ax, ay, cx, cy, hx, hy, ex, ey, dx, dy] : own->pieces)

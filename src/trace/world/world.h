@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "scene/kinds/kinds.h"
+#include "trace/world/world_finishes.h"
 #include "trace/world/world_patterns.h"
 
 namespace strahl {
@@ -239,25 +240,6 @@ struct PatternTables {
     const PatternKernel<T>* nested = nullptr;  // those in the colours of others
     const PatternKernel<T>* coats = nullptr;   // before the background, the lowest first
     int coat_count = 0;
-};
-
-/// POV-Ray's finishes, by material, in worlds that have any or lights as only POV-Ray has them: there all materials
-/// have one, plain ones too. Null in other worlds.
-template <class T>
-struct FinishTables {
-    const FinishKernel<T>* list = nullptr;
-    const std::uint8_t* finished = nullptr;  // by surface: 1 if its material is not plain; null if all are
-    const LayerKernel<T>* layers = nullptr;
-    const PatternKernel<T>* shares = nullptr;
-    const BendKernel<T>* bends = nullptr;
-    int most_bends = 0;   // of a material
-    T bailout = 0;        // rays of less weight are black
-    bool carries = false;  // rays carry colours besides their weights, and counts of their own, see RayQueue
-    bool follows = false;  // shadow rays go from surface to surface: light fades in bodies, or their sides differ
-    bool hides = false;   // some body is not seen by all rays
-    bool behind = false;  // some surface is lit from behind
-    bool groups = false;   // some lights shine on some bodies only
-    bool fresnel = false;  // some surface reflects by the indices on its sides
 };
 
 /// Transparent bodies of nested worlds, by surface. Null in other worlds.

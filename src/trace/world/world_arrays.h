@@ -227,6 +227,12 @@ struct WorldArrays {
     std::int32_t leaf_of(std::int32_t primitive) const {
         return patterns.first_leaf.empty() ? 0 : patterns.first_leaf[primitive];
     }
+    /// Are there composites, or bodies that list where rays cross them? Parts of composites may be such ones.
+    bool has_listed_faces() const {
+        for (int form = 0; form < Forms::size; ++form)
+            if (forms[form].count > 0 && (traits[form].listed || form == place_of<CompositeForm>(Forms{}))) return true;
+        return false;
+    }
     bool is_plain(int material) const { return finishes.list.empty() || finishes.list[material].plain; }
     void add_finish(const Material& material, const Scene& scene, const glm::dmat4& to_world,
                     const Placement& placement, const PlacesKernel& places);

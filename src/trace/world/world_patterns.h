@@ -107,37 +107,4 @@ struct ColorStopKernel {
     std::int32_t nested = -1;  // number of the pattern that has these in their place
 };
 
-/// A layer of a surface in worlds with POV-Ray's finishes, see Material. Its pattern is constant if it has none.
-template <class T>
-struct LayerKernel {
-    PatternKernel<T> pattern;
-    Vec3<T> ambient;  // Ia Ka glow
-    T irid, film;     // film: 2 pi times its thickness
-    T diffuse, behind, phong, phong_size, blinn, blinn_size, metallic, brilliance;
-    Vec3<T> mirror;  // Kr mirror
-    T facing, falloff, gilding;
-    bool fresnel, conserves, old_opacity;
-    std::int32_t share;  // of the uppermost layer of a stack: the pattern of its share among the world's; else -1
-    T outside, inside;   // of that layer: factors of the stack's light, as in Material
-    std::int32_t
-        bend;  // 0 if it has the normals of the material, else it has those of FinishKernel::first_bend - 1 + bend
-};
-/// The layers of a material, the lowest first, and what they share.
-template <class T>
-struct FinishKernel {
-    bool plain;  // the article's equation is all that it has
-    std::int32_t first_layer, layers;
-    T refraction, ior;  // Kt of the lowest layer
-    T total;            // the share of light that is reflected totally
-    T clarity;          // factor of what comes through, but for shadows
-    bool clear;         // light comes through by the colours: it goes straight on without a new generation
-    bool shadow, seen, mirrored;
-    bool both_sides, behind;  // lights behind the surface light it as those before, or by its layers' `behind`
-    bool common;              // lights of no group shine on it
-    std::int32_t group;       // of lights that do besides; 0 if none do
-    std::int32_t first_bend, bends;  // of layers with normals of their own
-    T fade_per, fade_power;   // fade_per: 1 over the distance; 0 if light does not fade inside
-    Vec3<T> fade_color;
-};
-
 }  // namespace strahl

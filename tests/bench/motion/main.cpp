@@ -10,8 +10,8 @@
 
 #include "tests/bench/measure.h"
 #include "trace/hierarchy/moving_hierarchy.h"
+#include "trace/scene_in_time.h"
 #include "trace/world/build_world.h"
-#include "trace/world/scene_in_time.h"
 
 namespace {
 

@@ -8,8 +8,8 @@
 #include <numbers>
 #include <type_traits>
 
-#include "num/lane_math.h"
-#include "trace/patterns/finish_calls.h"
+#include "num/lane_angles.h"
+#include "trace/finish/finish_calls.h"
 #include "trace/patterns/pattern_kernel.h"
 
 namespace strahl::inline STRAHL_LEVEL {
@@ -32,33 +32,19 @@ STRAHL_INLINE void each_finish(const World<Element<S>>& world, const int* materi
     }
 }
 
-/// Returns x^p, 0 for x <= 0.
-template <class S>
-STRAHL_INLINE S power_or_zero(const S& x, Element<S> p) {
-    const Mask<S> some = x > S(0);
-    if (none(some)) return S(0);
-    return select(some, signed_power(select(some, min(x, S(1)), S(1)), p), S(0));
-}
-
 /// Returns by how much a metal tints light that meets it at an angle with this cosine: 1 if it comes straight, 0 if it
 /// grazes, and more again from behind a bent normal, where F = .014567225 / (a - 1.12)^2 - .011612903 of the angle a in
-/// quarter turns is 1. Only in these lanes.
+/// quarter turns is 1.
 template <class S>
-[[gnu::noinline]] S metal_share(const S& cosine, Mask<S> lanes) {
+STRAHL_INLINE S metal_share(const S& cosine) {
     using T = Element<S>;
-    alignas(64) T values[width<S>];
-    store_lanes(values, cosine);
-    for (unsigned left = bits(lanes); left != 0; left &= left - 1) {
-        T& value = values[std::countr_zero(left)];
-        const T a = std::acos(std::clamp(value, T(-1), T(1))) * (2 / std::numbers::pi_v<T>)-T(1.12);
-        value = 1 - std::clamp(T(.014567225) / (a * a) - T(.011612903), T(0), T(1));
-    }
-    return load_lanes<S>(values);
+    const S off = quarter_turns(min(max(cosine, S(-1)), S(1))) - S(T(1.12));
+    return S(1) - min(max(S(T(.014567225)) / (off * off) - S(T(.011612903)), S(0)), S(1));
 }
-/// Returns the colour that light gets in these lanes from a metal of this colour.
+/// Returns the colour that light gets from a metal of this colour.
 template <class S>
-STRAHL_INLINE Vec3<S> tint_of(const Vec3<S>& color, Element<S> metallic, const S& cosine, Mask<S> lanes) {
-    const S share = S(metallic) * metal_share(cosine, lanes);
+STRAHL_INLINE Vec3<S> tint_of(const Vec3<S>& color, Element<S> metallic, const S& cosine) {
+    const S share = S(metallic) * metal_share(cosine);
     Vec3<S> tint;
     for (int c = 0; c < 3; ++c) tint[c] = fma(share, color[c] - S(1), S(1));
     return tint;
@@ -84,14 +70,13 @@ STRAHL_INLINE S gray_of(const Vec3<S>& color) {
 /// Returns the colours that a thin film gives light, see Material; `cosines` is the sum of
 /// those of the angles at which it comes and goes.
 template <class S>
-[[gnu::noinline]] Vec3<S> film_colors(const LayerKernel<Element<S>>& layer, const S& cosines) {
+STRAHL_INLINE Vec3<S> film_colors(const LayerKernel<Element<S>>& layer, const S& cosines) {
     using T = Element<S>;
     constexpr T waves[3] = {T(.7), T(.52), T(.48)};
-    alignas(64) T ways[width<S>], colors[3][width<S>];
-    store_lanes(ways, S(layer.film) * cosines);
-    for (int k = 0; k < width<S>; ++k)
-        for (int c = 0; c < 3; ++c) colors[c][k] = 1 + layer.irid * std::cos(ways[k] / waves[c]);
-    return {load_lanes<S>(colors[0]), load_lanes<S>(colors[1]), load_lanes<S>(colors[2])};
+    Vec3<S> colors;
+    for (int c = 0; c < 3; ++c)
+        colors[c] = fma(S(layer.irid), cosine_of_turns(S(layer.film / waves[c]) * cosines), S(1));
+    return colors;
 }
 
 template <class S>
@@ -100,7 +85,7 @@ Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, c
     Filtering<S> all{S(0), S(-1)};
     const Vec3<S> none = splat<S>(Vec3<T>(0));
     hit.ambient = hit.through = hit.mirrored = none, hit.total = hit.clear = hit.most_mirrored = S(0);
-    for (int i = 0; i < most_layers; ++i) hit.color[i] = hit.above[i] = none, hit.opacity[i] = S(0);
+    hit.count = 0;
     const S one(1), zero(0), least(T(world.patterns.bends ? -1 : 0));  // below 0: behind a bent normal
     const S cosine = min(max(-dot(seen.direction, seen.normal), least), one);
     each_finish<S>(world, materials, [&](const FinishKernel<T>& finish, Mask<S> lanes) {
@@ -108,6 +93,7 @@ Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, c
         S most(0), side = one;
         const T bailout = world.finishes.bailout;
         const int layers = std::min(finish.layers, most_layers);
+        for (int& i = hit.count; i < layers; ++i) hit.color[i] = hit.above[i] = none, hit.opacity[i] = S(0);
         Mask<S> open = lanes;  // those whose light is followed to this layer
         S weight(1);           // of rays that it reflects
         bool shown = true;     // is the bend of the stack's uppermost layer this one?
@@ -164,7 +150,7 @@ Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, c
                 const Mask<S> sends = apart ? first_lanes<S>(0) : open & (strength >= S(bailout));
                 most = select(sends, max(most, strength), most);
                 Vec3<S> tint = splat<S>(Vec3<T>(1));
-                if (layer.gilding != 0) tint = tint_of(own.color, layer.gilding, cosine, lanes);
+                if (layer.gilding != 0) tint = tint_of(own.color, layer.gilding, cosine);
                 Vec3<S> film = splat<S>(Vec3<T>(1));
                 if (layer.irid > 0) film = film_colors<S>(layer, S(2) * abs(cosine));
                 for (int c = 0; c < 3; ++c) {
@@ -189,9 +175,7 @@ Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, c
 template <class S>
 void FinishCalls<S>::scatter(const World<T>& world, const int* materials, const LayeredHit<S>& hit,
                              const LitSurface<S>& lit, const Vec3<S>& arriving, Vec3<S>& sum) {
-    const S shine = dot(lit.reflected, lit.l);
-    const Vec3<S> between = lit.l - lit.direction;
-    const S half = dot(between, lit.normal) / sqrt(dot(between, between)), zero(0);
+    const S zero(0);
     each_finish<S>(world, materials, [&](const FinishKernel<T>& finish, Mask<S> lanes) {
         for (int i = 0; i < std::min(finish.layers, most_layers); ++i) {
             const LayerKernel<T>& layer = world.finishes.layers[finish.first_layer + i];
@@ -201,13 +185,17 @@ void FinishCalls<S>::scatter(const World<T>& world, const int* materials, const 
                 coefficient = select(lit.behind, S(layer.behind), coefficient);
             const S diffuse = coefficient * hit.opacity[i] *
                               (layer.brilliance == 1 ? lit.cosine : power_or_zero(lit.cosine, layer.brilliance));
-            if (lit.highlights && layer.phong > 0) highlight = S(layer.phong) * power_or_zero(shine, layer.phong_size);
-            if (lit.highlights && layer.blinn > 0)
+            if (lit.highlights && layer.phong > 0)
+                highlight = S(layer.phong) * power_or_zero(dot(lit.reflected, lit.l), layer.phong_size);
+            if (lit.highlights && layer.blinn > 0) {
+                const Vec3<S> between = lit.l - lit.direction;
+                const S half = dot(between, lit.normal) / sqrt(dot(between, between));
                 highlight = fma(S(layer.blinn), power_or_zero(half, layer.blinn_size), highlight);
+            }
             if (world.finishes.behind && !finish.both_sides) highlight = select(lit.behind, zero, highlight);
             Vec3<S> tint = splat<S>(Vec3<T>(1));
             const Mask<S> shines = lanes & (highlight > zero);
-            if (layer.metallic != 0 && any(shines)) tint = tint_of(hit.color[i], layer.metallic, lit.cosine, shines);
+            if (layer.metallic != 0 && any(shines)) tint = tint_of(hit.color[i], layer.metallic, lit.cosine);
             Vec3<S> film = splat<S>(Vec3<T>(1));
             if (layer.irid > 0) film = film_colors<S>(layer, lit.cosine + abs(dot(lit.direction, lit.normal)));
             for (int c = 0; c < 3; ++c) {
@@ -238,11 +226,18 @@ Vec3<S> FinishCalls<S>::through(const World<T>& world, int material, const Vec3<
 }
 
 template <class S>
-S FinishCalls<S>::faded(const LightKernel<T>& light, const S& distance) {
-    alignas(64) T values[width<S>];
-    store_lanes(values, distance * S(light.fade_per));
-    for (T& value : values) value = 2 / (1 + (light.fade_power == 1 ? value : std::pow(value, light.fade_power)));
-    return load_lanes<S>(values);
+void FinishCalls<S>::filter(const World<T>& world, int material, const S& surface, const Ray<S>& ray, const S& t,
+                            Mask<S> lanes, Vec3<S>& share) {
+    if (none(lanes)) return;
+    if (!plain(world, material)) {
+        const Vec3<S> kept = through(world, material, fma(t, ray.direction, ray.origin), surface, lanes);
+        for (int c = 0; c < 3; ++c) share[c] = select(lanes, min(share[c] * kept[c], S(largest_gain)), share[c]);
+        return;
+    }
+    const PatternKernel<T>& pattern = world.patterns.list[material - world.patterns.first];
+    const Vec3<S> color = color_at(world, pattern, fma(t, ray.direction, ray.origin), surface);
+    for (int c = 0; c < 3; ++c)
+        share[c] = select(lanes, min(share[c] * (S(pattern.refraction) * color[c]), S(largest_gain)), share[c]);
 }
 
 template <class S>
@@ -275,18 +270,6 @@ Vec3<S> FinishCalls<S>::faded_inside(const World<T>& world, const int* materials
         share = select(own, faded_inside(world, static_cast<int>(&finish - world.finishes.list), way, own), share);
     });
     return share;
-}
-
-template <class S>
-S FinishCalls<S>::in_beam(const LightKernel<T>& light, const Vec3<S>& position, const Vec3<S>& l, const S& distance) {
-    const Vec3<S> off = fma(distance, l, position - splat<S>(light.axis));
-    const S s = S(1) - sqrt(dot(off, off)) * S(1 / light.beam), zero(0);
-    S share = select((s > zero) & (distance > zero), S(1), zero);
-    if (light.core > 0 && light.core < light.beam) {
-        const S u = min(max(s * S(light.beam / (light.beam - light.core)), zero), S(1));
-        share = share * u * u * fma(S(-2), u, S(3));
-    }
-    return light.tightness == 0 ? share : share * power_or_zero(s, light.tightness);
 }
 
 template <class S>

@@ -1,4 +1,4 @@
-// Ray queries on bodies with contours, which have faces for each of their pieces, and on blobs, sweeps and Julia sets.
+// Ray queries on bodies that list where rays cross them: those with contours, blobs, sweeps and Julia sets.
 #pragma once
 #include <bit>
 
@@ -32,8 +32,8 @@ struct FormFunctions<OwnForm, S> : SingleByPack<FormFunctions<OwnForm, S>, S> {
                               if (none(lanes)) return;
                               if (!clear) return void(light.limit = select(lanes, S(-1), light.limit));
                               if (painted)
-                                  return PatternCalls<S>::filter(world, static_cast<int>(item.material), surface, ray,
-                                                                 t, lanes, light.share);
+                                  return FinishCalls<S>::filter(world, static_cast<int>(item.material), surface, ray, t,
+                                                                lanes, light.share);
                               const Vec3<T>& kept = filter(world, item);
                               for (int c = 0; c < 3; ++c)
                                   light.share[c] =

@@ -35,6 +35,7 @@ struct LayeredHit {
     S total, clear;                      // see FinishKernel; clear is 1 or 0
     int bend;                            // only layers with this one are among them, see LayerKernel
     S most_mirrored;                     // the share of reflected light by which POV-Ray tells how weak a ray is
+    int count;                           // of the layers that follow: those of the material that has most
     Vec3<S> color[most_layers], above[most_layers];
     S opacity[most_layers];
 };
@@ -54,10 +55,10 @@ struct FinishCalls {
     /// from inside.
     static Vec3<S> through(const World<T>& world, int material, const Vec3<S>& position, const S& surface,
                            Mask<S> outside);
-    /// Returns the share of a light that is left after a distance.
-    static S faded(const LightKernel<T>& light, const S& distance);
-    /// Returns the share of a light with a beam at points, in the direction `l` to it and so far from its plane.
-    static S in_beam(const LightKernel<T>& light, const Vec3<S>& position, const Vec3<S>& l, const S& distance);
+    /// Attenuates light in these lanes by a surface of a patterned or finished material that lets some through, at `t`
+    /// along the ray.
+    static void filter(const World<T>& world, int material, const S& surface, const Ray<S>& ray, const S& t,
+                       Mask<S> lanes, Vec3<S>& share);
     /// Bends flat normals as layers of this bend have them. Returns the lanes in which there are such layers.
     static Mask<S> bent(const World<T>& world, const int* materials, int bend, const Vec3<S>& position,
                         const S& surface, const Vec3<S>& flat, Vec3<S>& normal);

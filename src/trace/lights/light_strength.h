@@ -1,0 +1,52 @@
+// How much of a light arrives at points where nothing is in its way: of spotlights, of beams, and of lights that fade.
+#pragma once
+#include <cmath>
+
+#include "num/lane_math.h"
+#include "num/memory.h"
+#include "trace/world/world.h"
+
+namespace strahl::inline STRAHL_LEVEL {
+
+/// Returns the share of its light that a spotlight sends along -l. 1 - cosine is computed from the difference of the
+/// directions: in a narrow cone, cosines have few digits.
+template <class S>
+[[gnu::noinline]] S spot_share(const LightKernel<Element<S>>& light, const Vec3<S>& l) {
+    using T = Element<S>;
+    const Vec3<S> off = l + splat<S>(light.axis);
+    const S from_axis = dot(off, off) * S(T(.5)), cosine = S(1) - from_axis;
+    const S u = min(max((S(light.falloff) - from_axis) * S(light.per), S(0)), S(1));
+    S share = select(from_axis > S(light.radius), u * u * fma(S(-2), u, S(3)), S(1));
+    if (light.tightness != 0) share = share * signed_power(max(cosine, S(0)), light.tightness);
+    return select(cosine > S(0), share, S(0));
+}
+
+/// Returns the share of a light that is left after a distance.
+template <class S>
+[[gnu::noinline]] S faded_share(const LightKernel<Element<S>>& light, const S& distance) {
+    using T = Element<S>;
+    constexpr int log_terms = std::is_same_v<T, float> ? 5 : 12, power_terms = std::is_same_v<T, float> ? 8 : 14;
+    const S way = distance * S(light.fade_per), one(1);
+    if (light.fade_power == 1) return S(2) / (one + way);
+    if (light.fade_power == 2) return S(2) / fma(way, way, one);
+    // By powers of what is below 1.
+    const S below = max(min(way, one / way), S(std::numeric_limits<T>::min()));
+    const S power = power_by_series<log_terms, power_terms>(below, S(light.fade_power));
+    return S(2) * select(way < one, one, power) / (one + power);
+}
+
+/// Returns the share of a light with a beam at points, in the direction `l` to it and so far from its plane.
+template <class S>
+[[gnu::noinline]] S share_of_beam(const LightKernel<Element<S>>& light, const Vec3<S>& position, const Vec3<S>& l,
+                                  const S& distance) {
+    const Vec3<S> off = fma(distance, l, position - splat<S>(light.axis));
+    const S s = S(1) - sqrt(dot(off, off)) * S(1 / light.beam), zero(0);
+    S share = select((s > zero) & (distance > zero), S(1), zero);
+    if (light.core > 0 && light.core < light.beam) {
+        const S u = min(max(s * S(light.beam / (light.beam - light.core)), zero), S(1));
+        share = share * u * u * fma(S(-2), u, S(3));
+    }
+    return light.tightness == 0 ? share : share * power_or_zero(s, light.tightness);
+}
+
+}  // namespace strahl::inline STRAHL_LEVEL
