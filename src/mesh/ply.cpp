@@ -275,11 +275,14 @@ std::optional<PlyColors> PlyReader<Values>::find_colors() const {
             if (properties[i].count || (name != channel && name != "diffuse_" + std::string(channel))) continue;
             if (!colors) colors.emplace();
             colors->columns[c] = i;
-            colors->most = properties[i].type == PlyType::uint8 ? 255 : properties[i].type == PlyType::uint16 ? 65535 : 0;
+            colors->most = properties[i].type == PlyType::uint8    ? 255
+                           : properties[i].type == PlyType::uint16 ? 65535
+                                                                   : 0;
         }
     if (colors && !source.look)
-        source.lose({"ignored the colours of ", "element", ""},
-                    [&] { return source.line_at(properties[colors->first()].name.data()); }, element->count);
+        source.lose(
+            {"ignored the colours of ", "element", ""},
+            [&] { return source.line_at(properties[colors->first()].name.data()); }, element->count);
     return colors;
 }
 

@@ -33,7 +33,7 @@ struct MeshLimits {
 /// Only regular files are opened. Throws FileError, whose message says where in the file the error is and what to do.
 /// `warnings` receives sentences on what of the file is not read as it stands.
 /// `look` receives colours and names; without it they are ignored with a warning.
-MeshData read_mesh(const std::string& path, const MeshLimits& limits = {},
-                   std::vector<std::string>* warnings = nullptr, MeshLook* look = nullptr);
+MeshData read_mesh(const std::string& path, const MeshLimits& limits = {}, std::vector<std::string>* warnings = nullptr,
+                   MeshLook* look = nullptr);
 
 }  // namespace strahl

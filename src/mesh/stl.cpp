@@ -52,8 +52,7 @@ void read_colors(const Source& source, std::uint64_t count) {
         const unsigned bits =
             get_little<std::uint16_t>(source.bytes, header_size + triangle_size * (i + 1) - sizeof(std::uint16_t));
         if (bits >> 15) continue;
-        for (unsigned c = 0; c < 3; ++c)
-            source.look->triangle_colors[i][c] = MeshLook::share(bits >> (5 * c) & 31, 31);
+        for (unsigned c = 0; c < 3; ++c) source.look->triangle_colors[i][c] = MeshLook::share(bits >> (5 * c) & 31, 31);
     }
 }
 

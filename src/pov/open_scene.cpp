@@ -99,8 +99,7 @@ OpenedScene open_scene_of_povray(const std::string& text, const std::string& pat
     return result;
 }
 
-OpenedScene open_scene_of_model(const std::string& path, const OpeningOptions& options,
-                                const ReadPixels& read_pixels) {
+OpenedScene open_scene_of_model(const std::string& path, const OpeningOptions& options, const ReadPixels& read_pixels) {
     Model model = read_model(path, read_pixels);
     OpenedScene result{.scene = staged(model, double(options.width) / options.height),
                        .notes = std::move(model.warnings),

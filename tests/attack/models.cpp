@@ -17,12 +17,14 @@ using namespace strahl::importing;
 namespace {
 
 const std::string materials =
-    "newmtl a\nKd .1 .2 .3\nKs .5 .5 .5\nKe 1 0 0\nTf 0 1 0\nNs 96\nd .25\nNi 1.5\nillum 7\nnewmtl b\nTr .25\nmap_Kd -s 2 "
+    "newmtl a\nKd .1 .2 .3\nKs .5 .5 .5\nKe 1 0 0\nTf 0 1 0\nNs 96\nd .25\nNi 1.5\nillum 7\nnewmtl b\nTr .25\nmap_Kd "
+    "-s 2 "
     "3 1 -o .5 -clamp on w.png\nbump -bm 2 b.png\nnorm n.png\nmap_d d.png\n";
 
 /// Files with all that is read of glTF, each of them as text and as one binary file.
 std::vector<std::string> valid_models() {
-    const std::string more = R"("animations": [{"channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}},
+    const std::string more =
+        R"("animations": [{"channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}},
  {"sampler": 1, "target": {"node": 1, "path": "rotation"}}], "samplers": [{"input": 3, "output": 0},
  {"input": 3, "output": 4, "interpolation": "STEP"}]}], "cameras": [{"type": "perspective", "perspective": {"yfov": 1}},
  {"type": "orthographic", "orthographic": {"xmag": 2, "ymag": 2}}], "skins": [{"joints": [1, 2]}],
@@ -42,10 +44,13 @@ std::vector<std::string> valid_models() {
         R"("attributes": {"POSITION": 0, "NORMAL": 0, "TEXCOORD_0": 1, "COLOR_0": 5, "JOINTS_0": 5, "WEIGHTS_0": 5},
  "indices": 2, "material": 0, "mode": 4, "targets": [{"POSITION": 0}])";
     std::string rich = triangle(nodes, more, primitive);
-    const auto put = [&](const std::string& old, const std::string& newer) { rich.replace(rich.find(old), old.size(), newer); };
+    const auto put = [&](const std::string& old, const std::string& newer) {
+        rich.replace(rich.find(old), old.size(), newer);
+    };
     put("\"type\": \"SCALAR\"}]", R"("type": "SCALAR"}, {"componentType": 5126, "count": 3, "type": "SCALAR", "sparse":
- {"count": 2, "indices": {"bufferView": 1, "componentType": 5121}, "values": {"bufferView": 0}}}, {"componentType": 5126,
- "count": 3, "type": "VEC4"}, {"bufferView": 0, "componentType": 5121, "count": 3, "type": "VEC4", "normalized": true}])");
+ {"count": 2, "indices": {"bufferView": 1, "componentType": 5121}, "values": {"bufferView": 0}}},
+ {"componentType": 5126, "count": 3, "type": "VEC4"}, {"bufferView": 0, "componentType": 5121, "count": 3,
+ "type": "VEC4", "normalized": true}])");
     std::string inside = rich;
     const std::string uri = R"(, "uri": ")" + uri_of(data) + "\"";
     inside.erase(inside.find(uri), uri.size());
@@ -73,9 +78,9 @@ class ModelMutator : Mutator {
     }
 
   private:
-    static constexpr const char* numbers[]{"0",   "1",    "2",          "3",          "4",    "5",    "6",    "7",
-                                           "-1",  "1e30", "4294967296", "2147483648", "0.5",  "5120", "5121", "5122",
-                                           "255", "5123", "5125",       "5126",       "1e-9", "100",  "1e9",  "3000000"};
+    static constexpr const char* numbers[]{
+        "0",   "1",    "2",    "3",    "4",   "5",    "6",    "7",    "-1",   "1e30", "4294967296", "2147483648",
+        "0.5", "5120", "5121", "5122", "255", "5123", "5125", "5126", "1e-9", "100",  "1e9",        "3000000"};
     static constexpr const char* words[]{"\"VEC3\"", "\"VEC2\"",  "\"SCALAR\"", "\"MAT4\"", "null", "{}",     "[]",
                                          "true",     "\"nodes\"", "\"STEP\"",   "[[[[[[[[", "\"",   "newmtl", "illum",
                                          "map_Kd",   "-s",        "\n",         "\\u0000",  "%",    "nan"};
@@ -101,8 +106,9 @@ void read_materials(const std::string& path) {
     Textures textures(any_pixels, warnings);
     for (const MtlMaterial& own : parse_mtl(file.bytes(0, file.size()), path, warnings)) {
         const Material material = material_of(own, path, "a.mtl", textures);
-        for (const double value : {material.diffuse, material.reflection, material.refraction, material.ior, material.pow,
-                                   material.specular, material.rgb.color.x, material.glow.x, material.bump.height})
+        for (const double value :
+             {material.diffuse, material.reflection, material.refraction, material.ior, material.pow, material.specular,
+              material.rgb.color.x, material.glow.x, material.bump.height})
             promise(std::abs(value) <= 1e20, "a value out of range");
     }
 }
@@ -123,7 +129,8 @@ void read(const std::string& path) {
         };
         for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
             promise(within(mesh.triangles[i], mesh.points.size()), "no such point");
-            promise(mesh.corner_normals.empty() || within(mesh.corner_normals[i], mesh.normals.size()), "no such normal");
+            promise(mesh.corner_normals.empty() || within(mesh.corner_normals[i], mesh.normals.size()),
+                    "no such normal");
             promise(!places || within(places[i], mesh.places.size()), "no such place");
         }
         for (const DVec3& p : mesh.points)
@@ -133,7 +140,8 @@ void read(const std::string& path) {
     promise(!degenerate(scene.camera), "a degenerate camera");
     promise(std::isfinite(scene.camera.position.x + scene.camera.look_at.y + scene.camera.fov), "no camera");
     for (const Light& light : scene.lights)
-        promise(std::isfinite(light.color.x + light.position.x) && light.color.x >= 0 && light.color.x <= 1e30, "no light");
+        promise(std::isfinite(light.color.x + light.position.x) && light.color.x >= 0 && light.color.x <= 1e30,
+                "no light");
 }
 
 }  // namespace

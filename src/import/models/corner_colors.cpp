@@ -90,13 +90,15 @@ Pigment color_corners(MeshData& mesh, const CornerColors& given) {
                 for (int x = 0; x < block; ++x) {
                     const double u = x - border, v = y - border;
                     put(column + std::size_t(x), row + std::size_t(y), c,
-                        given.by_triangle ? color(0, c)
-                                          : color(0, c) + u * (color(1, c) - color(0, c)) + v * (color(2, c) - color(0, c)));
+                        given.by_triangle
+                            ? color(0, c)
+                            : color(0, c) + u * (color(1, c) - color(0, c)) + v * (color(2, c) - color(0, c)));
                 }
         }
         // The middle of a pixel is at .5; v goes up.
         const auto place = [&](int x, int y) {
-            return MeshData::Place{(double(column) + border + x + .5) / size, 1 - (double(row) + border + y + .5) / size};
+            return MeshData::Place{(double(column) + border + x + .5) / size,
+                                   1 - (double(row) + border + y + .5) / size};
         };
         const auto first = static_cast<std::int32_t>((given.by_triangle ? 1 : 3) * n);
         mesh.places[std::size_t(first)] = place(0, 0);
@@ -107,10 +109,11 @@ Pigment color_corners(MeshData& mesh, const CornerColors& given) {
             mesh.corner_places[i] = {first, first + 1, first + 2};
         }
     }
-    return Pigment(Pattern{.kind = ImagePattern{.file = "", .pixels = std::move(pixels), .once = {}, .sharp = given.by_triangle},
-                           .colors = {},
-                           .transformations = {},
-                           .by_uv = true});
+    return Pigment(
+        Pattern{.kind = ImagePattern{.file = "", .pixels = std::move(pixels), .once = {}, .sharp = given.by_triangle},
+                .colors = {},
+                .transformations = {},
+                .by_uv = true});
 }
 
 }  // namespace strahl

@@ -20,14 +20,26 @@ namespace {
 
 constexpr std::size_t most_depth = 100;        // of nodes in nodes
 constexpr std::size_t most_parts = 1'000'000;  // bodies, of instances each time
-constexpr std::array<std::string_view, 20> known_extensions{
-    "KHR_mesh_quantization",   "KHR_texture_transform",           "KHR_lights_punctual",
-    "KHR_materials_ior",       "KHR_materials_transmission",      "KHR_materials_volume",
-    "KHR_materials_unlit",     "KHR_materials_emissive_strength", "KHR_materials_clearcoat",
-    "KHR_materials_sheen",     "KHR_materials_specular",          "KHR_materials_variants",
-    "KHR_materials_iridescence", "KHR_materials_anisotropy",      "KHR_materials_dispersion",
-    "KHR_materials_diffuse_transmission", "KHR_node_visibility",  "KHR_animation_pointer",
-    "KHR_xmp_json_ld",         "EXT_mesh_features"};
+constexpr std::array<std::string_view, 20> known_extensions{"KHR_mesh_quantization",
+                                                            "KHR_texture_transform",
+                                                            "KHR_lights_punctual",
+                                                            "KHR_materials_ior",
+                                                            "KHR_materials_transmission",
+                                                            "KHR_materials_volume",
+                                                            "KHR_materials_unlit",
+                                                            "KHR_materials_emissive_strength",
+                                                            "KHR_materials_clearcoat",
+                                                            "KHR_materials_sheen",
+                                                            "KHR_materials_specular",
+                                                            "KHR_materials_variants",
+                                                            "KHR_materials_iridescence",
+                                                            "KHR_materials_anisotropy",
+                                                            "KHR_materials_dispersion",
+                                                            "KHR_materials_diffuse_transmission",
+                                                            "KHR_node_visibility",
+                                                            "KHR_animation_pointer",
+                                                            "KHR_xmp_json_ld",
+                                                            "EXT_mesh_features"};
 
 void check_extensions(const GltfFile& file) {
     const GltfValue required = file.root()["extensionsRequired"];
@@ -44,13 +56,12 @@ void check_extensions(const GltfFile& file) {
 
 class GltfReader {
   public:
-    GltfReader(const std::string& path, const ReadPixels& read_pixels)
-        : file(path), meshes(file, read_pixels, model) {}
+    GltfReader(const std::string& path, const ReadPixels& read_pixels) : file(path), meshes(file, read_pixels, model) {}
 
     Model read();
 
   private:
-    struct Node {
+    struct GltfNode {
         GltfPlace place;
         std::vector<MotionKey> keys;
         glm::dmat4 matrix{1};  // to the scene, as it rests
@@ -69,7 +80,7 @@ class GltfReader {
     GltfFile file;
     Model model;
     GltfMeshes meshes;
-    std::vector<Node> nodes;
+    std::vector<GltfNode> nodes;
     std::map<std::int64_t, std::vector<GltfPart>> known;  // meshes without skin and weights of their own
     std::uint64_t triangles = 0;
 };
@@ -96,7 +107,7 @@ std::vector<std::size_t> GltfReader::roots() const {
 
 /// Finds where all nodes rest: those of skins may come later than what they bend.
 void GltfReader::find_matrix(std::size_t number, const glm::dmat4& outer, std::size_t depth) {
-    Node& node = nodes[number];
+    GltfNode& node = nodes[number];
     const GltfValue own = file.entry("nodes", number), children = own["children"];
     if (node.visited) own.fail("is in two places of the tree of nodes, or in itself");
     if (depth > most_depth) own.fail("is in more than " + std::to_string(most_depth) + " other nodes");
@@ -167,16 +178,18 @@ void GltfReader::add_camera(const GltfValue& own, const glm::dmat4& matrix) {
     } else {
         const GltfValue lens = own["perspective"];
         const double high = std::clamp(lens["yfov"].number(.8), .01, 3.), aspect = lens["aspectRatio"].number(4. / 3);
-        camera.fov = std::clamp(
-            std::atan(std::tan(high / 2) * std::clamp(aspect, .01, 100.)) * 180 / std::numbers::pi, .1, 85.);
+        camera.fov =
+            std::clamp(std::atan(std::tan(high / 2) * std::clamp(aspect, .01, 100.)) * 180 / std::numbers::pi, .1, 85.);
     }
     camera.position = DVec3(matrix[3]);
     distance = std::max(distance, 1e-3 * length(camera.position));
     if (camera.projection == Projection::orthographic)
-        camera.fov = std::atan(std::clamp(own["orthographic"]["xmag"].number(1), 1e-6, 1e6) / distance) * 180 / std::numbers::pi;
+        camera.fov =
+            std::atan(std::clamp(own["orthographic"]["xmag"].number(1), 1e-6, 1e6) / distance) * 180 / std::numbers::pi;
     camera.look_at = camera.position + distance * forward;
     camera.up = -normalize(DVec3(matrix[1]));
-    const double far = std::max({std::abs(camera.position.x), std::abs(camera.position.y), std::abs(camera.position.z)});
+    const double far =
+        std::max({std::abs(camera.position.x), std::abs(camera.position.y), std::abs(camera.position.z)});
     if (degenerate(camera) || !(far < 1e8)) return own.fail("is in no place from which it could see");
     model.camera = camera;
 }
@@ -196,7 +209,8 @@ void GltfReader::add_light(const GltfValue& own, const glm::dmat4& matrix) {
         light.fade_distance = 1, light.fade_power = 2;
         if (type == "spot") {
             const double degrees = 180 / std::numbers::pi;
-            const double outer = std::clamp(own["spot"]["outerConeAngle"].number(std::numbers::pi / 4) * degrees, .1, 90.);
+            const double outer =
+                std::clamp(own["spot"]["outerConeAngle"].number(std::numbers::pi / 4) * degrees, .1, 90.);
             light.spot = Spot{.look_at = light.position + std::max(1., 1e-3 * length(light.position)) * forward,
                               .radius = std::clamp(own["spot"]["innerConeAngle"].number(0) * degrees, 0., outer),
                               .falloff = outer};
@@ -225,7 +239,7 @@ void GltfReader::scale_lights() {
 
 void GltfReader::visit(std::size_t number, std::vector<Transformation> outer, std::size_t depth) {
     const GltfValue own = file.entry("nodes", number), children = own["children"];
-    const Node& node = nodes[number];
+    const GltfNode& node = nodes[number];
     std::vector<Transformation> steps =
         node.keys.empty() ? node.place.steps() : std::vector<Transformation>{Motion{node.keys}};
     steps.insert(steps.end(), outer.begin(), outer.end());

@@ -17,10 +17,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::uint64_t most_text = 128 << 20;              // bytes of JSON
+constexpr std::uint64_t most_text = 128 << 20;                // bytes of JSON
 constexpr std::uint64_t most_bytes = std::uint64_t(4) << 30;  // of the file, and of all buffers together
-constexpr std::uint64_t most_numbers = 1'000'000'000;       // that are read, those of accessors used twice each time
-constexpr std::uint64_t most_elements = 60'000'000;         // of an accessor
+constexpr std::uint64_t most_numbers = 1'000'000'000;         // that are read, those of accessors used twice each time
+constexpr std::uint64_t most_elements = 60'000'000;           // of an accessor
 
 std::string whole_file(const std::string& path, std::uint64_t most) {
     const RegularFile file(path);
@@ -158,8 +158,7 @@ std::string GltfFile::decoded_data(const std::string& uri, const GltfValue& wher
     std::uint32_t held = 0;
     int bits = 0;
     for (std::size_t i = comma + 1; i < uri.size() && uri[i] != '='; ++i) {
-        static constexpr std::string_view digits =
-            "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+        static constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
         if (is_space(uri[i])) continue;
         const std::size_t digit = digits.find(uri[i]);
         if (digit == digits.npos) where.fail("its data are not base64: character " + std::to_string(i));
@@ -173,7 +172,9 @@ std::string GltfFile::file_name(const std::string& uri, const GltfValue& where) 
     const std::size_t colon = uri.find(':');
     if (colon != uri.npos && uri.substr(colon, 3) == "://") where.fail("only files are read, no addresses");
     std::string name;
-    const auto digit = [](char c) { return is_digit(c) ? c - '0' : lower(c) >= 'a' && lower(c) <= 'f' ? lower(c) - 'a' + 10 : -1; };
+    const auto digit = [](char c) {
+        return is_digit(c) ? c - '0' : lower(c) >= 'a' && lower(c) <= 'f' ? lower(c) - 'a' + 10 : -1;
+    };
     for (std::size_t i = 0; i < uri.size(); ++i) {
         const bool coded = uri[i] == '%' && i + 2 < uri.size() && digit(uri[i + 1]) >= 0 && digit(uri[i + 2]) >= 0;
         name.push_back(coded ? static_cast<char>(16 * digit(uri[i + 1]) + digit(uri[i + 2])) : uri[i]);

@@ -41,13 +41,13 @@ Color limited(const Color& color, double most) {
 
 }  // namespace
 
-Pattern GltfMaterials::Use::pattern(const Color& factor) const {
+Pattern GltfMaterials::PictureUse::pattern(const Color& factor) const {
     Pattern own = picture_by_uv(picture.pixels, picture.name, place, factor);
     std::get<ImagePattern>(own.kind).sharp = sharp;
     return own;
 }
 
-GltfMaterials::Picture GltfMaterials::picture(const GltfValue& index) {
+GltfMaterials::GltfPicture GltfMaterials::picture(const GltfValue& index) {
     if (!index) return {};
     const GltfValue own = file.entry("images", index);
     const auto [known, is_new] = pictures.try_emplace(index.index(file.root()["images"].size()));
@@ -57,8 +57,8 @@ GltfMaterials::Picture GltfMaterials::picture(const GltfValue& index) {
         FilePixels pixels;
         std::string name;
         if (const std::string uri = own["uri"].text(); uri.empty() || GltfFile::is_data(uri)) {
-            const std::string data = uri.empty() ? std::string(file.view(own["bufferView"]))
-                                                 : GltfFile::decoded_data(uri, own["uri"]);
+            const std::string data =
+                uri.empty() ? std::string(file.view(own["bufferView"])) : GltfFile::decoded_data(uri, own["uri"]);
             try {
                 pixels = decoded(data, read_pixels);
             } catch (const FileError& error) {
@@ -79,8 +79,8 @@ GltfMaterials::Picture GltfMaterials::picture(const GltfValue& index) {
     return known->second;
 }
 
-GltfMaterials::Use GltfMaterials::use(const GltfValue& texture, GltfMaterial& result) {
-    Use use;
+GltfMaterials::PictureUse GltfMaterials::use(const GltfValue& texture, GltfMaterial& result) {
+    PictureUse use;
     if (!texture) return use;
     const GltfValue own = file.entry("textures", texture["index"]);
     GltfValue source = own["source"];
@@ -97,8 +97,7 @@ GltfMaterials::Use GltfMaterials::use(const GltfValue& texture, GltfMaterial& re
     }
     result.places = places, result.pictured = true;
     use.picture = picture(source);
-    if (own["sampler"])
-        use.sharp = file.entry("samplers", own["sampler"])["magFilter"].count(9729, 99999) == 9728;
+    if (own["sampler"]) use.sharp = file.entry("samplers", own["sampler"])["magFilter"].count(9729, 99999) == 9728;
     // Their v goes down.
     const DVec3 offset = moved["offset"].numbers<2>(DVec3(0)), scale = moved["scale"].numbers<2>(DVec3(1));
     const double angle = moved["rotation"].number(0);
@@ -116,12 +115,12 @@ GltfMaterial GltfMaterials::read(const GltfValue& own) {
     const Color base = limited(Color(factors), 1);
     material = plain_material(base);
 
-    const Use color = use(model["baseColorTexture"], result);
+    const PictureUse color = use(model["baseColorTexture"], result);
     const bool colored = bool(color);
     if (color) material.rgb = Pigment(color.pattern(base));
     double metal = std::clamp(model["metallicFactor"].number(1), 0., 1.);
     double rough = std::clamp(model["roughnessFactor"].number(1), 0., 1.);
-    if (const Use both = use(model["metallicRoughnessTexture"], result)) {
+    if (const PictureUse both = use(model["metallicRoughnessTexture"], result)) {
         metal *= mean(*both.picture.pixels, 2), rough *= mean(*both.picture.pixels, 1);
         warn(own.place() + ": metal and roughness are the same everywhere, " + std::to_string(metal).substr(0, 4) +
              " and " + std::to_string(rough).substr(0, 4) + ": the means of their picture");
@@ -142,7 +141,7 @@ GltfMaterial GltfMaterials::read(const GltfValue& own) {
         warn(own.place() + ": a metal of roughness " + std::to_string(rough).substr(0, 4) +
              " mirrors sharply, but less");
 
-    if (const Use normal = use(own["normalTexture"], result)) {
+    if (const PictureUse normal = use(own["normalTexture"], result)) {
         material.normal.pattern = std::make_shared<const Pattern>(normal.pattern());
         material.normal.height = std::clamp(own["normalTexture"]["scale"].number(1), 0., 1e3);
     }
@@ -151,15 +150,15 @@ GltfMaterial GltfMaterials::read(const GltfValue& own) {
     if (alpha == "MASK" || alpha == "BLEND") {
         const double limit = alpha == "MASK" ? std::max(own["alphaCutoff"].number(.5), 1e-9) : 0;
         if (color && !color.picture.pixels->opacity.empty())
-            material.rgb =
-                partly_clear(material.rgb, {.pixels = color.picture.pixels, .factor = opacity, .limit = limit}, color.place);
+            material.rgb = partly_clear(
+                material.rgb, {.pixels = color.picture.pixels, .factor = opacity, .limit = limit}, color.place);
         else if (alpha == "BLEND" && !colored)
             material.rgb.transmit = 1 - opacity;
         else if (alpha == "BLEND")
             material.refraction = 1 - opacity, material.diffuse *= opacity, material.ambient *= opacity;
     }
-    if (const double clear = std::clamp(extensions["KHR_materials_transmission"]["transmissionFactor"].number(0), 0., 1.) *
-                             (1 - metal);
+    if (const double clear =
+            std::clamp(extensions["KHR_materials_transmission"]["transmissionFactor"].number(0), 0., 1.) * (1 - metal);
         clear > 0) {
         const GltfValue volume = extensions["KHR_materials_volume"];
         const bool thick = volume["thicknessFactor"].number(0) > 0;
@@ -182,7 +181,7 @@ GltfMaterial GltfMaterials::read(const GltfValue& own) {
         material.ambient = 1, material.diffuse = material.specular = material.reflection = 0;
     const double glow = extensions["KHR_materials_emissive_strength"]["emissiveStrength"].number(1);
     const Color emission = limited(glow * own["emissiveFactor"].numbers<3>(Color(0)), 1e6);
-    const Use glowing = use(own["emissiveTexture"], result);
+    const PictureUse glowing = use(own["emissiveTexture"], result);
     if (emission != Color(0)) {
         // Its light is added, as that of layers with a share is.
         Material coat;

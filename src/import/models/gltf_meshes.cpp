@@ -38,7 +38,8 @@ void GltfMeshes::morph(const GltfValue& own, const std::vector<double>& weights,
 /// Moves points and normals with the joints of a skin.
 void GltfMeshes::bend(const GltfValue& attributes, const std::vector<glm::dmat4>& joints, MeshData& mesh) {
     if (joints.empty() || !attributes["JOINTS_0"]) return;
-    const GltfNumbers numbers = file.numbers(attributes["JOINTS_0"], 4), shares = file.numbers(attributes["WEIGHTS_0"], 4);
+    const GltfNumbers numbers = file.numbers(attributes["JOINTS_0"], 4),
+                      shares = file.numbers(attributes["WEIGHTS_0"], 4);
     if (numbers.count != mesh.points.size() || shares.count != mesh.points.size())
         attributes["JOINTS_0"].fail("has another number of points than the mesh");
     for (std::size_t i = 0; i < mesh.points.size(); ++i) {
@@ -47,7 +48,8 @@ void GltfMeshes::bend(const GltfValue& attributes, const std::vector<glm::dmat4>
         for (std::size_t k = 0; k < 4; ++k) {
             const double joint = numbers(i, k), share = shares(i, k);
             if (share == 0) continue;
-            if (!(joint >= 0 && joint < double(joints.size()))) attributes["JOINTS_0"].fail("names a joint that is not there");
+            if (!(joint >= 0 && joint < double(joints.size())))
+                attributes["JOINTS_0"].fail("names a joint that is not there");
             sum += share * joints[std::size_t(joint)], whole += share;
         }
         if (!(whole > 0)) continue;
@@ -80,7 +82,8 @@ std::optional<GltfPart> GltfMeshes::read_primitive(const GltfValue& own, const s
     morph(own, weights, "POSITION", mesh.points);
     if (attributes["NORMAL"]) {
         mesh.normals = vectors("NORMAL");
-        if (mesh.normals.size() != mesh.points.size()) attributes["NORMAL"].fail("has another number of points than the mesh");
+        if (mesh.normals.size() != mesh.points.size())
+            attributes["NORMAL"].fail("has another number of points than the mesh");
         morph(own, weights, "NORMAL", mesh.normals);
     }
     bend(attributes, joints, mesh);
@@ -93,7 +96,8 @@ std::optional<GltfPart> GltfMeshes::read_primitive(const GltfValue& own, const s
     const std::string set = "TEXCOORD_" + std::to_string(looks.places);
     if (looks.pictured && attributes[set.c_str()]) {
         const GltfNumbers places = file.numbers(attributes[set.c_str()], 2);
-        if (places.count != mesh.points.size()) attributes[set.c_str()].fail("has another number of points than the mesh");
+        if (places.count != mesh.points.size())
+            attributes[set.c_str()].fail("has another number of points than the mesh");
         for (std::size_t i = 0; i < places.count; ++i) {
             const MeshData::Place place{places(i, 0), 1 - places(i, 1)};
             if (const std::string fault = Source::fault({place[0], place[1], 0}); !fault.empty())
@@ -120,7 +124,8 @@ std::optional<GltfPart> GltfMeshes::read_primitive(const GltfValue& own, const s
         const auto point = [&](std::size_t k) { return mesh.points[std::size_t(face.points[k])]; };
         if (point(0) == point(1) || point(1) == point(2) || point(2) == point(0)) return;
         if (!mesh.normals.empty()) face.normals = face.points;
-        faces.add(face, [&] { return own.place(); }, [&](const std::string& message) { own.fail("a face" + message); });
+        faces.add(
+            face, [&] { return own.place(); }, [&](const std::string& message) { own.fail("a face" + message); });
     };
     if (mode == 4)
         for (std::size_t i = 0; i + 2 < corners.size(); i += 3) add(i, i + 1, i + 2);
@@ -135,12 +140,12 @@ std::optional<GltfPart> GltfMeshes::read_primitive(const GltfValue& own, const s
             source.lose({"left out colours at the corners of ", "mesh", " with pictures"}, [&] { return own.place(); });
         } else {
             const GltfNumbers colors = file.numbers(attributes["COLOR_0"], 3);
-            if (colors.count != mesh.points.size()) attributes["COLOR_0"].fail("has another number of points than the mesh");
+            if (colors.count != mesh.points.size())
+                attributes["COLOR_0"].fail("has another number of points than the mesh");
             const Color factor = looks.material.rgb.color;
             std::vector<MeshLook::Rgb> list(colors.count);
             for (std::size_t i = 0; i < list.size(); ++i)
-                for (std::size_t c = 0; c < 3; ++c)
-                    list[i][c] = MeshLook::share(colors(i, c) * factor[int(c)], 0);
+                for (std::size_t c = 0; c < 3; ++c) list[i][c] = MeshLook::share(colors(i, c) * factor[int(c)], 0);
             Material colored = looks.material;
             colored.rgb = color_corners(mesh, {.colors = list, .linear = true});
             number = static_cast<int>(model.materials.size());

@@ -19,7 +19,10 @@ struct GltfPart {
 class GltfMeshes {
   public:
     GltfMeshes(GltfFile& file, const ReadPixels& read_pixels, Model& model)
-        : file(file), model(model), materials(file, read_pixels, model.warnings), source{file.path, "", {}, losses, nullptr} {}
+        : file(file),
+          model(model),
+          materials(file, read_pixels, model.warnings),
+          source{file.path, "", {}, losses, nullptr} {}
 
     /// Reads an entry of "meshes", moved by weights of its morph targets and by the joints of a skin, if there are any.
     std::vector<GltfPart> read(const GltfValue& mesh, const GltfValue& weights, const std::vector<glm::dmat4>& joints);

@@ -71,7 +71,7 @@ GltfPlace place_of(const GltfValue& node, bool& sheared) {
         };
         x = along(x, {1, 0, 0});
         y = along(y - dot_product(y, x) * x, std::abs(x.y) < .9 ? along(DVec3(0, 1, 0) - x.y * x, {0, 1, 0})
-                                                                 : along(DVec3(1, 0, 0) - x.x * x, {1, 0, 0}));
+                                                                : along(DVec3(1, 0, 0) - x.x * x, {1, 0, 0}));
         place.rotation = glm::normalize(glm::quat_cast(glm::dmat3(x, y, cross_product(x, y))));
         return place;
     }
@@ -102,10 +102,10 @@ GltfMotions::GltfMotions(GltfFile& file, std::vector<std::string>& warnings) {
         if (!number) number.fail("is missing");
         const GltfValue sampler = samplers.at(std::size_t(number.index(samplers.size())));
         const std::string kind = sampler["interpolation"].text("LINEAR");
-        Channel channel{path == "translation" ? Path::translation : path == "rotation" ? Path::rotation : Path::scale,
-                        kind == "STEP",
-                        kind == "CUBICSPLINE",
-                        file.numbers(sampler["input"], 1).values,
+        NodeChannel channel{path == "translation" ? Path::translation
+                        : path == "rotation"  ? Path::rotation
+                                              : Path::scale,
+                        kind == "STEP", kind == "CUBICSPLINE", file.numbers(sampler["input"], 1).values,
                         file.numbers(sampler["output"], path == "rotation" ? 4 : 3)};
         if (channel.times.empty() || channel.values.count != channel.times.size() * (channel.cubic ? 3 : 1))
             sampler.fail("should have as many values as times");
@@ -120,7 +120,7 @@ GltfMotions::GltfMotions(GltfFile& file, std::vector<std::string>& warnings) {
                            " channels of the animation are left out, of other things than places of nodes");
 }
 
-glm::dvec4 GltfMotions::Channel::at(double time) const {
+glm::dvec4 GltfMotions::NodeChannel::at(double time) const {
     const auto value = [&](std::size_t key, int part) {
         const std::size_t row = cubic ? 3 * key + std::size_t(part) : key;
         glm::dvec4 v(0);
@@ -147,7 +147,7 @@ std::vector<MotionKey> GltfMotions::keys(std::size_t node, const GltfPlace& rest
     if (own == channels.end()) return {};
     std::set<double> times;
     bool between = false;  // the places between two keys are not on a line
-    for (const Channel& channel : own->second) {
+    for (const NodeChannel& channel : own->second) {
         times.insert(channel.times.begin(), channel.times.end());
         between |= channel.steps || channel.cubic;
         for (std::size_t k = 1; channel.steps && k < channel.times.size(); ++k)
@@ -164,7 +164,7 @@ std::vector<MotionKey> GltfMotions::keys(std::size_t node, const GltfPlace& rest
     for (const double time : times) {
         if (!keys.empty() && time - keys.back().time < 1e-7) continue;
         GltfPlace place = rest;
-        for (const Channel& channel : own->second) {
+        for (const NodeChannel& channel : own->second) {
             const glm::dvec4 value = channel.at(time);
             if (channel.path == Path::translation) place.translation = DVec3(value);
             if (channel.path == Path::rotation) place.rotation = unit(value);
@@ -174,7 +174,8 @@ std::vector<MotionKey> GltfMotions::keys(std::size_t node, const GltfPlace& rest
             place.translation[c] = std::clamp(place.translation[c], -1e9, 1e9);
             place.scale[c] = std::clamp(not_zero(place.scale[c]), -1e9, 1e9);
             // A motion cannot turn a body inside out.
-            if (!keys.empty() && (place.scale[c] < 0) != (keys[0].scale[c] < 0)) place.scale[c] = keys[0].scale[c] < 0 ? -1e-6 : 1e-6;
+            if (!keys.empty() && (place.scale[c] < 0) != (keys[0].scale[c] < 0))
+                place.scale[c] = keys[0].scale[c] < 0 ? -1e-6 : 1e-6;
         }
         keys.push_back(place.key(time));
     }

@@ -13,7 +13,7 @@ namespace strahl {
 struct ModelPart {
     std::string name;  // of the object or the group; may be empty
     std::shared_ptr<const MeshData> mesh;
-    int material = 0;               // index of Model::materials
+    int material = 0;                               // index of Model::materials
     std::vector<Transformation> transformations{};  // motions
 };
 
@@ -24,8 +24,8 @@ struct Model {
     DVec3 up{0, 1, 0}, front{0, 0, 1};  // perpendicular axes; `front` points from the model to who looks at it
     std::optional<Camera> camera{};
     std::vector<Light> lights{};
-    double seconds = 0;  // of its motions; 0 if nothing moves
-    bool whole = false;  // the meshes are all of one file, unchanged, which a scene can name
+    double seconds = 0;                   // of its motions; 0 if nothing moves
+    bool whole = false;                   // the meshes are all of one file, unchanged, which a scene can name
     std::vector<std::string> files{};     // that were read, the model's own first
     std::vector<std::string> warnings{};  // sentences on what is not shown as the file means it
 };

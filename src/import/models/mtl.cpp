@@ -113,7 +113,8 @@ bool read_value(MtlMaterial& own, const std::string& word, MtlLine& line, std::s
     else if (word == "Ni")
         own.ior = line.value(word);
     else if (word == "d")
-        line.rest().starts_with("-halo") ? void(line.next()) : void(), own.opacity = std::clamp(line.value(word), 0., 1.);
+        line.rest().starts_with("-halo") ? void(line.next()) : void(),
+            own.opacity = std::clamp(line.value(word), 0., 1.);
     else if (word == "Tr")
         own.opacity = 1 - std::clamp(line.value(word), 0., 1.);
     else if (word == "illum")
@@ -184,14 +185,16 @@ Material material_of(const MtlMaterial& own, const std::string& path, const std:
         const bool none = own.diffuse == Color(0) || own.diffuse == Color(.8) || own.diffuse == Color(.64);
         material.rgb = Pigment(picture_by_uv(pixels, name(*own.color_picture), place, none ? Color(1) : diffuse));
         if (!pixels->opacity.empty() && !own.opacity_picture)
-            material.rgb = partly_clear(material.rgb, {.pixels = pixels, .factor = own.opacity}, own.color_picture->place);
+            material.rgb =
+                partly_clear(material.rgb, {.pixels = pixels, .factor = own.opacity}, own.color_picture->place);
     }
     if (const auto pixels = pixels_of(own.opacity_picture))
-        material.rgb = partly_clear(
-            material.rgb, {.pixels = pixels, .of_colors = pixels->opacity.empty(), .factor = own.opacity},
-            own.opacity_picture->place);
+        material.rgb =
+            partly_clear(material.rgb, {.pixels = pixels, .of_colors = pixels->opacity.empty(), .factor = own.opacity},
+                         own.opacity_picture->place);
     const bool mirrors = own.illum >= 3 && own.illum <= 8;
-    if (mirrors) material.reflection = shine, material.mirror = shine > 0 ? own.specular / std::max(shine, 1e-9) : Color(1);
+    if (mirrors)
+        material.reflection = shine, material.mirror = shine > 0 ? own.specular / std::max(shine, 1e-9) : Color(1);
     const bool glass = own.illum == 4 || own.illum == 6 || own.illum == 7 || own.illum == 9;
     double clear = 1 - own.opacity;
     if (clear == 0 && glass && own.filter)
@@ -200,7 +203,8 @@ Material material_of(const MtlMaterial& own, const std::string& path, const std:
         if (glass) {
             material.refraction = clear;
             material.ior = own.illum == 9 ? 1 : std::clamp(own.ior, 1., 10.);
-            if (material.diffuse * (1 - clear) < .05 || own.filter) material.rgb = Pigment(own.filter.value_or(Color(1)));
+            if (material.diffuse * (1 - clear) < .05 || own.filter)
+                material.rgb = Pigment(own.filter.value_or(Color(1)));
             if (own.illum == 7 && material.ior > 1) reflect_as_glass(material);
             material.diffuse *= 1 - clear, material.ambient *= 1 - clear;
         } else if (material.rgb.pattern) {
@@ -223,7 +227,8 @@ Material material_of(const MtlMaterial& own, const std::string& path, const std:
     }
     if (const auto pixels = pixels_of(own.bump)) {
         // A picture's black and white are so far apart in units of its side; .01 is a rough plaster.
-        material.bump.pattern = std::make_shared<const Pattern>(picture_by_uv(pixels, name(*own.bump), own.bump->place));
+        material.bump.pattern =
+            std::make_shared<const Pattern>(picture_by_uv(pixels, name(*own.bump), own.bump->place));
         material.bump.height = .01 * own.bump->strength;
     }
     if (const auto pixels = pixels_of(own.normal)) {

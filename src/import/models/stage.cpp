@@ -28,9 +28,9 @@ double sine(double degrees) { return std::sin(degrees * std::numbers::pi / 180);
 double cosine(double degrees) { return std::cos(degrees * std::numbers::pi / 180); }
 
 /// Views of a model from all sides.
-class Stage {
+class ModelStage {
   public:
-    Stage(const Model& model, double aspect)
+    ModelStage(const Model& model, double aspect)
         : up(normalize(model.up)), front(normalize(model.front)), right(cross_product(up, front)), aspect(aspect) {
         std::size_t all = 0;
         for (const ModelPart& part : model.parts) all += part.mesh->points.size();
@@ -68,11 +68,7 @@ class Stage {
             target += .5 * (most - least) * axis;
             distance = std::max(distance, .5 * (most + least) / tan);
         }
-        return {.position = target + distance * back,
-                .look_at = target,
-                .up = -up,
-                .fov = fov,
-                .aspectratio = {}};
+        return {.position = target + distance * back, .look_at = target, .up = -up, .fov = fov, .aspectratio = {}};
     }
     /// Returns the height of the lowest point.
     double lowest() const {
@@ -93,7 +89,7 @@ class Stage {
     std::vector<DVec3> points;
 };
 
-Flythrough flight_around(const Stage& stage) {
+Flythrough flight_around(const ModelStage& stage) {
     Flythrough flight{.duration = seconds, .loop = true, .keys = {}};
     for (int i = 0; i < stops; ++i) {
         const Camera camera = stage.camera(azimuth + 360. * i / stops);
@@ -111,13 +107,14 @@ Flythrough still_flight(const Camera& camera, double duration) {
 }
 
 /// Adds a floor just below the model that is as bright as the background.
-void add_floor(const Stage& stage, Scene& scene, Materials& materials) {
+void add_floor(const ModelStage& stage, Scene& scene, Materials& materials) {
     double lit = 0;
     for (const StageLight& light : stage_lights) lit += light.strength * sine(light.elevation);
     Material floor;
     floor.rgb = Color(1), floor.reflection = floor.specular = 0, floor.ambient = .1;
     floor.diffuse = (page - floor.ambient) / lit;
-    const DVec3 point = stage.middle + (stage.lowest() - 1e-4 * stage.size - dot_product(stage.up, stage.middle)) * stage.up;
+    const DVec3 point =
+        stage.middle + (stage.lowest() - 1e-4 * stage.size - dot_product(stage.up, stage.middle)) * stage.up;
     const double step = std::max(stage.size, 1e-6 * length(point));
     scene.primitives.push_back({.shape = Plane{point, point + step * stage.front, point + step * stage.right},
                                 .material = materials.number(floor),
@@ -128,14 +125,15 @@ void add_floor(const Stage& stage, Scene& scene, Materials& materials) {
 
 Scene staged(const Model& model, double aspect) {
     Scene scene;
-    const Stage stage(model, aspect);
+    const ModelStage stage(model, aspect);
     scene.settings.assumed_gamma = 1;
     scene.background = Pigment(Color(page));
     Materials materials;
     for (const ModelPart& part : model.parts)
-        scene.primitives.push_back({.shape = Mesh{part.mesh, model.whole ? std::filesystem::path(model.files[0]).filename().string() : ""},
-                                    .material = materials.number(model.materials[std::size_t(part.material)]),
-                                    .transformations = part.transformations});
+        scene.primitives.push_back(
+            {.shape = Mesh{part.mesh, model.whole ? std::filesystem::path(model.files[0]).filename().string() : ""},
+             .material = materials.number(model.materials[std::size_t(part.material)]),
+             .transformations = part.transformations});
     scene.camera = model.camera ? *model.camera : stage.camera(azimuth);
     scene.lights = model.lights;
     if (model.lights.empty())

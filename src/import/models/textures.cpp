@@ -80,8 +80,8 @@ Pattern picture_by_uv(const std::shared_ptr<const FilePixels>& pixels, const std
         auto changed = std::make_shared<Pixels>(*pixels);
         // The factors are of linear light.
         for (std::size_t i = 0; i < changed->values.size(); ++i)
-            changed->values[i] = pixels->linear ? pixels->values[i]
-                                                : static_cast<float>(linear_light(double(pixels->values[i])));
+            changed->values[i] =
+                pixels->linear ? pixels->values[i] : static_cast<float>(linear_light(double(pixels->values[i])));
         for (std::size_t i = 0; i < changed->values.size(); ++i)
             changed->values[i] *= static_cast<float>(factor[static_cast<int>(i % 3)]);
         changed->linear = true, changed->largest = Color(0);
@@ -91,9 +91,9 @@ Pattern picture_by_uv(const std::shared_ptr<const FilePixels>& pixels, const std
         }
         shown = changed, name.clear();
     }
-    return {.kind = ImagePattern{.file = name,
-                                 .pixels = shown,
-                                 .once = place.clamped ? std::optional(place.around) : std::nullopt},
+    return {.kind =
+                ImagePattern{
+                    .file = name, .pixels = shown, .once = place.clamped ? std::optional(place.around) : std::nullopt},
             .colors = {},
             .transformations = steps_of(place),
             .by_uv = true};

@@ -12,8 +12,8 @@
 
 namespace strahl {
 
-/// How a picture lies on a mesh: the place p = (u, v) of the mesh is where scale * p, turned by `degrees` from u to v, plus
-/// `offset` is in the picture.
+/// How a picture lies on a mesh: the place p = (u, v) of the mesh is where scale * p, turned by `degrees` from u to v,
+/// plus `offset` is in the picture.
 struct TexturePlace {
     DVec3 scale{1}, offset{0};
     double degrees = 0;

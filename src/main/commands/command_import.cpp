@@ -20,8 +20,8 @@ namespace strahl {
 
 namespace {
 
-/// Gives the pictures of a model names that a scene at the path `to` can use. Pictures that are in no file, or have been
-/// changed, are written beside it as NAME-1.png and so on.
+/// Gives the pictures of a model names that a scene at the path `to` can use. Pictures that are in no file, or have
+/// been changed, are written beside it as NAME-1.png and so on.
 class PictureNames {
   public:
     PictureNames(const std::string& model, const std::string& to) : model(model), to(to) {}

@@ -260,7 +260,8 @@ void add_import(CLI::App& app, ChosenCommand& chosen) {
     auto [command, o] =
         add_command(app, chosen, "import", "Convert a scene of another program: POV-Ray's, NFF or Tachyon's",
                                     import_command);
-    add_argument(command, "FILE", o->file, "The scene, a .pov, .nff or .dat file, or a model; - is standard input, no .pov or model");
+    add_argument(command, "FILE", o->file,
+                 "The scene, a .pov, .nff or .dat file, or a model; - is standard input, no .pov or model");
     add_opening(command, o->opening);
     add_file(command, "-o,--output", o->output, "The .rt file; by default -, standard output");
     command->footer(

@@ -1,9 +1,8 @@
 // glTF: numbers in buffers, materials, nodes, cameras, lights and motion, and files that are wrong.
-#include "tests/unit/import/gltf_text.h"
-
 #include <cmath>
 
 #include "num/vec_math.h"
+#include "tests/unit/import/gltf_text.h"
 #include "tests/unit/import/models.h"
 
 using namespace strahl;
@@ -32,8 +31,12 @@ const std::string pictures = R"(, "textures": [{"source": 0}, {"source": 1}],
 
 TEST_CASE("glTF: a triangle, as text, with a file beside, and as one file") {
     Models models;
-    const std::string beside = with(triangle(), uri_of(data), "the%20data.bin"), inside = with(triangle(), R"(, "uri": ")" + uri_of(data) + "\"", "");
-    models.put("a.gltf", triangle()).put("b.gltf", beside).put("the data.bin", data + "more").put("c.glb", glb(inside, data));
+    const std::string beside = with(triangle(), uri_of(data), "the%20data.bin"),
+                      inside = with(triangle(), R"(, "uri": ")" + uri_of(data) + "\"", "");
+    models.put("a.gltf", triangle())
+        .put("b.gltf", beside)
+        .put("the data.bin", data + "more")
+        .put("c.glb", glb(inside, data));
     for (const char* name : {"a.gltf", "b.gltf", "c.glb"}) {
         CAPTURE(name);
         const Model model = models.read(name);
@@ -50,12 +53,15 @@ TEST_CASE("glTF: a triangle, as text, with a file beside, and as one file") {
 
 TEST_CASE("glTF: strips, fans, and sparse accessors") {
     const auto triangles = [](int mode) {
-        std::string text = triangle(R"({"mesh": 0})", "", R"("mode": )" + std::to_string(mode) +
-                                                              R"(, "attributes": {"POSITION": 0}, "indices": 3)");
+        std::string text =
+            triangle(R"({"mesh": 0})", "",
+                     R"("mode": )" + std::to_string(mode) + R"(, "attributes": {"POSITION": 0}, "indices": 3)");
         text = with(text, "\"type\": \"SCALAR\"}]",
                     R"("type": "SCALAR"}, {"componentType": 5121, "count": 4, "type": "SCALAR", "sparse": {"count": 3,
- "indices": {"bufferView": 0, "byteOffset": 52, "componentType": 5121}, "values": {"bufferView": 0, "byteOffset": 55}}}])");
-        text = with(text, "\"byteLength\": 44", "\"byteLength\": 58"), text = with(text, "\"byteLength\": 52", "\"byteLength\": 58");
+ "indices": {"bufferView": 0, "byteOffset": 52, "componentType": 5121},
+ "values": {"bufferView": 0, "byteOffset": 55}}}])");
+        text = with(text, "\"byteLength\": 44", "\"byteLength\": 58"),
+        text = with(text, "\"byteLength\": 52", "\"byteLength\": 58");
         text = with(text, uri_of(data), uri_of(data + bytes_of<std::uint8_t>({1, 2, 3, 1, 2, 0})));
         return model_of(text).parts[0].mesh->triangles;
     };
@@ -65,11 +71,13 @@ TEST_CASE("glTF: strips, fans, and sparse accessors") {
 }
 
 TEST_CASE("glTF: materials") {
-    const Material dull = gltf_material(R"("pbrMetallicRoughness": {"baseColorFactor": [1, 0.5, 0, 1], "metallicFactor": 0})");
+    const Material dull =
+        gltf_material(R"("pbrMetallicRoughness": {"baseColorFactor": [1, 0.5, 0, 1], "metallicFactor": 0})");
     CHECK(dull.rgb == Pigment(1, .5, 0));
     CHECK(dull.reflection == 0);
     CHECK(dull.diffuse == 1);
-    const Material gold = gltf_material(R"("pbrMetallicRoughness": {"baseColorFactor": [1, 0.8, 0.3, 1], "roughnessFactor": 0})");
+    const Material gold =
+        gltf_material(R"("pbrMetallicRoughness": {"baseColorFactor": [1, 0.8, 0.3, 1], "roughnessFactor": 0})");
     CHECK(gold.reflection == doctest::Approx(.9));
     CHECK(gold.gilding == 1);
     CHECK(gold.diffuse == 0);
@@ -92,7 +100,8 @@ TEST_CASE("glTF: materials") {
     CHECK(lamp.coats[0].rgb == Pigment(2, 2, 0));
     CHECK(lamp.coats[0].shares());
     CHECK(gltf_material(R"("extensions": {"KHR_materials_unlit": {}})").diffuse == 0);
-    const Material film = gltf_material(R"("alphaMode": "BLEND", "pbrMetallicRoughness": {"baseColorFactor": [1, 1, 1, 0.25]})");
+    const Material film =
+        gltf_material(R"("alphaMode": "BLEND", "pbrMetallicRoughness": {"baseColorFactor": [1, 1, 1, 0.25]})");
     CHECK(film.rgb.transmit == .75);
     CHECK(gltf_material(R"("pbrMetallicRoughness": {"baseColorFactor": [1, 1, 1, 0.25]})").rgb.transmit == 0);
 }
@@ -111,7 +120,8 @@ TEST_CASE("glTF: pictures, their places, and masks") {
     CHECK(length(place(0, 0) - DVec3(.25, .5, 0)) < 1e-12);
     CHECK(length(place(1, 0) - DVec3(.25, 1 - (.5 - 2), 0)) < 1e-12);
     const Material mask = gltf_material(
-        R"("alphaMode": "MASK", "alphaCutoff": 0.4, "pbrMetallicRoughness": {"baseColorTexture": {"index": 1}})", pictures);
+        R"("alphaMode": "MASK", "alphaCutoff": 0.4, "pbrMetallicRoughness": {"baseColorTexture": {"index": 1}})",
+        pictures);
     const auto& values = *std::get<SolidPattern>(mask.rgb.pattern->kind).function;
     CHECK(values.value_at({.49, .5, 0}) == 1);
     CHECK(values.value_at({.51, .5, 0}) == 1);  // half and a little less opaque: above .4
@@ -136,7 +146,8 @@ TEST_CASE("glTF: nodes in nodes") {
     CHECK(length(at(1, {1, 0, 0}) - DVec3(6, 11, 10)) < 1e-12);
     CHECK(length(at(1, {0, 1, 1}) - DVec3(5, 8, 12)) < 1e-12);
     CHECK(model.parts[0].mesh == model.parts[1].mesh);
-    const Model mirrored = model_of(triangle(R"({"mesh": 0, "matrix": [-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]})"));
+    const Model mirrored =
+        model_of(triangle(R"({"mesh": 0, "matrix": [-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]})"));
     CHECK(length(transform_point(matrix(mirrored.parts[0].transformations), {1, 2, 3}) - DVec3(-1, 2, 3)) < 1e-12);
 }
 
@@ -156,7 +167,8 @@ TEST_CASE("glTF: cameras and lights take the place of the stage's") {
     // 160 / 4^2 at the model is as much as 10: both are made 1.
     CHECK(model.lights[0].color.x == doctest::Approx(1).epsilon(1e-3));
     const Light& point = model.lights[1];
-    CHECK(point.color.x * 2 / (1 + 16 / (point.fade_distance * point.fade_distance)) == doctest::Approx(1).epsilon(1e-3));
+    CHECK(point.color.x * 2 / (1 + 16 / (point.fade_distance * point.fade_distance)) ==
+          doctest::Approx(1).epsilon(1e-3));
     const Scene scene = staged(model, 1);
     CHECK(scene.camera == *model.camera);
     CHECK(scene.lights == model.lights);
@@ -164,11 +176,13 @@ TEST_CASE("glTF: cameras and lights take the place of the stage's") {
 }
 
 TEST_CASE("glTF: nodes that move") {
-    std::string text = triangle(R"({"mesh": 0})", R"("animations": [{"channels": [{"sampler": 0, "target": {"node": 0, "path":
+    std::string text =
+        triangle(R"({"mesh": 0})", R"("animations": [{"channels": [{"sampler": 0, "target": {"node": 0, "path":
  "translation"}}], "samplers": [{"input": 3, "output": 0}]}])");
     text = with(text, "\"type\": \"SCALAR\"}]", R"("type": "SCALAR"}, {"bufferView": 1, "byteOffset": 8,
  "componentType": 5126, "count": 3, "type": "SCALAR"}])");
-    text = with(text, "\"byteLength\": 8", "\"byteLength\": 20"), text = with(text, "\"byteLength\": 52", "\"byteLength\": 64");
+    text = with(text, "\"byteLength\": 8", "\"byteLength\": 20"),
+    text = with(text, "\"byteLength\": 52", "\"byteLength\": 64");
     text = with(text, uri_of(data), uri_of(data + bytes_of<float>({0, 1, 2})));
     const Model model = model_of(text);
     CHECK(model.seconds == 2);
@@ -186,14 +200,15 @@ TEST_CASE("glTF: nodes that move") {
 }
 
 TEST_CASE("glTF: skins and morph targets as they rest") {
-    std::string text = triangle(
-        R"({"mesh": 0, "skin": 0, "translation": [9, 9, 9], "weights": [0.5]}, {"translation": [0, 0, 5]})",
-        R"("skins": [{"joints": [1]}])",
-        R"("attributes": {"POSITION": 0, "JOINTS_0": 3, "WEIGHTS_0": 4}, "targets": [{"POSITION": 0}])");
+    std::string text =
+        triangle(R"({"mesh": 0, "skin": 0, "translation": [9, 9, 9], "weights": [0.5]}, {"translation": [0, 0, 5]})",
+                 R"("skins": [{"joints": [1]}])",
+                 R"("attributes": {"POSITION": 0, "JOINTS_0": 3, "WEIGHTS_0": 4}, "targets": [{"POSITION": 0}])");
     text = with(text, "\"type\": \"SCALAR\"}]", R"("type": "SCALAR"},
  {"componentType": 5121, "count": 3, "type": "VEC4"}, {"bufferView": 1, "byteOffset": 8, "componentType": 5121,
  "normalized": true, "count": 3, "type": "VEC4"}])");
-    text = with(text, "\"byteLength\": 8", "\"byteLength\": 20"), text = with(text, "\"byteLength\": 52", "\"byteLength\": 64");
+    text = with(text, "\"byteLength\": 8", "\"byteLength\": 20"),
+    text = with(text, "\"byteLength\": 52", "\"byteLength\": 64");
     text = with(text, uri_of(data), uri_of(data + bytes_of<std::uint8_t>({255, 0, 0, 0, 255, 0, 0, 0, 255, 0, 0, 0})));
     const Model model = model_of(text);
     // 1.5 times the points, where the joint is; where the node is does not matter.
@@ -229,12 +244,12 @@ TEST_CASE("glTF: what is wrong is told with its place") {
         CHECK(gltf_fault(triangle(R"({"mesh": 0})", std::string(R"("extensionsRequired": [")") + name + "\"]"))
                   .starts_with("a.gltf: extensionsRequired[0]: "));
     CHECK(gltf_fault(with(good, uri_of(data), "none.bin")) == "cannot read 'none.bin': there is no such file");
-    CHECK(gltf_fault(with(good, uri_of(data), "http://a.b/c")) == "a.gltf: buffers[0].uri: only files are read, no addresses");
+    CHECK(gltf_fault(with(good, uri_of(data), "http://a.b/c")) ==
+          "a.gltf: buffers[0].uri: only files are read, no addresses");
     Models models;
     const std::string whole = glb(good, data);
     CHECK(models.put("a.glb", whole.substr(0, 100)).fault("a.glb").ends_with("it was cut off, so get a new copy"));
-    CHECK(models.put("a.glb", glb(good, data, 1)).fault("a.glb") ==
-          "a.glb: this is version 1 of glTF; only 2 is read");
+    CHECK(models.put("a.glb", glb(good, data, 1)).fault("a.glb") == "a.glb: this is version 1 of glTF; only 2 is read");
     CHECK(models.put("a.glb", "glTF").fault("a.glb") ==
           "a.glb: the file ends in the head of a part; it was cut off, so get a new copy");
 }

@@ -21,19 +21,20 @@ inline std::string uri_of(const std::string& bytes) {
         std::uint32_t three = 0;
         for (std::size_t k = 0; k < 3; ++k)
             three = three << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0);
-        for (std::size_t k = 0; k < 4; ++k)
-            text += i + k > bytes.size() ? '=' : digits[three >> (18 - 6 * k) & 63];
+        for (std::size_t k = 0; k < 4; ++k) text += i + k > bytes.size() ? '=' : digits[three >> (18 - 6 * k) & 63];
     }
     return text;
 }
 
 /// The points of a triangle, normalised bytes as places, and its corners in reverse.
 inline const std::string data = bytes_of<float>({0, 0, 0, 1, 0, 0, 0, 1, 0}) +
-                         bytes_of<std::uint8_t>({0, 0, 255, 0, 0, 255, 0, 0}) + bytes_of<std::uint16_t>({2, 1, 0, 0});
+                                bytes_of<std::uint8_t>({0, 0, 255, 0, 0, 255, 0, 0}) +
+                                bytes_of<std::uint16_t>({2, 1, 0, 0});
 
 /// A file with this triangle. `nodes` are those of the scene, `more` members at the top.
-inline std::string triangle(const std::string& nodes = R"({"mesh": 0})", const std::string& more = "",
-                     const std::string& primitive = R"("attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2)") {
+inline std::string triangle(
+    const std::string& nodes = R"({"mesh": 0})", const std::string& more = "",
+    const std::string& primitive = R"("attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2)") {
     return R"({"asset": {"version": "2.0"}, "nodes": [)" + nodes + R"(], "meshes": [{"name": "tri", "primitives": [{)" +
            primitive + R"(}]}],
 "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},

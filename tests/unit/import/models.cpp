@@ -11,8 +11,7 @@ using namespace strahl::importing;
 
 namespace {
 
-const std::string tetrahedron =
-    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+const std::string tetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
 
 /// The colour of a pattern by uv at a corner of a triangle: that of the pixel in whose middle the corner is.
 Color color_at(const ModelPart& part, const Material& material, std::size_t triangle, std::size_t corner) {
@@ -85,8 +84,9 @@ TEST_CASE("models: the floor in the light is as bright as the background") {
 
 TEST_CASE("models: the bodies of STL files stand on z, all others on y") {
     Models models;
-    models.put("a.stl", "solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
-                        "endfacet\nendsolid\n");
+    models.put("a.stl",
+               "solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+               "endfacet\nendsolid\n");
     CHECK(models.read("a.stl").up == DVec3(0, 0, 1));
     CHECK(models.put("a.obj", tetrahedron).read("a.obj").up == DVec3(0, 1, 0));
 }
@@ -101,13 +101,14 @@ TEST_CASE("models: a mesh of one material keeps the name of its file in scenes")
 }
 
 TEST_CASE("models: colours of points are at the corners of triangles") {
-    const Model model = Models()
-                            .put("a.ply",
-                                 "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty "
-                                 "float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nelement face "
-                                 "2\nproperty list uchar int vertex_indices\nend_header\n0 0 0 255 0 0\n1 0 0 0 255 0\n0 "
-                                 "1 0 0 0 255\n1 1 0 51 102 0\n3 0 1 2\n3 2 1 3\n")
-                            .read("a.ply");
+    const Model model =
+        Models()
+            .put("a.ply",
+                 "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty "
+                 "float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nelement face "
+                 "2\nproperty list uchar int vertex_indices\nend_header\n0 0 0 255 0 0\n1 0 0 0 255 0\n0 "
+                 "1 0 0 0 255\n1 1 0 51 102 0\n3 0 1 2\n3 2 1 3\n")
+            .read("a.ply");
     CHECK(model.warnings.empty());
     const ModelPart& part = model.parts.at(0);
     const Material& material = model.materials.at(0);
@@ -126,7 +127,8 @@ TEST_CASE("models: colours of points are at the corners of triangles") {
 
 TEST_CASE("models: colours of faces, and of the points of an OBJ file") {
     const std::string head =
-        "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 2\n"
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face "
+        "2\n"
         "property list uchar int vertex_indices\nproperty float red\nproperty float green\nproperty float blue\n"
         "end_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n";
     Models models;
