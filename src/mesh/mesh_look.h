@@ -10,14 +10,14 @@ namespace strahl {
 struct MeshLook {
     using Rgb = std::array<float, 3>;  // as the file gives it, 1 being full; sRGB-encoded by custom
     /// Triangles from `first` on, up to the next run.
-    struct Run {
+    struct NamedRun {
         std::size_t first = 0;
         std::int32_t name = -1, material = -1;  // indices of `names` and `materials`; -1: none
-        bool operator==(const Run&) const = default;
+        bool operator==(const NamedRun&) const = default;
     };
     std::vector<Rgb> point_colors;                         // one for each point, or none at all
     std::vector<Rgb> triangle_colors;                      // one for each triangle, or none at all
-    std::vector<Run> runs;                                 // of OBJ files, ascending; none if nothing is named
+    std::vector<NamedRun> runs;                                 // of OBJ files, ascending; none if nothing is named
     std::vector<std::string> names, materials, libraries;  // of objects and groups, `usemtl`, and `mtllib` lines
 
     /// A colour that is given as a whole number from 0 to `most` or, if `most` is 0, as a share.

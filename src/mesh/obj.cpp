@@ -68,7 +68,7 @@ class ObjReader {
     std::size_t points = 0, normals = 0, places = 0;  // so far, for negative indices
     Face face;
     std::size_t colored = 0;  // points with a colour
-    MeshLook::Run run;        // of the next face
+    MeshLook::NamedRun run;        // of the next face
     using Numbers = std::unordered_map<std::string_view, std::int32_t>;
     Numbers names, materials;
 };
@@ -142,7 +142,7 @@ void ObjReader::read_name(std::string_view keyword, Words& words) {
 
 /// Begins a run of faces if the next one has another name or material than the last.
 void ObjReader::begin_run() {
-    std::vector<MeshLook::Run>& runs = source.look->runs;
+    std::vector<MeshLook::NamedRun>& runs = source.look->runs;
     if (runs.empty() ? run.name < 0 && run.material < 0
                      : runs.back().name == run.name && runs.back().material == run.material)
         return;

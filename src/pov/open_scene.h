@@ -37,8 +37,7 @@ struct OpenedScene {
     std::string summary{};             // of the notes; empty for scene text
     pov::SourceLines lines{};          // of the bodies and lights of a .pov, or names of bodies
     bool mirrored = false;             // the scene is the mirror image in z of that of a .pov
-    std::vector<std::string>
-        files{};  // of a .pov, a model, or a text with directives: all that were read, its own first
+    std::vector<std::string> files{};  // of a .pov, model or text with directives: all that were read, its own first
     bool changes = false;              // a .pov that uses its clock: it has to be read again for each moment
     bool sized = false;                // a .pov that asks for the picture's size: it is another scene in each size
     std::optional<double> clock;       // of a .pov: its value, if POV-Ray's clock is on

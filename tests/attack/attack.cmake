@@ -67,7 +67,7 @@ if(VORBIS_FOUND)
 endif()
 foreach(files ${attacked_files})
   add_dependencies(attack attack_${files})
-  add_test(NAME attack_${files} COMMAND attack_${files} --seconds $<IF:$<STREQUAL:${files},small_files>,2,5>)
+  add_test(NAME attack_${files} COMMAND attack_${files} --seconds $<IF:$<OR:$<STREQUAL:${files},models>,$<STREQUAL:${files},small_files>>,2,5>)
   set_tests_properties(attack_${files} PROPERTIES LABELS memory)
 endforeach()
 

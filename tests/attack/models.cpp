@@ -48,8 +48,9 @@ std::vector<std::string> valid_models() {
         rich.replace(rich.find(old), old.size(), newer);
     };
     put("\"type\": \"SCALAR\"}]", R"("type": "SCALAR"}, {"componentType": 5126, "count": 3, "type": "SCALAR", "sparse":
- {"count": 2, "indices": {"bufferView": 1, "componentType": 5121}, "values": {"bufferView": 0}}}, {"componentType": 5126,
- "count": 3, "type": "VEC4"}, {"bufferView": 0, "componentType": 5121, "count": 3, "type": "VEC4", "normalized": true}])");
+ {"count": 2, "indices": {"bufferView": 1, "componentType": 5121}, "values": {"bufferView": 0}}},
+ {"componentType": 5126, "count": 3, "type": "VEC4"}, {"bufferView": 0, "componentType": 5121, "count": 3,
+ "type": "VEC4", "normalized": true}])");
     std::string inside = rich;
     const std::string uri = R"(, "uri": ")" + uri_of(data) + "\"";
     inside.erase(inside.find(uri), uri.size());

@@ -61,7 +61,7 @@ class GltfReader {
     Model read();
 
   private:
-    struct Node {
+    struct GltfNode {
         GltfPlace place;
         std::vector<MotionKey> keys;
         glm::dmat4 matrix{1};  // to the scene, as it rests
@@ -80,7 +80,7 @@ class GltfReader {
     GltfFile file;
     Model model;
     GltfMeshes meshes;
-    std::vector<Node> nodes;
+    std::vector<GltfNode> nodes;
     std::map<std::int64_t, std::vector<GltfPart>> known;  // meshes without skin and weights of their own
     std::uint64_t triangles = 0;
 };
@@ -107,7 +107,7 @@ std::vector<std::size_t> GltfReader::roots() const {
 
 /// Finds where all nodes rest: those of skins may come later than what they bend.
 void GltfReader::find_matrix(std::size_t number, const glm::dmat4& outer, std::size_t depth) {
-    Node& node = nodes[number];
+    GltfNode& node = nodes[number];
     const GltfValue own = file.entry("nodes", number), children = own["children"];
     if (node.visited) own.fail("is in two places of the tree of nodes, or in itself");
     if (depth > most_depth) own.fail("is in more than " + std::to_string(most_depth) + " other nodes");
@@ -239,7 +239,7 @@ void GltfReader::scale_lights() {
 
 void GltfReader::visit(std::size_t number, std::vector<Transformation> outer, std::size_t depth) {
     const GltfValue own = file.entry("nodes", number), children = own["children"];
-    const Node& node = nodes[number];
+    const GltfNode& node = nodes[number];
     std::vector<Transformation> steps =
         node.keys.empty() ? node.place.steps() : std::vector<Transformation>{Motion{node.keys}};
     steps.insert(steps.end(), outer.begin(), outer.end());

@@ -28,13 +28,13 @@ Color limited(const Color& color, double most) {
 
 }  // namespace
 
-Pattern GltfMaterials::Use::pattern(const Color& factor) const {
+Pattern GltfMaterials::PictureUse::pattern(const Color& factor) const {
     Pattern own = picture_by_uv(picture.pixels, picture.name, place, factor);
     std::get<ImagePattern>(own.kind).sharp = sharp;
     return own;
 }
 
-GltfMaterials::Picture GltfMaterials::picture(const GltfValue& index) {
+GltfMaterials::GltfPicture GltfMaterials::picture(const GltfValue& index) {
     if (!index) return {};
     const GltfValue own = file.entry("images", index);
     const auto [known, is_new] = pictures.try_emplace(index.index(file.root()["images"].size()));
@@ -66,8 +66,8 @@ GltfMaterials::Picture GltfMaterials::picture(const GltfValue& index) {
     return known->second;
 }
 
-GltfMaterials::Use GltfMaterials::use(const GltfValue& texture, GltfMaterial& result) {
-    Use use;
+GltfMaterials::PictureUse GltfMaterials::use(const GltfValue& texture, GltfMaterial& result) {
+    PictureUse use;
     if (!texture) return use;
     const GltfValue own = file.entry("textures", texture["index"]);
     GltfValue source = own["source"];
@@ -102,12 +102,12 @@ GltfMaterial GltfMaterials::read(const GltfValue& own) {
     const Color base = limited(Color(factors), 1);
     material = plain_material(base);
 
-    const Use color = use(model["baseColorTexture"], result);
+    const PictureUse color = use(model["baseColorTexture"], result);
     const bool colored = bool(color);
     if (color) material.rgb = Pigment(color.pattern(base));
     double metal = std::clamp(model["metallicFactor"].number(1), 0., 1.);
     double rough = std::clamp(model["roughnessFactor"].number(1), 0., 1.);
-    if (const Use both = use(model["metallicRoughnessTexture"], result)) {
+    if (const PictureUse both = use(model["metallicRoughnessTexture"], result)) {
         metal *= mean(*both.picture.pixels, 2), rough *= mean(*both.picture.pixels, 1);
         warn(own.place() + ": metal and roughness are the same everywhere, " + std::to_string(metal).substr(0, 4) +
              " and " + std::to_string(rough).substr(0, 4) + ": the means of their picture");
@@ -128,7 +128,7 @@ GltfMaterial GltfMaterials::read(const GltfValue& own) {
         warn(own.place() + ": a metal of roughness " + std::to_string(rough).substr(0, 4) +
              " mirrors sharply, but less");
 
-    if (const Use normal = use(own["normalTexture"], result)) {
+    if (const PictureUse normal = use(own["normalTexture"], result)) {
         material.normal.pattern = std::make_shared<const Pattern>(normal.pattern());
         material.normal.height = std::clamp(own["normalTexture"]["scale"].number(1), 0., 1e3);
     }
@@ -168,7 +168,7 @@ GltfMaterial GltfMaterials::read(const GltfValue& own) {
         material.ambient = 1, material.diffuse = material.specular = material.reflection = 0;
     const double glow = extensions["KHR_materials_emissive_strength"]["emissiveStrength"].number(1);
     const Color emission = limited(glow * own["emissiveFactor"].numbers<3>(Color(0)), 1e6);
-    const Use glowing = use(own["emissiveTexture"], result);
+    const PictureUse glowing = use(own["emissiveTexture"], result);
     if (emission != Color(0)) {
         // Its light is added, as that of layers with a share is.
         Material coat;

@@ -26,26 +26,26 @@ class GltfMaterials {
     std::vector<std::string> files;  // of pictures
 
   private:
-    struct Picture {
+    struct GltfPicture {
         std::shared_ptr<const FilePixels> pixels;
         std::string name;  // for scenes; empty if it is in no file of its own
     };
     /// A picture as a material has it.
-    struct Use {
-        Picture picture;
+    struct PictureUse {
+        GltfPicture picture;
         TexturePlace place;
         bool sharp = false;
         explicit operator bool() const { return picture.pixels != nullptr; }
         Pattern pattern(const Color& factor = Color(1)) const;
     };
-    Use use(const GltfValue& texture, GltfMaterial& result);
-    Picture picture(const GltfValue& index);
+    PictureUse use(const GltfValue& texture, GltfMaterial& result);
+    GltfPicture picture(const GltfValue& index);
     void warn(const std::string& message) { warnings.push_back(file.path + ": " + message); }
 
     GltfFile& file;
     const ReadPixels& read_pixels;
     std::vector<std::string>& warnings;
-    std::map<std::int64_t, Picture> pictures;
+    std::map<std::int64_t, GltfPicture> pictures;
 };
 
 }  // namespace strahl

@@ -102,7 +102,7 @@ GltfMotions::GltfMotions(GltfFile& file, std::vector<std::string>& warnings) {
         if (!number) number.fail("is missing");
         const GltfValue sampler = samplers.at(std::size_t(number.index(samplers.size())));
         const std::string kind = sampler["interpolation"].text("LINEAR");
-        Channel channel{path == "translation" ? Path::translation
+        NodeChannel channel{path == "translation" ? Path::translation
                         : path == "rotation"  ? Path::rotation
                                               : Path::scale,
                         kind == "STEP", kind == "CUBICSPLINE", file.numbers(sampler["input"], 1).values,
@@ -120,7 +120,7 @@ GltfMotions::GltfMotions(GltfFile& file, std::vector<std::string>& warnings) {
                            " channels of the animation are left out, of other things than places of nodes");
 }
 
-glm::dvec4 GltfMotions::Channel::at(double time) const {
+glm::dvec4 GltfMotions::NodeChannel::at(double time) const {
     const auto value = [&](std::size_t key, int part) {
         const std::size_t row = cubic ? 3 * key + std::size_t(part) : key;
         glm::dvec4 v(0);
@@ -147,7 +147,7 @@ std::vector<MotionKey> GltfMotions::keys(std::size_t node, const GltfPlace& rest
     if (own == channels.end()) return {};
     std::set<double> times;
     bool between = false;  // the places between two keys are not on a line
-    for (const Channel& channel : own->second) {
+    for (const NodeChannel& channel : own->second) {
         times.insert(channel.times.begin(), channel.times.end());
         between |= channel.steps || channel.cubic;
         for (std::size_t k = 1; channel.steps && k < channel.times.size(); ++k)
@@ -164,7 +164,7 @@ std::vector<MotionKey> GltfMotions::keys(std::size_t node, const GltfPlace& rest
     for (const double time : times) {
         if (!keys.empty() && time - keys.back().time < 1e-7) continue;
         GltfPlace place = rest;
-        for (const Channel& channel : own->second) {
+        for (const NodeChannel& channel : own->second) {
             const glm::dvec4 value = channel.at(time);
             if (channel.path == Path::translation) place.translation = DVec3(value);
             if (channel.path == Path::rotation) place.rotation = unit(value);

@@ -34,14 +34,14 @@ class GltfMotions {
 
   private:
     enum class Path { translation, rotation, scale };
-    struct Channel {
+    struct NodeChannel {
         Path path;
         bool steps = false, cubic = false;
         std::vector<double> times;
         GltfNumbers values;
         glm::dvec4 at(double time) const;
     };
-    std::map<std::size_t, std::vector<Channel>> channels;  // by the numbers of nodes
+    std::map<std::size_t, std::vector<NodeChannel>> channels;  // by the numbers of nodes
 };
 
 }  // namespace strahl

@@ -134,7 +134,7 @@ void add_parts(MeshData mesh, const MeshLook& look, Model& model) {
     std::map<std::pair<std::int32_t, std::int32_t>, std::size_t> numbers;
     std::vector<std::vector<std::size_t>> triangles;  // of each part
     for (std::size_t r = 0; r < look.runs.size(); ++r) {
-        MeshLook::Run run = look.runs[r];
+        MeshLook::NamedRun run = look.runs[r];
         const std::size_t end = r + 1 < look.runs.size() ? look.runs[r + 1].first : mesh.triangles.size();
         if (run.first == end) continue;
         if (numbers.size() >= most_parts) run.name = -1;

@@ -28,9 +28,9 @@ double sine(double degrees) { return std::sin(degrees * std::numbers::pi / 180);
 double cosine(double degrees) { return std::cos(degrees * std::numbers::pi / 180); }
 
 /// Views of a model from all sides.
-class Stage {
+class ModelStage {
   public:
-    Stage(const Model& model, double aspect)
+    ModelStage(const Model& model, double aspect)
         : up(normalize(model.up)), front(normalize(model.front)), right(cross_product(up, front)), aspect(aspect) {
         std::size_t all = 0;
         for (const ModelPart& part : model.parts) all += part.mesh->points.size();
@@ -89,7 +89,7 @@ class Stage {
     std::vector<DVec3> points;
 };
 
-Flythrough flight_around(const Stage& stage) {
+Flythrough flight_around(const ModelStage& stage) {
     Flythrough flight{.duration = seconds, .loop = true, .keys = {}};
     for (int i = 0; i < stops; ++i) {
         const Camera camera = stage.camera(azimuth + 360. * i / stops);
@@ -107,7 +107,7 @@ Flythrough still_flight(const Camera& camera, double duration) {
 }
 
 /// Adds a floor just below the model that is as bright as the background.
-void add_floor(const Stage& stage, Scene& scene, Materials& materials) {
+void add_floor(const ModelStage& stage, Scene& scene, Materials& materials) {
     double lit = 0;
     for (const StageLight& light : stage_lights) lit += light.strength * sine(light.elevation);
     Material floor;
@@ -125,7 +125,7 @@ void add_floor(const Stage& stage, Scene& scene, Materials& materials) {
 
 Scene staged(const Model& model, double aspect) {
     Scene scene;
-    const Stage stage(model, aspect);
+    const ModelStage stage(model, aspect);
     scene.settings.assumed_gamma = 1;
     scene.background = Pigment(Color(page));
     Materials materials;

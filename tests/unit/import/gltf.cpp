@@ -58,7 +58,8 @@ TEST_CASE("glTF: strips, fans, and sparse accessors") {
                      R"("mode": )" + std::to_string(mode) + R"(, "attributes": {"POSITION": 0}, "indices": 3)");
         text = with(text, "\"type\": \"SCALAR\"}]",
                     R"("type": "SCALAR"}, {"componentType": 5121, "count": 4, "type": "SCALAR", "sparse": {"count": 3,
- "indices": {"bufferView": 0, "byteOffset": 52, "componentType": 5121}, "values": {"bufferView": 0, "byteOffset": 55}}}])");
+ "indices": {"bufferView": 0, "byteOffset": 52, "componentType": 5121},
+ "values": {"bufferView": 0, "byteOffset": 55}}}])");
         text = with(text, "\"byteLength\": 44", "\"byteLength\": 58"),
         text = with(text, "\"byteLength\": 52", "\"byteLength\": 58");
         text = with(text, uri_of(data), uri_of(data + bytes_of<std::uint8_t>({1, 2, 3, 1, 2, 0})));
