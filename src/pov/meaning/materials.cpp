@@ -231,11 +231,11 @@ std::shared_ptr<const TextureThing> MaterialMaker::blended(
     const Steps& way) {
     const auto moved_whole = moved(whole, way);
     // Textures of one finish are one whose pigments blend. All lumps without a texture have the number of the first.
-    struct Group {
+    struct FinishGroup {
         const LayerValues* first;
         std::vector<std::size_t> lumps;
     };
-    std::vector<Group> groups;
+    std::vector<FinishGroup> groups;
     std::vector<std::size_t> numbers(textures.size());
     const auto layer_at = [&](std::size_t i) -> const LayerValues& {
         return (textures[i] ? *textures[i] : *moved_whole).layers[0];
@@ -251,7 +251,7 @@ std::shared_ptr<const TextureThing> MaterialMaker::blended(
         if ((textures[i] ? *textures[i] : whole).layers.size() > 1 || layer.blend) return nullptr;
         numbers[i] =
             textures[i] ? i : static_cast<std::size_t>(std::ranges::find(textures, nullptr) - textures.begin());
-        const auto known = std::ranges::find_if(groups, [&](const Group& own) { return one(*own.first, layer); });
+        const auto known = std::ranges::find_if(groups, [&](const FinishGroup& own) { return one(*own.first, layer); });
         if (known == groups.end() && groups.size() == most_layers) return nullptr;
         if (known == groups.end())
             groups.push_back({&layer, {i}});
@@ -260,7 +260,7 @@ std::shared_ptr<const TextureThing> MaterialMaker::blended(
     }
     const BlobBlend blend(blob.data->lumps, numbers, contents.adc_bailout);
     auto all = std::make_shared<TextureThing>();
-    for (const Group& group : groups) {
+    for (const FinishGroup& group : groups) {
         auto own = std::make_shared<TextureThing>();
         own->layers[0] = *group.first;
         PigmentThing& mixed = own->layers[0].pigment;
