@@ -17,7 +17,7 @@ struct MeshLook {
     };
     std::vector<Rgb> point_colors;                         // one for each point, or none at all
     std::vector<Rgb> triangle_colors;                      // one for each triangle, or none at all
-    std::vector<NamedRun> runs;                                 // of OBJ files, ascending; none if nothing is named
+    std::vector<NamedRun> runs;                            // of OBJ files, ascending; none if nothing is named
     std::vector<std::string> names, materials, libraries;  // of objects and groups, `usemtl`, and `mtllib` lines
 
     /// A colour that is given as a whole number from 0 to `most` or, if `most` is 0, as a share.

@@ -68,7 +68,7 @@ class ObjReader {
     std::size_t points = 0, normals = 0, places = 0;  // so far, for negative indices
     Face face;
     std::size_t colored = 0;  // points with a colour
-    MeshLook::NamedRun run;        // of the next face
+    MeshLook::NamedRun run;   // of the next face
     using Numbers = std::unordered_map<std::string_view, std::int32_t>;
     Numbers names, materials;
 };

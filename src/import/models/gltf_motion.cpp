@@ -103,10 +103,10 @@ GltfMotions::GltfMotions(GltfFile& file, std::vector<std::string>& warnings) {
         const GltfValue sampler = samplers.at(std::size_t(number.index(samplers.size())));
         const std::string kind = sampler["interpolation"].text("LINEAR");
         NodeChannel channel{path == "translation" ? Path::translation
-                        : path == "rotation"  ? Path::rotation
-                                              : Path::scale,
-                        kind == "STEP", kind == "CUBICSPLINE", file.numbers(sampler["input"], 1).values,
-                        file.numbers(sampler["output"], path == "rotation" ? 4 : 3)};
+                            : path == "rotation"  ? Path::rotation
+                                                  : Path::scale,
+                            kind == "STEP", kind == "CUBICSPLINE", file.numbers(sampler["input"], 1).values,
+                            file.numbers(sampler["output"], path == "rotation" ? 4 : 3)};
         if (channel.times.empty() || channel.values.count != channel.times.size() * (channel.cubic ? 3 : 1))
             sampler.fail("should have as many values as times");
         for (std::size_t k = 0; k < channel.times.size(); ++k)
