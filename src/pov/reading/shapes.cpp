@@ -530,6 +530,7 @@ static bool is_thin(const Shape& shape) {
     if (const auto* const own = std::get_if<Cone>(&shape))
         return own->base_radius == 0 && own->cap_radius == 0 && own->base != own->cap;
     if (const auto* const own = std::get_if<Torus>(&shape)) return own->minor == 0;
+    if (const auto* const own = std::get_if<Prism>(&shape)) return own->base != own->top && own->data->pieces.empty();
     if (const auto* const own = std::get_if<Disc>(&shape)) return own->hole >= own->radius || own->normal == DVec3(0);
     return (std::holds_alternative<Triangle>(shape) || std::holds_alternative<SmoothTriangle>(shape)) &&
            std::visit([](const auto& kind) { return kind.fault() != nullptr; }, shape);

@@ -154,6 +154,28 @@ const Kind kinds[]{
                 " pigment { rgb 1 } }\nplane { y, -5e5 pigment { rgb <0,.5,0> } finish { "
                 "ambient 1 diffuse 0 reflection .3 } }";
      }},
+    {"shadows of what is nearer than 1e7, and further away",
+     [](Texts& t) {
+         const auto lamp_behind_ball = [&](const char* color, double x, const std::string& where) {
+             const std::string from = "<" + std::to_string(x) + ",3e7,-2e7>";
+             return "light_source { " + from + " rgb " + color + " } sphere { " + where + "*" + from + ", 2e6 } ";
+         };
+         return t.camera() + lamp_behind_ball("x", 2e7, t.number(.1, .2)) + lamp_behind_ball("y", 0, t.number(.4, .9)) +
+                "plane { y, -1.4 pigment { rgb 1 } } sphere { 0, 1 pigment { rgb 1 } }";
+     }},
+    {"blobs whose lumps have several finishes",
+     [](Texts& t) {
+         const auto look = [&](const std::string& more) {
+             return " texture { pigment { rgb " + t.vector(0, 1) + " " + more + " } finish { ambient " +
+                    t.number(0, .6) + " diffuse " + t.number(.2, .7) + " specular " + t.number(0, .8) + " } }";
+         };
+         const std::string one = look(""), bent = t.one_of({"", "normal { bumps .4 scale .2 }"});
+         return t.camera() + sky + lamp + "blob { threshold .3 sphere { -x*.7, 1.2, 1" + one + " } sphere { " +
+                t.vector(0, .5) + ", 1.1, 1 " + look("") + " } cylinder { <.6,-1,0>, <.6,1,0>, .7, 1" + one +
+                " } sphere { <.3,.8,-.4>, .9, 1 } sphere { -y*.6, .8, -.5" + look(t.one_of({"", "transmit .4"})) +
+                " } pigment { rgb y } " + bent + " finish { reflection .2 } rotate " + t.vector(-60, 60) + " }";
+     },
+     .01},
     {"fog in hollow bodies, and around a camera in a body", [](Texts& t) {
          const std::string bodies[]{
              "sphere { " + t.vector(-.5, .5) + ", " + t.number(.8, 1.5) + " pigment { rgbt <1,.8,.6,.6> } " +

@@ -1,8 +1,11 @@
 // Pictures are the same bit for bit however pixels are divided into batches, tiles, crops and threads, and whatever was
-// traced before: of random worlds of every kind of body, pattern, finish and light.
+// traced before: of random worlds of every kind of body, pattern, finish and light. So are their files and films.
 #include <doctest/doctest.h>
 
 #include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 #include <string>
 #include <type_traits>
@@ -12,7 +15,9 @@
 #include "tests/referee/dice.h"
 #include "tests/referee/random_scene.h"
 #include "tests/unit/scenes.h"
+#include "tests/unit/scratch.h"
 #include "tests/unit/trace/cut_out.h"
+#include "text/write.h"
 #include "trace/cells/cell_picture.h"
 #include "trace/tracer.h"
 
@@ -88,8 +93,8 @@ bool affordable(const Scene& scene, const View& view) {
 }
 
 template <class Check>
-void each_world(const Check& check) {
-    for (int seed = 1, left = 16; left > 0; ++seed) {
+void each_world(int count, const Check& check) {
+    for (int seed = 1, left = count; left > 0; ++seed) {
         CAPTURE(seed);
         const Scene scene = scene_of(seed);
         const auto [width, height] = shapes[static_cast<std::size_t>(seed) % shapes.size()];
@@ -102,7 +107,7 @@ void each_world(const Check& check) {
 
 TEST_CASE("pictures of random worlds do not depend on batches, threads, crops or what was traced before") {
     std::uint64_t split = 0;
-    each_world([&](int seed, const Scene& scene, const View& view, Precision precision) {
+    each_world(16, [&](int seed, const Scene& scene, const View& view, Precision precision) {
         Dice dice(1000 + seed);
         Pictures pictures{view};
         const Lattice all{.columns = view.width, .rows = view.height};
@@ -164,6 +169,65 @@ TEST_CASE("a moment of a flight is the same picture, whichever moments were trac
             CHECK(at(tracer, time, 2, 70) == at(fresh, time, 1, whole_queue));
         }
     }
+}
+
+/// Runs strahl in a folder, where a script `ffmpeg` may replace the program.
+bool run(const Scratch& folder, const std::string& arguments) {
+    const std::string command =
+        "cd '" + (folder / "") + "' && PATH=\"$PWD:$PATH\" " STRAHL_EMULATOR " '" STRAHL_BINARY "/strahl' " + arguments;
+    CAPTURE(command);
+    const bool done = std::system(command.c_str()) == 0;
+    CHECK(done);
+    return done;
+}
+
+TEST_CASE("files are the same, whether a picture is made in parts, and a frame alone or in a film") {
+    const Scratch folder;
+    // A film is what ffmpeg is given.
+    std::ofstream(folder / "ffmpeg") << "#!/bin/sh\nfor film; do :; done\nexec cat >\"${film#file:}\"\n";
+    std::filesystem::permissions(folder / "ffmpeg", std::filesystem::perms::owner_all);
+    int used = 0;
+    each_world(16, [&](int seed, Scene scene, const View&, Precision precision) {
+        Dice dice(2000 + seed);
+        const Camera& camera = scene.camera;
+        scene.flythrough = Flythrough{.duration = 1, .keys = {{0, camera.position, camera.look_at, {}, {}}}};
+        scene.flythrough->keys.push_back({1, camera.position + .3 * dice.direction(), camera.look_at, {}, {}});
+        const std::string text = write_scene(scene);
+        if (used == 4 || text.find('"') != text.npos) return;  // its pictures are in no files
+        ++used;
+        std::ofstream(folder / "scene.rt") << text;
+        const std::string all = "render scene.rt --quiet --fps 3 --depth 5 --precision " +
+                                std::string(precision == Precision::float32 ? "float" : "double");
+        const auto render = [&](const std::string& options) {
+            return run(folder, all + " --threads " + std::to_string(1 + dice.upto(2)) + options);
+        };
+        const auto bytes = [&](const std::string& name) { return bytes_of(folder / name); };
+
+        // Four bands of 64 rows, in three parts.
+        const std::string tall = " --size 12x200 -o tall.png";
+        if (!render(tall)) return;
+        const std::string whole = bytes("tall.png");
+        for (const int part : {2, 3, 1}) render(tall + " --part " + std::to_string(part) + "/3");
+        std::filesystem::remove(folder / "tall.png");
+        run(folder, "join tall.png.part-* -o tall.png");
+        CHECK(bytes("tall.png") == whole);
+
+        const std::string small = " --size 28x16";
+        std::string frames;
+        for (int i = 0; i < 3; ++i) {
+            const std::string number = std::to_string(i);
+            render(small + " -o - --format y4m --frames " + number + " > frame.y4m");
+            const std::string frame = bytes("frame.y4m");
+            frames += i == 0 ? frame : frame.substr(frame.find('\n') + 1);
+        }
+        render(small + " -o film.mkv --frames 0-2");
+        CHECK(bytes("film.mkv") == frames);
+        for (const int part : {2, 1})
+            render(small + " -o film%d.png --frames 0-2 --part " + std::to_string(part) + "/2");
+        render(small + " -o alone%d.png --frames 2");
+        CHECK(bytes("film2.png") == bytes("alone2.png"));
+    });
+    CHECK(used == 4);
 }
 
 }  // namespace strahl::history
