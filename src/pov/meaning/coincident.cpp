@@ -177,9 +177,11 @@ void keep_faces(Primitive& body) {
 }
 
 bool share_seen_faces(const Primitive& whole, const DVec3& eye) {
+    constexpr std::size_t most = 1000;  // each is compared with each
     std::vector<FlatFace> before;
     bool any = false;
     each_part(whole, [&](const Primitive& part) {
+        if (any || before.size() > most) return;
         Primitive copy = part;
         std::vector<FlatFace> own;
         change_leaves(copy, glm::dmat4(1), false, [&](Primitive& leaf, const glm::dmat4& outer) {
