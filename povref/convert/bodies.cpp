@@ -31,8 +31,7 @@ std::optional<int> only_material(const Scene& scene, const Primitive& primitive)
 int medium_of(const Scene& scene, const Primitive& primitive) {
     int medium = primitive.material;
     for_each_leaf(primitive, [&](const Primitive& leaf, const glm::dmat4&) {
-        if (!scene.materials[medium].transmits() && scene.materials[leaf.material].transmits())
-            medium = leaf.material;
+        if (!scene.materials[medium].transmits() && scene.materials[leaf.material].transmits()) medium = leaf.material;
     });
     return medium;
 }

@@ -11,9 +11,9 @@ namespace strahl {
 
 struct PovBodies {
     const std::vector<PovMaterial>& materials;  // in the order of the scene's
-    bool shadow_copies;  // some body has a copy that casts its shadow
-    bool scaled;         // Unit is declared
-    bool hollow;         // opaque bodies have fog in them as well
+    bool shadow_copies;                         // some body has a copy that casts its shadow
+    bool scaled;                                // Unit is declared
+    bool hollow;                                // opaque bodies have fog in them as well
     PovMotions& motions;
 };
 

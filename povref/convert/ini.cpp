@@ -39,13 +39,12 @@ std::string ini_beside(const std::string& pov_path) {
 }
 
 std::string ini_of(const Scene& scene, const PovRequest& request, const IniNeeds& needs) {
-    std::string text = comment(request.title + " for POV-Ray 3.7, to be run by", ";") + ";   " +
-                       command(ini_beside(request.pov_path)) + "\n" +
-                       "Input_File_Name=" + quoted_path(request.pov_path) +
-                       "\nOutput_File_Name=" + quoted_path(request.picture_path) + "\n\n" +
-                       "Width=" + std::to_string(request.width) + "\nHeight=" + std::to_string(request.height) + "\n" +
-                       comment("PNG.", ";") + "Output_File_Type=N\nBits_Per_Color=" + std::to_string(request.bits) +
-                       "\nOutput_Alpha=Off\nDither=Off\n";
+    std::string text =
+        comment(request.title + " for POV-Ray 3.7, to be run by", ";") + ";   " +
+        command(ini_beside(request.pov_path)) + "\n" + "Input_File_Name=" + quoted_path(request.pov_path) +
+        "\nOutput_File_Name=" + quoted_path(request.picture_path) + "\n\n" + "Width=" + std::to_string(request.width) +
+        "\nHeight=" + std::to_string(request.height) + "\n" + comment("PNG.", ";") +
+        "Output_File_Type=N\nBits_Per_Color=" + std::to_string(request.bits) + "\nOutput_Alpha=Off\nDither=Off\n";
     text += comment(scene.settings.assumed_gamma != 0
                         ? "The values stand for light and the file is sRGB-encoded."
                         : "The same as assumed_gamma in the scene: the file holds the computed values.",
@@ -57,8 +56,9 @@ std::string ini_of(const Scene& scene, const PovRequest& request, const IniNeeds
         text += "\n" + comment("Frame N is the view at N/" + text_of(request.fps) + " seconds.", ";") +
                 "Initial_Frame=0\nFinal_Frame=" + std::to_string(request.cameras.size() - 1) + "\n";
     if (needs.moves)
-        text += "Initial_Clock=0\nFinal_Clock=" +
-                text_of(static_cast<double>(request.cameras.size() - 1) / request.fps) + "\n";
+        text +=
+            "Initial_Clock=0\nFinal_Clock=" + text_of(static_cast<double>(request.cameras.size() - 1) / request.fps) +
+            "\n";
     const std::string folder = std::filesystem::path(request.pov_path).parent_path().string();
     if (needs.pictures && !folder.empty())
         text += "\n" + comment("Pictures are beside the scene.", ";") + "Library_Path=" + quoted_path(folder) + "\n";

@@ -14,15 +14,15 @@ struct PovMaterial {
     std::string name;
     std::string declaration{};
     bool transparent = false;
-    bool own_shadow = false;  // needs that copy
+    bool own_shadow = false;           // needs that copy
     std::vector<std::string> hides{};  // the words for where the body is not shown
     std::string ior{};                 // of a transparent one, and how light fades in it
-    std::string weight{};     // of the finish keyword `refraction`, about which POV-Ray warns; empty if it is not used
-    bool layered = false;     // has two layers of texture
-    bool patterned = false;   // has a pattern, which moves with the body
-    bool grouped = false;     // has lights of its own, or is not lit by all
+    std::string weight{};      // of the finish keyword `refraction`, about which POV-Ray warns; empty if it is not used
+    bool layered = false;      // has two layers of texture
+    bool patterned = false;    // has a pattern, which moves with the body
+    bool grouped = false;      // has lights of its own, or is not lit by all
     bool lost_shares = false;  // mixes materials by several patterns, of which one is written
-    bool near_one = false;    // an ior of 1 is written as the next larger number
+    bool near_one = false;     // an ior of 1 is written as the next larger number
 };
 
 /// Returns the materials in the order of scene.materials. `depth` is the number of generations of rays; `scaled` says

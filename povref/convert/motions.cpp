@@ -72,7 +72,8 @@ std::string declaration(const Motion& motion, const std::string& name) {
 }  // namespace
 
 std::string PovMotions::use(const Motion& motion) {
-    auto known = std::ranges::find(declared, motion, [](const auto& pair) -> auto& { return pair.first; });
+    auto known = std::ranges::find(
+        declared, motion, [](const auto& pair) -> auto& { return pair.first; });
     if (known == declared.end()) {
         declared.emplace_back(motion, "Motion_" + std::to_string(declared.size() + 1));
         known = declared.end() - 1;

@@ -145,7 +145,8 @@ std::string function_section(const Scene& scene) {
         "#declare Fraction = function(a) { a - floor(a) };\n"
         "#declare Wave = function(a) { 1 - abs(2*Fraction(a) - 1) };\n";
     if (!any([](const auto& kind) {
-            return requires { kind.octaves; } && !requires { kind.solid; };
+            return requires { kind.octaves; }
+            &&!requires { kind.solid; };
         }))
         return text;
     text += comment(

@@ -17,7 +17,7 @@ struct PovScale {
 
 /// Distances and sizes of bodies over all cameras and moments added.
 struct SceneSizes {
-    double farthest = 0;  // point of a body or light, from a camera
+    double farthest = 0;                                        // point of a body or light, from a camera
     double smallest = std::numeric_limits<double>::infinity();  // side of a body's box
     bool horizon = false;                                       // some body is endless
     void add(const Scene& scene, const std::vector<Camera>& cameras);

@@ -58,8 +58,8 @@ class BandFile {
     std::string own_path;
     BandHeader own_header;
     std::map<int, Record> records;  // by number of the band
-    std::uint64_t end = 0;  // of the last whole band
-    os::OpenFile file;      // open for appending, or closed
+    std::uint64_t end = 0;          // of the last whole band
+    os::OpenFile file;              // open for appending, or closed
 };
 
 }  // namespace strahl

@@ -127,8 +127,6 @@ class Exr : public Encoder {
 
 }  // namespace
 
-std::unique_ptr<Encoder> exr_encoder(const Layout& layout) {
-    return std::make_unique<Exr>(layout);
-}
+std::unique_ptr<Encoder> exr_encoder(const Layout& layout) { return std::make_unique<Exr>(layout); }
 
 }  // namespace strahl

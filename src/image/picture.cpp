@@ -61,8 +61,8 @@ PictureLibrary load_library() {
     fs::path path = folder / "lib/strahl/libstrahl_image.so";
     if (!fs::exists(path, error)) path = folder.parent_path() / "lib/strahl/libstrahl_image.so";
     if (!fs::exists(path, error))
-        throw OutputError("the part of strahl that reads pictures is missing: there is no '" +
-                          path.string() + "'; build or install strahl again");
+        throw OutputError("the part of strahl that reads pictures is missing: there is no '" + path.string() +
+                          "'; build or install strahl again");
     require_threads();
     const os::Library loaded(path);
     if (!loaded.fault().empty())

@@ -14,7 +14,7 @@ namespace strahl {
 struct Picture {
     int width = 0, height = 0, channels = 3;
     std::vector<double> values;
-    int bits = 32;  // of the file it came from: 8, 16, or 32 for float
+    int bits = 32;            // of the file it came from: 8, 16, or 32 for float
     bool from_right = false;  // the file has the pixels of each row from right to left
 };
 
@@ -22,8 +22,8 @@ struct Picture {
 enum class Compression { fast, small };
 
 struct FileFormat {
-    int bits = 0;         // 8 for .bmp, 8 or 16 for .png, 32 (float) for .exr; 0 takes the first of these
-    double gamma = 0;     // the scene's `assumed_gamma`: how values of 8- and 16-bit files are shown(), if it is not 0
+    int bits = 0;      // 8 for .bmp, 8 or 16 for .png, 32 (float) for .exr; 0 takes the first of these
+    double gamma = 0;  // the scene's `assumed_gamma`: how values of 8- and 16-bit files are shown(), if it is not 0
     Compression compression = Compression::fast;
     Exposure exposure{};  // of 8-bit files
 };

@@ -35,7 +35,7 @@ FilePixels read_pixels(const std::string& path) {
     const auto fail = [&](const std::string& why) { throw FileError("cannot use '" + path + "': " + why); };
     constexpr std::uint64_t most_values = std::uint64_t(1) << 27;
     constexpr double largest_value = 1e9;  // as for colours in scene text
-    constexpr int most_pixels = 1 << 15;  // along a side: of a float's 24 bits 9 are left for places between pixels
+    constexpr int most_pixels = 1 << 15;   // along a side: of a float's 24 bits 9 are left for places between pixels
     const Picture picture = read_picture(path, most_values);
     const std::string size = std::to_string(picture.width) + "x" + std::to_string(picture.height);
     if (std::max(picture.width, picture.height) > most_pixels)

@@ -89,7 +89,7 @@ class Png : public Encoder {
         put_chunk(file, "IHDR", header);
         put_chunk(file, "sRGB", std::string_view("\0", 1));
         put_chunk(file, "gAMA", std::string_view("\0\0\xb1\x8f", 4));  // 1 / 2.2, for readers that know no sRGB
-        put_chunk(file, "IDAT", "\x78\x01");  // zlib's header: a window of 32 KiB
+        put_chunk(file, "IDAT", "\x78\x01");                           // zlib's header: a window of 32 KiB
         return file;
     }
 

@@ -11,7 +11,7 @@ TransferTable::TransferTable(double gamma, const Exposure& exposure) {
     least[0] = 0;
     for (int code = 1; code < 256; ++code) {
         // Positive numbers are ordered as their bits are.
-        std::uint64_t low = std::bit_cast<std::uint64_t>(least[code - 1]);  // quantised below `code`
+        std::uint64_t low = std::bit_cast<std::uint64_t>(least[code - 1]);           // quantised below `code`
         std::uint64_t high = std::bit_cast<std::uint64_t>(exposure ? 0x1p+64 : 1.);  // and not below
         while (high - low > 1) {
             const std::uint64_t middle = low + (high - low) / 2;

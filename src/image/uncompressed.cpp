@@ -171,7 +171,10 @@ std::string netpbm_of(const Picture& picture) {
     const bool grey = picture.channels == 1, floats = picture.bits == 32;
     std::string bytes = std::string("P") + (floats ? (grey ? "f" : "F") : (grey ? "5" : "6")) + "\n" +
                         std::to_string(picture.width) + " " + std::to_string(picture.height) + "\n" +
-                        (!floats ? picture.bits == 8 ? "255" : "65535" : little_endian ? "-1.0" : "1.0") + "\n";
+                        (!floats         ? picture.bits == 8 ? "255" : "65535"
+                         : little_endian ? "-1.0"
+                                         : "1.0") +
+                        "\n";
     const auto row = std::size_t(picture.width) * unsigned(picture.channels);
     for (int y = 0; y < picture.height; ++y) {
         const double* const values = &picture.values[row * unsigned(floats ? picture.height - 1 - y : y)];

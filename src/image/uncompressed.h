@@ -14,7 +14,7 @@ namespace strahl {
 
 /// The header of a .bmp file. That of OS/2, 12 bytes long, is not read: its pixels count as 0.
 struct BmpHeader {
-    static constexpr std::size_t size = 54;  // bytes of the file that it is read from
+    static constexpr std::size_t size = 54;        // bytes of the file that it is read from
     std::uint32_t start, length, compression = 0;  // where the pixels begin; the length of the second header
     std::int32_t width = 0, height = 0;            // a height below 0: rows from the top
     std::uint16_t bits = 0;                        // of a pixel

@@ -71,8 +71,7 @@ class TachyonReader {
         words.number_after("ANTIALIASING");  // an option of `render` here
         const double depth = words.number_after("RAYDEPTH");
         scene.scene.settings.max_trace_level = static_cast<int>(std::clamp(depth, 1., 256.));
-        if (scene.scene.settings.max_trace_level != depth)
-            scene.warn("RAYDEPTH is limited to the range from 1 to 256");
+        if (scene.scene.settings.max_trace_level != depth) scene.warn("RAYDEPTH is limited to the range from 1 to 256");
         read_eye();
         // Half the sizes of the picture plane at distance 1.
         double tan_y = .5 / zoom, tan_x = tan_y * static_cast<double>(width) / (static_cast<double>(height) * pixel);

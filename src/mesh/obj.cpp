@@ -40,8 +40,7 @@ class ObjReader {
             if (keyword == "f" || keyword == "fo") read_face(words);
             if (keyword == "g" || keyword == "o" || keyword == "usemtl" || keyword == "mtllib")
                 read_name(keyword, words);
-            if (keyword == "surf")
-                source.lose({"skipped ", "curved surface", ""}, [&] { return words.line(); });
+            if (keyword == "surf") source.lose({"skipped ", "curved surface", ""}, [&] { return words.line(); });
         });
         if (mesh.triangles.empty()) source.fail("there are no faces in this file; a mesh needs lines 'f'");
         faces.finish();
@@ -169,8 +168,9 @@ void ObjReader::read_face(Words& words) {
     const char* const line = words.start();
     for (std::string_view word = words.next(); !word.empty() && word[0] != '#'; word = words.next())
         read_corner(word, words);
-    faces.add(face, [&] { return source.line_at(line); },
-              [&](const std::string& message) { words.fail("this face" + message); });
+    faces.add(
+        face, [&] { return source.line_at(line); },
+        [&](const std::string& message) { words.fail("this face" + message); });
 }
 
 /// Reads a corner of a face: numbers of a point, a place in a texture and a normal, separated by slashes. The last two

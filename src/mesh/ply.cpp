@@ -371,8 +371,8 @@ void PlyReader<Values>::add_places() {
 template <class Values>
 void PlyReader<Values>::add_face() {
     if (smooth) face.normals = face.points;
-    faces.add(face, [&] { return values.where(here()); },
-              [&](const std::string& message) { values.fail(here() + message); });
+    faces.add(
+        face, [&] { return values.where(here()); }, [&](const std::string& message) { values.fail(here() + message); });
 }
 
 /// Adds the triangles of strips: each three points in a row, of which every second triangle is turned.

@@ -93,8 +93,7 @@ void PlyHeaderReader::read_format() {
     else if (word == "binary_big_endian")
         format = PlyFormat::big_endian;
     else
-        words.fail("the format should be ascii, binary_little_endian or binary_big_endian, and is " +
-                   quoted(word));
+        words.fail("the format should be ascii, binary_little_endian or binary_big_endian, and is " + quoted(word));
     has_format = true;
 }
 

@@ -13,9 +13,7 @@ constexpr std::size_t header_size = 84, triangle_size = 50;
 constexpr std::uint32_t unknown_count = 0xffff'ffff;
 
 /// The number of triangles in the header of a binary file.
-std::uint64_t announced(std::string_view bytes) {
-    return get_little<std::uint32_t>(bytes, header_size - 4);
-}
+std::uint64_t announced(std::string_view bytes) { return get_little<std::uint32_t>(bytes, header_size - 4); }
 
 /// Returns how many triangles to read of a binary file. Some programs announce 0 or 2^32 - 1, because they do not know
 /// yet, and some files go on after the last triangle.
@@ -35,8 +33,9 @@ std::uint64_t count_of(const Source& source) {
                     counted(count, "triangle") + ", which take " + std::to_string(header_size + triangle_size * count) +
                     "; it was cut off or changed, so get a new copy");
     const std::uint64_t end = header_size + triangle_size * count;
-    source.lose({"ignored ", "byte", " after the triangles that the header announces"},
-                [&] { return "from byte " + std::to_string(end) + " on"; }, size - end);
+    source.lose(
+        {"ignored ", "byte", " after the triangles that the header announces"},
+        [&] { return "from byte " + std::to_string(end) + " on"; }, size - end);
     return count;
 }
 
@@ -61,8 +60,8 @@ MeshData read_binary(const Source& source) {
     const std::uint64_t count = count_of(source);
     const bool colored = bytes.substr(0, header_size).find("COLOR=") != bytes.npos;
     if (colored && !source.look)
-        source.lose({"ignored the colours of ", "triangle", ""}, [] { return std::string("by 'COLOR=' at its start"); },
-                    count);
+        source.lose(
+            {"ignored the colours of ", "triangle", ""}, [] { return std::string("by 'COLOR=' at its start"); }, count);
     source.check_triangles(count);
     MeshData mesh;
     PointJoiner points;

@@ -36,9 +36,7 @@ STRAHL_INLINE __m128d absolute(__m128d a) { return _mm_andnot_pd(_mm_set1_pd(-0.
 STRAHL_INLINE unsigned mask_bits(__m128 mask) { return static_cast<unsigned>(_mm_movemask_ps(mask)); }
 STRAHL_INLINE unsigned mask_bits(__m128d mask) { return static_cast<unsigned>(_mm_movemask_pd(mask)); }
 /// Loads floats as doubles. g++ 12 would take a second instruction.
-STRAHL_INLINE void widen(__m128d* to, const float* from) {
-    *to = _mm_cvtps_pd(_mm_castsi128_ps(_mm_loadu_si64(from)));
-}
+STRAHL_INLINE void widen(__m128d* to, const float* from) { *to = _mm_cvtps_pd(_mm_castsi128_ps(_mm_loadu_si64(from))); }
 STRAHL_INLINE float least_of(__m128 a) {
     a = _mm_min_ps(a, _mm_shuffle_ps(a, a, 0b00'01'10'11));
     return _mm_cvtss_f32(_mm_min_ss(a, _mm_movehl_ps(a, a)));

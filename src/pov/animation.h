@@ -13,10 +13,10 @@ namespace strahl::pov {
 struct Animation {
     int first = 1, last = 1;
     double initial_clock = 0, final_clock = 1;
-    bool cyclic = false;                              // the last frame is followed by the first one
-    double first_shown = 1, last_shown = 1;           // Subset_Start_Frame and Subset_End_Frame
-    double seconds = 10;                              // how long it takes
-    bool counted = false;                             // an .ini file gives the number of frames
+    bool cyclic = false;                     // the last frame is followed by the first one
+    double first_shown = 1, last_shown = 1;  // Subset_Start_Frame and Subset_End_Frame
+    double seconds = 10;                     // how long it takes
+    bool counted = false;                    // an .ini file gives the number of frames
 
     /// The clock changes from its first to its last value within `flight` seconds, unless the file gives frames.
     static Animation of(const std::optional<IniFile>& ini, std::optional<double> flight);

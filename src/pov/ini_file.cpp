@@ -17,11 +17,18 @@ namespace fs = std::filesystem;
 constexpr std::size_t most_ini_text = 1 << 20;
 
 /// The switches that stand for options. A longer one comes before its beginning.
-constexpr std::array switches{
-    std::pair{"KFI", "Initial_Frame"},   std::pair{"KFF", "Final_Frame"},       std::pair{"KC", "Cyclic_Animation"},
-    std::pair{"KI", "Initial_Clock"},    std::pair{"KF", "Final_Clock"},        std::pair{"K", "Clock"},
-    std::pair{"EF", "Subset_End_Frame"}, std::pair{"SF", "Subset_Start_Frame"}, std::pair{"W", "Width"},
-    std::pair{"H", "Height"},            std::pair{"I", "Input_File_Name"},     std::pair{"L", "Library_Path"}};
+constexpr std::array switches{std::pair{"KFI", "Initial_Frame"},
+                              std::pair{"KFF", "Final_Frame"},
+                              std::pair{"KC", "Cyclic_Animation"},
+                              std::pair{"KI", "Initial_Clock"},
+                              std::pair{"KF", "Final_Clock"},
+                              std::pair{"K", "Clock"},
+                              std::pair{"EF", "Subset_End_Frame"},
+                              std::pair{"SF", "Subset_Start_Frame"},
+                              std::pair{"W", "Width"},
+                              std::pair{"H", "Height"},
+                              std::pair{"I", "Input_File_Name"},
+                              std::pair{"L", "Library_Path"}};
 
 bool has_prefix(std::string_view text, std::string_view beginning) {
     return same_word(text.substr(0, beginning.size()), beginning);

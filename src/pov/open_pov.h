@@ -33,12 +33,12 @@ struct SourceLines {
 struct OpenedPov {
     Scene scene;
     SourceLines lines{};
-    bool mirrored = false;              // the scene is the file's mirror image in z
-    bool clock_used = false;            // see Interpreter
-    bool size_used = false;             // see Interpreter
-    std::vector<PovNote> notes;         // in the order of files and lines, each once
-    std::vector<Message> warnings;      // about the text itself
-    std::vector<std::string> files;     // all that were read, the scene's first
+    bool mirrored = false;           // the scene is the file's mirror image in z
+    bool clock_used = false;         // see Interpreter
+    bool size_used = false;          // see Interpreter
+    std::vector<PovNote> notes;      // in the order of files and lines, each once
+    std::vector<Message> warnings;   // about the text itself
+    std::vector<std::string> files;  // all that were read, the scene's first
     /// Sums up the notes: "opens whole", "approximated: 3 things, left out: 1".
     std::string summary() const;
 };

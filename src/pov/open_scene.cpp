@@ -70,8 +70,7 @@ OpenedScene open_scene_of_povray(const std::string& text, const std::string& pat
     std::error_code error;
     const bool flies = std::filesystem::is_regular_file(flight_file, error);
     const auto flight = flies ? pov::parse_flight(read_text(flight_file), flight_file) : std::nullopt;
-    const pov::Animation animation =
-        pov::Animation::of(ini, flight ? std::optional(flight->duration) : std::nullopt);
+    const pov::Animation animation = pov::Animation::of(ini, flight ? std::optional(flight->duration) : std::nullopt);
     const double time = options.time.value_or(0);
     const bool runs = options.time || animation.counted, still = ini && ini->clock && !runs;
     how.clock_on = runs || still || options.clock;

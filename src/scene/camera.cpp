@@ -39,8 +39,12 @@ Camera raw_camera_at(const Flythrough& path, const Camera& scene_camera, double 
 }  // namespace
 
 Camera camera_of(const Keyframe& key, const Camera& scene_camera) {
-    return {key.position, key.look_at, key.up.value_or(scene_camera.up), key.fov.value_or(scene_camera.fov),
-            scene_camera.aspectratio, scene_camera.projection};
+    return {key.position,
+            key.look_at,
+            key.up.value_or(scene_camera.up),
+            key.fov.value_or(scene_camera.fov),
+            scene_camera.aspectratio,
+            scene_camera.projection};
 }
 
 const char* degenerate(const Camera& camera) {

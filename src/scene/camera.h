@@ -38,8 +38,8 @@ constexpr bool starts_apart(Projection projection) {
 struct Camera {
     DVec3 position{0};
     DVec3 look_at{0};
-    DVec3 up{0, 0, -1};                 // the direction that points *down* the picture; `sky` in scenes is its negative
-    double fov = 25;  // degrees between the viewing axis and the left or right edge: below 90 or, if angular, to 360
+    DVec3 up{0, 0, -1};  // the direction that points *down* the picture; `sky` in scenes is its negative
+    double fov = 25;     // degrees between the viewing axis and the left or right edge: below 90 or, if angular, to 360
     std::optional<double> aspectratio;  // picture width / height; without it the picture's own
     Projection projection = Projection::perspective;
     bool operator==(const Camera&) const = default;

@@ -37,9 +37,9 @@ struct Material {
     // The light of each light is multiplied by 1 + irid cos(2 pi film (n.l + n.e) / w), e towards the eye, w the
     // wavelengths .7, .52 and .48 of red, green and blue.
     double irid = 0, film = 0;
-    double conserve = 0;            // 1: what comes through is multiplied by 1 less what is reflected
-    double old_opacity = 0;         // 1: filter counts the less against what is scattered the darker the colour is
-    double seen = 1, mirrored = 1;  // 0: rays go through it that come from the eye, or from mirrors
+    double conserve = 0;             // 1: what comes through is multiplied by 1 less what is reflected
+    double old_opacity = 0;          // 1: filter counts the less against what is scattered the darker the colour is
+    double seen = 1, mirrored = 1;   // 0: rays go through it that come from the eye, or from mirrors
     double outside = 1, inside = 1;  // factors of the stack's light, seen from outside the body and from inside
     double group = 0;                // lights of this group shine on the body as well, unless it is 0
     double common = 1;               // 0: no others do

@@ -23,7 +23,7 @@ struct Settings {
     Color ambient_light{1};    // Ia
     int max_trace_level = 20;  // generations of rays, camera rays being the first; 1 to 256
     double assumed_gamma = 0;  // values v are v^assumed_gamma of light, shown sRGB-encoded; 0: shown as they are
-    double adc_bailout = 0;  // in scenes with POV-Ray's finishes rays of less weight than this are black
+    double adc_bailout = 0;    // in scenes with POV-Ray's finishes rays of less weight than this are black
     /// Hides from rays what is nearer than this to their starts, and for shadows 10 times as far: 1e-4 in scenes of
     /// POV-Ray, as there. Scene text has no word for it.
     double passed_over = 0;
@@ -47,7 +47,7 @@ struct Fog {
     double filter = 0, transmit = 0;
     DVec3 turbulence{0};
     double octaves = 6, omega = .5, lambda = 2, depth = .5, generator = 2;  // generator: POV-Ray's noise_generator
-    std::vector<Follow> follows{};  // numbers of it that follow tracks
+    std::vector<Follow> follows{};                                          // numbers of it that follow tracks
     bool operator==(const Fog&) const = default;
 
     /// Its parameters besides `distance` and `color`.

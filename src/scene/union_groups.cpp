@@ -118,8 +118,7 @@ bool glass(const UnionGroup& group, const std::vector<Material>& materials) {
 bool one_look(const UnionGroup& group, const Primitive& whole, const std::vector<Material>& materials) {
     const int first = group.front().primitive.material;
     bool other = materials[static_cast<std::size_t>(first)].patterned() && first != whole.material;
-    for (const UnionPart& part : group)
-        each_material(part.primitive, [&](int number) { other |= number != first; });
+    for (const UnionPart& part : group) each_material(part.primitive, [&](int number) { other |= number != first; });
     return !other;
 }
 
@@ -143,8 +142,8 @@ std::vector<UnionGroup> union_groups(const Primitive& whole, const std::vector<M
     for (std::size_t i = 0; i < parts.size(); ++i) linked_parts[linked[i]].push_back(std::move(parts[i]));
     std::vector<UnionGroup> groups;
     for (auto& [first, group] : linked_parts) {
-        const bool divided = !glass(group, materials) &&
-                             (one_look(group, whole, materials) || leaves_of(group) > most_opaque);
+        const bool divided =
+            !glass(group, materials) && (one_look(group, whole, materials) || leaves_of(group) > most_opaque);
         if (group.size() == 1 || !divided)
             groups.push_back(std::move(group));
         else

@@ -8,7 +8,7 @@ namespace strahl {
 
 /// A part of a union, or of a union in it, that is not a union itself.
 struct UnionPart {
-    Primitive primitive;  // with the transformations of all unions around it but the outermost one's
+    Primitive primitive;                     // with the transformations of all unions around it but the outermost one's
     std::vector<Transformation> to_pattern;  // from its own space to that of its material's pattern
 };
 using UnionGroup = std::vector<UnionPart>;

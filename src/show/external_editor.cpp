@@ -21,10 +21,10 @@ std::string variable(const char* name) {
 
 }  // namespace
 
-std::vector<std::string> editor_command(const std::string& editor, const std::string& terminal,
-                                        const std::string& file, int line) {
-    constexpr std::array<std::string_view, 10> in_terminals{"vi",   "vim", "nvim", "nano", "micro",
-                                                            "mcedit", "joe", "ne", "hx",   "helix"};
+std::vector<std::string> editor_command(const std::string& editor, const std::string& terminal, const std::string& file,
+                                        int line) {
+    constexpr std::array<std::string_view, 10> in_terminals{"vi",     "vim", "nvim", "nano", "micro",
+                                                            "mcedit", "joe", "ne",   "hx",   "helix"};
     constexpr std::array<std::string_view, 5> with_colon{"code", "codium", "subl", "zed", "hx"};
     std::vector<std::string> command;
     std::istringstream words(editor);

@@ -20,8 +20,8 @@ namespace strahl {
 
 /// A film to be made.
 struct FilmOrder {
-    Scene scene;      // its flight is what is filmed, at 25 frames a second
-    View view;        // the size, even in both directions, and the depth; the camera is that of each moment
+    Scene scene;       // its flight is what is filmed, at 25 frames a second
+    View view;         // the size, even in both directions, and the depth; the camera is that of each moment
     bool fit = false;  // widens the view of a camera whose aspectratio is not that of the picture
     std::string path{};
     std::optional<FilmSound> sound{};

@@ -46,9 +46,9 @@ std::vector<std::pair<std::string, std::string>> info_lines(const Session& sessi
                             : session.orbiting ? "orbit"
                                                : "free flight";
     add("moving", way +
-                      (!session.bound()      ? formatted(", speed %.3g", session.speed)
+                      (!session.bound()             ? formatted(", speed %.3g", session.speed)
                        : session.flight.rate() == 1 ? ""
-                                             : formatted(", %.3g times its speed", session.flight.rate())) +
+                                                    : formatted(", %.3g times its speed", session.flight.rate())) +
                       (session.finest < finest_level ? ", at most " + resolution_text(session.finest) : ""));
     if (session.flight.flying())
         add("flight", formatted("%.2f s of %g", session.flight.time(now), session.flight.path()->duration) +

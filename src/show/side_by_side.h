@@ -52,7 +52,7 @@ class SideBySide {
     Divider line;
     std::string path;
     bool mirrored = false;
-    double began = 0;  // when the picture under way was asked for
+    double began = 0;                                // when the picture under way was asked for
     std::shared_ptr<const SecondPicture> of_flight;  // the last one
     std::shared_ptr<SecondPicture> first;            // the first picture as it was shown first
     std::uint64_t first_number = 0;                  // of its order

@@ -23,9 +23,7 @@ class ValueFinder {
     ValueFinder(const std::string& text, const BodyItems& found) : text(text), found(found) {}
 
     /// Finds the blocks that lead to the leaf. False if there is no such leaf.
-    bool find(int leaf) {
-        return !found.body.word.empty() && find(found.body, {}, leaf);
-    }
+    bool find(int leaf) { return !found.body.word.empty() && find(found.body, {}, leaf); }
     const std::vector<Level>& levels() const { return chain; }
     std::size_t at(std::string_view slice) const { return std::size_t(slice.data() - text.data()); }
     int line(std::string_view slice) const { return static_cast<int>(line_number(text, at(slice))); }
@@ -48,8 +46,7 @@ class ValueFinder {
     }
     /// The block of a kind of body that an item is or stands for, and the definition that this is in.
     Level resolved(Level level) const {
-        while (const TextItem* const named = definition(level.item->word))
-            level = {&named->items[0], named->name};
+        while (const TextItem* const named = definition(level.item->word)) level = {&named->items[0], named->name};
         return level;
     }
     std::string label(std::string_view word, std::string_view slice) const {

@@ -202,11 +202,10 @@ class Batches {
                                            workspace.sides.data() + done,
                                            workspace.seen.data() + done,
                                            eye.rays != nullptr};
-            const ProvingBatch<T> batch{
-                {workspace.pixels_x.data() + done, workspace.pixels_y.data() + done, workspace.sums.data() + done,
-                 workspace.past.data() + done, count, sights ? sights + done : nullptr,
-                 filters ? &footprints : nullptr},
-                prove ? bounds.data() + done : nullptr};
+            const ProvingBatch<T> batch{{workspace.pixels_x.data() + done, workspace.pixels_y.data() + done,
+                                         workspace.sums.data() + done, workspace.past.data() + done, count,
+                                         sights ? sights + done : nullptr, filters ? &footprints : nullptr},
+                                        prove ? bounds.data() + done : nullptr};
             if (kernel.trace(world, eye, limits, batch, workspace, counts)) {
                 done += count;
                 workspace.batch = std::min(scattered_pixels, 2 * workspace.batch);

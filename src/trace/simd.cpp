@@ -98,8 +98,9 @@ Simd best_simd() {
     for (const Simd simd : {Simd::v4, Simd::v3, Simd::v2, Simd::neon})
         if (supported(simd)) return simd;
     if (only_least)
-        throw std::runtime_error("this program was built for other processors; cmake --preset release "
-                                 "-D STRAHL_LEVELS=all builds one for all");
+        throw std::runtime_error(
+            "this program was built for other processors; cmake --preset release "
+            "-D STRAHL_LEVELS=all builds one for all");
     return Simd::scalar;
 }
 

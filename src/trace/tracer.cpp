@@ -306,7 +306,7 @@ class TracerOf : public AnyTracer {
     Kernel<T> kernel, proving;      // none of float proves
     std::optional<Slack<T>> slack;  // of the world's bodies; made when proofs first need it
     std::optional<KnownEye> known;
-    std::optional<Bound> bound;     // of the scene's light, for as many generations as were last asked for
+    std::optional<Bound> bound;  // of the scene's light, for as many generations as were last asked for
     Placement placed;
     bool proves = false;  // is the world one for proofs?
     std::unique_ptr<BuiltWorld<T>> built;

@@ -126,8 +126,8 @@ struct Differences {
     }
     /// Compares the space in which a body is round: its place, its rows, and the body there.
     template <class Shape, class K>
-        requires(!std::is_same_v<Shape, Torus>)
-    void compare(const Shape& shape, const AffineKernel<K, T>& kernel, const ExactWay& way, const Slack<T>& slack) {
+    requires(!std::is_same_v<Shape, Torus>) void compare(const Shape& shape, const AffineKernel<K, T>& kernel,
+                                                         const ExactWay& way, const Slack<T>& slack) {
         const auto centre = [&] {
             if constexpr (requires { shape.centre; })
                 return Vector(shape.centre);

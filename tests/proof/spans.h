@@ -83,7 +83,8 @@ void try_body(std::uint64_t seed) {
     for (int i = 0; i < trials(); ++i) {
         const Case<Shape> body(dice);
         const auto [point, normal] = body.point(dice);
-        const bool flat = requires { Shape::plane_faces; } && Shape::bounded;
+        const bool flat = requires { Shape::plane_faces; }
+        &&Shape::bounded;
         const R c = std::pow(10, dice.chance(.3) ? dice.in(flat ? -17 : -9, 0) : dice.in(-.7, 0));
         const Vector along = R(dice.chance(.8) ? -1 : 1) * c * normal + root(1 - c * c) * perpendicular(dice, normal);
         const double way = std::pow(10, dice.in(-1, 1)), beside = dice.chance(.7) ? 0 : any_size(dice, -1);

@@ -237,11 +237,13 @@ TEST_CASE("glass brighter than white, and total reflection without loss, in floa
 TEST_CASE("noise in float, so far from the eye") {
     // Up to these distances, in cells of the coarsest octave, float's noise is that of double to half a step of 8 bits.
     const auto patch = [](const std::string& kind, double away) {
-        Scene scene = parse_scene("global_settings { ambient_light <1, 1, 1> }\n"
-                                  "defaultmaterial { ambient 1  diffuse 0  reflection 0  specular 0 }\n"
-                                  "camera { position <0, 0, 1>  look_at <1, .3, 0>  sky <0, 1, 0>  fov 1 }\n"
-                                  "plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0>  material { rgb " + kind +
-                                  " colors { 0 <0, 0, 0>  1 <1, 1, 1> } } } }", "noise");
+        Scene scene = parse_scene(
+            "global_settings { ambient_light <1, 1, 1> }\n"
+            "defaultmaterial { ambient 1  diffuse 0  reflection 0  specular 0 }\n"
+            "camera { position <0, 0, 1>  look_at <1, .3, 0>  sky <0, 1, 0>  fov 1 }\n"
+            "plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0>  material { rgb " +
+                kind + " colors { 0 <0, 0, 0>  1 <1, 1, 1> } } } }",
+            "noise");
         scene.camera.position.z = scene.camera.look_at.x = away;
         scene.camera.fov = std::atan(4 / (away * std::sqrt(2.))) * 57.29577951308232;  // 8 cells wide
         return scene;

@@ -119,8 +119,7 @@ void aim_at_needles() {
                                            naive::to<long double>(ray.direction) * static_cast<long double>(span.far));
         const Box box = needle.bounds();
         double off = 0;
-        for (int c = 0; c < 3; ++c)
-            off = std::max({off, box.low[c] - at[c], at[c] - box.high[c]});
+        for (int c = 0; c < 3; ++c) off = std::max({off, box.low[c] - at[c], at[c] - box.high[c]});
         off /= rounding * (length + 4);
         ++hits, outside += off > 1, worst = std::max(worst, off);
     }

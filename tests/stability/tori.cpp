@@ -118,9 +118,11 @@ TEST_CASE("rays that pass close by, against 113 bits") {
                 worst = std::max(worst, apart), off += !(apart < 1e-15 * 8);
             }
         }
-        MESSAGE(std::string(aim == near ? "near: " : aim == thin ? "thin: " : "grazing: ")
-                << rays << " rays, " << hits << " hit, " << fours << " four times, " << unsure
-                << " too close to call, " << wrong << " wrong; crossings off by " << worst << " of the distance");
+        MESSAGE(std::string(aim == near   ? "near: "
+                            : aim == thin ? "thin: "
+                                          : "grazing: ")
+                << rays << " rays, " << hits << " hit, " << fours << " four times, " << unsure << " too close to call, "
+                << wrong << " wrong; crossings off by " << worst << " of the distance");
         CHECK(hits > rays / 4);
         CHECK(fours > rays / 1000);
         CHECK(unsure < rays / 10);

@@ -43,9 +43,9 @@ constexpr std::string_view script_head = "#!/bin/sh\n# Made by strahl bundle.\n"
 /// OpenGL and Wayland.
 bool of_the_desktop(const std::string& library) {
     constexpr std::array<std::string_view, 22> names{
-        "linux-vdso.", "ld-linux", "libc.",   "libm.",   "libdl.", "libpthread.", "librt.",     "libstdc++.",
-        "libgcc_s.",   "libz.",    "libX",    "libxcb",  "libxkb", "libGL",       "libEGL.",    "libOpenGL.",
-        "libgbm.",     "libdrm",   "libbsd.", "libmd.",  "libffi.", "libwayland-"};
+        "linux-vdso.", "ld-linux", "libc.",   "libm.",  "libdl.",  "libpthread.", "librt.",  "libstdc++.",
+        "libgcc_s.",   "libz.",    "libX",    "libxcb", "libxkb",  "libGL",       "libEGL.", "libOpenGL.",
+        "libgbm.",     "libdrm",   "libbsd.", "libmd.", "libffi.", "libwayland-"};
     return std::ranges::any_of(names, [&](std::string_view name) { return library.starts_with(name); });
 }
 
@@ -75,7 +75,8 @@ void require_own(const fs::path& folder) {
     if (const fs::path script = folder / "play"; fs::is_regular_file(script))
         FileStream(script.string()).read(head.data(), static_cast<std::streamsize>(head.size()));
     if (head != script_head)
-        throw UsageError("'" + folder.string() + "' is there already and was not made by strahl bundle; give -o "
+        throw UsageError("'" + folder.string() +
+                         "' is there already and was not made by strahl bundle; give -o "
                          "another name");
 }
 
@@ -170,9 +171,11 @@ void collect_program(const std::vector<fs::path>& libraries, Collection& bundle)
 }
 
 std::string start_script(const std::string& scene) {
-    return std::string(script_head) + "here=$(dirname -- \"$(readlink -f -- \"$0\")\")\n"
+    return std::string(script_head) +
+           "here=$(dirname -- \"$(readlink -f -- \"$0\")\")\n"
            "LD_LIBRARY_PATH=\"$here/lib${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}\" \\\n"
-           "    exec \"$here/bin/strahl\" play \"$here\"/" + in_shell_quotes(scene) + " \"$@\"\n";
+           "    exec \"$here/bin/strahl\" play \"$here\"/" +
+           in_shell_quotes(scene) + " \"$@\"\n";
 }
 
 std::string read_me(const BundleOptions& options, const std::vector<fs::path>& libraries) {

@@ -152,8 +152,7 @@ void check_scene(const CheckOptions& options, std::string path) {
     write_file("-", text);
     if (options.print) return;
     print_warnings(opened.warnings);
-    for (const std::string& warning : scene_warnings(opened.scene))
-        std::cerr << "strahl: warning: " << warning << '\n';
+    for (const std::string& warning : scene_warnings(opened.scene)) std::cerr << "strahl: warning: " << warning << '\n';
 }
 
 }  // namespace

@@ -108,8 +108,7 @@ int import_command(const ImportOptions& options) {
     std::string text = "// Imported";
     if (options.file != "-") text += " from " + show(std::filesystem::path(options.file).filename().string()).text;
     text += '.';
-    if (imported.size)
-        text += " Its picture: --size " + size_text(imported.size->width, imported.size->height);
+    if (imported.size) text += " Its picture: --size " + size_text(imported.size->width, imported.size->height);
     write_file(options.output, text + "\n\n" + write_scene(imported.scene));
     print_warnings(imported.warnings);
     return exit_status::done;

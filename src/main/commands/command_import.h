@@ -7,7 +7,7 @@
 namespace strahl {
 
 struct ImportOptions {
-    std::string file;          // a .pov, or NFF or a scene of Tachyon, or "-" for standard input
+    std::string file;  // a .pov, or NFF or a scene of Tachyon, or "-" for standard input
     OpeningOptions opening{};
     std::string output = "-";  // the .rt file; "-" is standard output
 };

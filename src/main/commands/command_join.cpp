@@ -45,15 +45,16 @@ int join_command(const JoinOptions& options) {
         if (const std::string key = header.difference(first); !key.empty())
             throw FileError("'" + path + "' and '" + options.parts[0] +
                             "' are not parts of one picture: they differ in the " +
-                            (key == "part" ? "number of parts" : key == "file" ? "kind or size of file" : key));
+                            (key == "part"   ? "number of parts"
+                             : key == "file" ? "kind or size of file"
+                                             : key));
         writer->take(file);
     }
     std::set<int> missing;
     for (int band = 0; band < writer->count(); ++band)
         if (!writer->finished(band)) missing.insert(band % first.parts + 1);
     if (!missing.empty())
-        throw FileError("the picture is incomplete; parts whose bands are missing: " +
-                        in_words(missing, first.parts));
+        throw FileError("the picture is incomplete; parts whose bands are missing: " + in_words(missing, first.parts));
     writer->write(options.output);
     return exit_status::done;
 }

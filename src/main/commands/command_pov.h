@@ -9,14 +9,14 @@
 namespace strahl {
 
 struct PovOptions {
-    std::string scene;             // a file, or "-" for standard input
+    std::string scene;  // a file, or "-" for standard input
     OpeningOptions opening{};
     std::string output;            // the .pov file; the .ini is written beside it
     std::optional<double> time{};  // seconds into the flythrough
     bool animation = false;        // the whole flythrough as one scene
     FrameRate rate{};              // of its frames
-    std::optional<int> depth{};  // 1 to 256; by default the scene's max_trace_level
-    int bits = 16;               // of POV-Ray's picture, 8 or 16
+    std::optional<int> depth{};    // 1 to 256; by default the scene's max_trace_level
+    int bits = 16;                 // of POV-Ray's picture, 8 or 16
 };
 
 /// Returns the exit status. Throws FileError and UsageError.

@@ -15,12 +15,12 @@ struct SheetOptions {
     OpeningOptions opening{};
     std::string output;  // .bmp, .png or .exr
     int pictures = 12;
-    int columns = 0;            // of the sheet; 0: as many as make it about as high as it is wide in pictures
+    int columns = 0;  // of the sheet; 0: as many as make it about as high as it is wide in pictures
     std::optional<PictureSize>
-        size;                   // of each picture; by default 320 wide, with the camera's aspectratio, or else 4:3
-    Exposure exposure;          // of 8-bit files
-    std::optional<int> depth;   // 1 to 256; by default the scene's max_trace_level
-    int threads = 0;            // 0: all processors
+        size;                  // of each picture; by default 320 wide, with the camera's aspectratio, or else 4:3
+    Exposure exposure;         // of 8-bit files
+    std::optional<int> depth;  // 1 to 256; by default the scene's max_trace_level
+    int threads = 0;           // 0: all processors
     bool quiet = false;
 };
 

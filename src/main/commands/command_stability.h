@@ -9,7 +9,7 @@
 namespace strahl {
 
 struct StabilityOptions {
-    std::string scene;   // a file, or "-" for standard input
+    std::string scene;  // a file, or "-" for standard input
     OpeningOptions opening{};
     std::string output;        // the map; empty: none
     std::optional<int> depth;  // 1 to 256; by default the scene's max_trace_level

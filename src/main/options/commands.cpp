@@ -63,10 +63,9 @@ void add_render(CLI::App& app, ChosenCommand& chosen) {
     add_threads(command, o->threads);
     add_bits(command, o->bits, {"8", "16", "32"},
              "Bits per channel: 8, or 16 for .png (.exr always holds 32-bit floats)");
-    add_choice<Compression>(command, "--compression", o->compression,
-                            {{"fast", Compression::fast}, {"small", Compression::small}},
-                            "Compression of .png: fast (default), or small, which takes about a second per megapixel",
-                            "KIND");
+    add_choice<Compression>(
+        command, "--compression", o->compression, {{"fast", Compression::fast}, {"small", Compression::small}},
+        "Compression of .png: fast (default), or small, which takes about a second per megapixel", "KIND");
     add_exposure(command, o->exposure);
     add_choice<std::string>(
         command, "--format", o->format,
@@ -172,8 +171,9 @@ void add_window_options(CLI::App* command, ViewOptions& options) {
     CLI::Option* const flag = command->add_flag_callback(
         "--rocket", [&port] { port = port.value_or(1338); },
         "Let a GNU Rocket editor on this machine set the tracks and the moment");
-    command->add_option_function<int>("--rocket-port", [&port](int given) { port = given; },
-                                      "Its port, 1338 by default")
+    command
+        ->add_option_function<int>(
+            "--rocket-port", [&port](int given) { port = given; }, "Its port, 1338 by default")
         ->check(numbers(1, 65535))
         ->type_name("PORT")
         ->needs(flag);
@@ -211,19 +211,17 @@ void add_play(CLI::App& app, ChosenCommand& chosen) {
     add_scene(command, o->scene, o->opening);
     command
         ->add_option_function<std::string>(
-            "--size",
-            [o = o](const std::string& text) { o->size = parse_window_size(text), o->full_screen = false; },
+            "--size", [o = o](const std::string& text) { o->size = parse_window_size(text), o->full_screen = false; },
             "Play in a window of this size in pixels instead")
         ->type_name("WxH");
     command->add_flag("--loop", o->loop, "Start again at the end");
-    CLI::Option* const benchmark = command->add_flag(
-        "--benchmark", o->benchmark,
-        "Report the times between pictures, their resolutions and quality, and pixels per second");
+    CLI::Option* const benchmark =
+        command->add_flag("--benchmark", o->benchmark,
+                          "Report the times between pictures, their resolutions and quality, and pixels per second");
     add_file(command, "--stats", o->stats, "Write what --benchmark reports to this JSON file")->needs(benchmark);
     add_window_options(command, *o);
     benchmark->excludes("--rocket");
-    command->footer(
-        "Esc ends it, Space pauses. Bodies are where they belong at each moment, whatever the frame rate.");
+    command->footer("Esc ends it, Space pauses. Bodies are where they belong at each moment, whatever the frame rate.");
 }
 
 void add_check(CLI::App& app, ChosenCommand& chosen) {
@@ -259,15 +257,13 @@ void add_bundle(CLI::App& app, ChosenCommand& chosen) {
 }
 
 void add_import(CLI::App& app, ChosenCommand& chosen) {
-    auto [command, o] =
-        add_command(app, chosen, "import", "Convert a scene of another program: POV-Ray's, NFF or Tachyon's",
-                                    import_command);
+    auto [command, o] = add_command(app, chosen, "import",
+                                    "Convert a scene of another program: POV-Ray's, NFF or Tachyon's", import_command);
     add_argument(command, "FILE", o->file,
                  "The scene, a .pov, .nff or .dat file, or a model; - is standard input, no .pov or model");
     add_opening(command, o->opening);
     add_file(command, "-o,--output", o->output, "The .rt file; by default -, standard output");
-    command->footer(
-        "Unsupported features are reported with their line and substitute; the rest is converted.");
+    command->footer("Unsupported features are reported with their line and substitute; the rest is converted.");
 }
 
 void add_pov(CLI::App& app, ChosenCommand& chosen) {
@@ -318,8 +314,8 @@ void add_stability(CLI::App& app, ChosenCommand& chosen) {
 }
 
 void add_lsp(CLI::App& app, ChosenCommand& chosen) {
-    auto [command, o] = add_command(app, chosen, "lsp", "Show errors and help in an editor, which starts this command",
-                                    lsp_command);
+    auto [command, o] =
+        add_command(app, chosen, "lsp", "Show errors and help in an editor, which starts this command", lsp_command);
     command->add_flag("--stdio", o->stdio, "Use standard input and output, which it does anyway");
     command->footer("A server of the Language Server Protocol for .rt files, and for errors in .pov files.");
 }

@@ -170,8 +170,7 @@ inline CLI::Option* add_threads(CLI::App* command, int& value) {
         ->check(CLI::Range(1, 1024).description(""))
         ->type_name("N");
 }
-inline CLI::Option* add_bits(CLI::App* command, int& value, const std::vector<std::string>& choices,
-                             const char* help) {
+inline CLI::Option* add_bits(CLI::App* command, int& value, const std::vector<std::string>& choices, const char* help) {
     return command->add_option("--bits", value, help)->check(one_of(choices))->type_name("N");
 }
 inline CLI::Option* add_time(CLI::App* command, std::optional<double>& value) {

@@ -123,7 +123,9 @@ std::string zsh_completion(const ProgramText& program) {
             text += ":" + option.form + ":(" + joined(option.words) + ")";
         else if (!option.form.empty())
             text += ":" + option.form + ":" +
-                    (option.form == "DIR" ? "_files -/" : takes_file(option) ? files(endings_in(option.help)) : "");
+                    (option.form == "DIR" ? "_files -/"
+                     : takes_file(option) ? files(endings_in(option.help))
+                                          : "");
         return in_shell_quotes(text);
     };
     TextStream script;

@@ -98,8 +98,9 @@ std::string manual_page(const ProgramText& program) {
         for (const OptionText& option : command.options) page << listed(option);
         page << footer(command.footer);
     }
-    page << ".SH EXIT STATUS\n" << footer(program.self.footer) << listed("FILES", files)
-         << listed("ENVIRONMENT", variables) << ".SH SEE ALSO\n.BR povray (1)\n";
+    page << ".SH EXIT STATUS\n"
+         << footer(program.self.footer) << listed("FILES", files) << listed("ENVIRONMENT", variables)
+         << ".SH SEE ALSO\n.BR povray (1)\n";
     return page.str();
 }
 

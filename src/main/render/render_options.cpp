@@ -91,8 +91,9 @@ std::string check(const RenderOptions& options) {
     else if (const std::string fault = format_fault(to_stdout ? ending : options.output, options.bits); !fault.empty())
         throw UsageError(format_fault(ending, 0).empty() ? fault : fault + ", or films one of .mp4, .mkv and .webm");
     if (options.exposure && bits_of(ending_of(ending), options.bits) != 8)
-        throw UsageError("--exposure is for pictures of 8 bits per channel; .exr files and those of 16 bits hold light "
-                         "as it is");
+        throw UsageError(
+            "--exposure is for pictures of 8 bits per channel; .exr files and those of 16 bits hold light "
+            "as it is");
     if (!options.prove.empty()) check_proof(options);
     if (!supported(options.simd)) {
         const char* const lacks =

@@ -14,15 +14,15 @@
 namespace strahl {
 
 struct RenderOptions {
-    std::string scene;   // a file, or "-" for standard input
+    std::string scene;       // a file, or "-" for standard input
     OpeningOptions opening;  // its size is that of the whole picture, even if only a crop of it is rendered
-    std::string output;  // a file, "-" for standard output, or a film
-    std::string format;  // "bmp", "png", "exr", "ppm" or "y4m", for standard output only
-    int bits = 0;        // per channel; 0 is the format's default
+    std::string output;      // a file, "-" for standard output, or a film
+    std::string format;      // "bmp", "png", "exr", "ppm" or "y4m", for standard output only
+    int bits = 0;            // per channel; 0 is the format's default
     Compression compression = Compression::fast;
     Exposure exposure;  // of 8-bit files and films
     std::optional<Lattice> crop;
-    bool fit = false;  // widens the view of a camera with an aspectratio to that of the picture
+    bool fit = false;                    // widens the view of a camera with an aspectratio to that of the picture
     std::optional<int> depth;            // 1 to 256; by default the scene's max_trace_level
     std::optional<Precision> precision;  // by default double, or what `error` needs
     std::optional<double> error;         // largest error of the file's values; see --error
@@ -35,8 +35,8 @@ struct RenderOptions {
     std::optional<Share> share;  // of the frames, or of the bands of one picture
     bool resume = false;         // skips frames whose files are complete; continues an interrupted picture
     double checkpoint = 10;      // seconds between checkpoints
-    std::string prove;    // a map of what is proved, .bmp or .png, or empty
-    std::string stats;    // a JSON file, or empty
+    std::string prove;           // a map of what is proved, .bmp or .png, or empty
+    std::string stats;           // a JSON file, or empty
     bool quiet = false;
 
     /// Returns whether each frame has a file of its own.

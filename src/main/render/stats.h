@@ -12,9 +12,9 @@ namespace strahl {
 
 /// The number of pixels of a picture that are proved.
 struct ProofCounts {
-    int bits = 8;  // of each value in the file
+    int bits = 8;                                             // of each value in the file
     std::int64_t proved = 0, in_extended = 0, undecided = 0;  // pixels; `in_extended` are among `proved`
-    double median = 0;  // of the bounds on the errors of pixels
+    double median = 0;                                        // of the bounds on the errors of pixels
 };
 
 /// Seconds are wall time. For several frames, times and rays are sums; skipped frames do not count.
@@ -27,7 +27,7 @@ struct Stats {
     PictureSize size;
     std::optional<Lattice> crop;
     int frames = 0, threads = 0, lanes = 0;
-    double error = 0;   // allowed
+    double error = 0;  // allowed
     Sampling sampling;
     Sampled sampled;    // without a grid
     Accuracy accuracy;  // precision, depth and pruning chosen for it

@@ -102,8 +102,7 @@ Sampling parse_samples(std::string_view text) {
     if (text == "1") return {.grid = 1};
     const bool centre = text.ends_with("+1");
     const auto n = numbers<2>(text.substr(0, text.size() - (centre ? 2 : 0)), 'x');
-    if (!n || (*n)[0] != (*n)[1])
-        throw UsageError("--samples is 1, or a square grid such as 4x4, not " + quoted(text));
+    if (!n || (*n)[0] != (*n)[1]) throw UsageError("--samples is 1, or a square grid such as 4x4, not " + quoted(text));
     if ((*n)[0] < 1 || (*n)[0] > largest_grid)
         throw UsageError("--samples " + std::string(text) + ": grids are 1x1 to " +
                          size_text(largest_grid, largest_grid));
@@ -120,9 +119,10 @@ Share parse_share(std::string_view text) {
 FrameRate parse_rate(std::string_view text) {
     const auto require = [&](bool fits) {
         if (!fits)
-            throw UsageError("--fps is a number of frames in each second from 0.001 to 1000000, such as 25, 59.94 or "
-                             "60000/1001, not " +
-                             quoted(text));
+            throw UsageError(
+                "--fps is a number of frames in each second from 0.001 to 1000000, such as 25, 59.94 or "
+                "60000/1001, not " +
+                quoted(text));
     };
     if (const std::size_t stroke = text.find_first_of("/:"); stroke != text.npos) {
         const auto fraction = numbers<2>(text, text[stroke]);

@@ -352,8 +352,8 @@ void Interpreter::State::call(std::uint16_t function, Components& result) {
             accept(',');
             const DVec3 point = vector();
             expect(')');
-            return set_vector(lattice::vector_turbulence(point, octaves, static_cast<float>(omega),
-                                                         static_cast<float>(lambda)));
+            return set_vector(
+                lattice::vector_turbulence(point, octaves, static_cast<float>(omega), static_cast<float>(lambda)));
         }
         case word("inside"): {
             expect('(');

@@ -356,8 +356,8 @@ void Interpreter::State::define_macro(const RawToken& raw) {
     cursor = &end + 1;
     Symbol* symbol = symbols.find(name.index);
     if (symbol && value_of(*symbol).kind != ValueKind::macro)
-        fail(at, strahl::quoted(names.text(name.index)) + " is already " +
-                     strahl::pov::name_of(value_of(*symbol).kind));
+        fail(at,
+             strahl::quoted(names.text(name.index)) + " is already " + strahl::pov::name_of(value_of(*symbol).kind));
     if (!symbol) symbol = &symbols.add(name.index, true);
     value_of(*symbol) = {ValueKind::macro, {}, std::move(macro)};
 }
@@ -378,8 +378,7 @@ void Interpreter::State::call_macro(const RawToken& raw, std::shared_ptr<const M
     for (Argument& argument : given) {
         if (in.at(')'))
             fail(next.place, "the macro " + strahl::quoted(names.text(macro->name)) + " needs " +
-                                 std::to_string(given.size()) +
-                                 " arguments");
+                                 std::to_string(given.size()) + " arguments");
         bool reference =
             code() == value_code && next.symbol->table <= table && symbols.find(next.symbol->name) == next.symbol;
         if (reference) {

@@ -24,8 +24,8 @@ struct InterpreterOptions {
     std::vector<std::pair<std::string, double>> declared;
     double clock = 0;
     bool clock_on = false;
-    bool as_text = false;  // the scene becomes scene text: what that has no words for is approximated
-    int width = 0, height = 0;                      // image_width and image_height
+    bool as_text = false;       // the scene becomes scene text: what that has no words for is approximated
+    int width = 0, height = 0;  // image_width and image_height
     std::function<void(const std::string&)> print;  // called with the text of #debug, #warning and #render
     const std::atomic<bool>* stop = nullptr;        // reading ends with `Interrupted` once it is true
     std::vector<std::string>* files = nullptr;      // receives the path of each file that is read or found

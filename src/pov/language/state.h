@@ -236,8 +236,8 @@ struct Interpreter::State {
     std::vector<std::unique_ptr<TextFile>> files;
     std::unordered_map<std::string, std::uint32_t> file_numbers;
     std::map<std::string, std::shared_ptr<std::ostringstream>> kept_files;  // that the scene has written
-    std::unordered_map<std::string, std::string> found_files;  // by their names and extensions
-    std::vector<std::string> paths;  // of all files that were read or found
+    std::unordered_map<std::string, std::string> found_files;               // by their names and extensions
+    std::vector<std::string> paths;                                         // of all files that were read or found
     std::vector<Reading> readings;
     std::vector<Control> controls;
     std::vector<OpenBlock> blocks;

@@ -396,8 +396,9 @@ bool PovReader::read_surface(Interpreter& in, std::uint16_t code, ObjectThing& o
             }
             object.kind = ObjectKind::shape, object.shape = own;
             if (own.step > JuliaStep::reciprocal)
-                object.approximated("the light on a 'julia_fractal' by a function, whose normals POV-Ray makes of what "
-                                    "the last point left");
+                object.approximated(
+                    "the light on a 'julia_fractal' by a function, whose normals POV-Ray makes of what "
+                    "the last point left");
             return true;
         }
         case word("height_field"):

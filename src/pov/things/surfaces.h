@@ -27,7 +27,7 @@ std::vector<std::vector<Point2>> lines_of(SplineKind kind, std::span<const Point
 /// How outlines in x and z become a solid: over y from `low` to `high`.
 struct Sweep {
     double low = 0, high = 1;
-    bool conic = false;   // it narrows towards y = 0
+    bool conic = false;  // it narrows towards y = 0
     bool caps = true;
     bool smooth = false;  // its sides have no edges where the outline hardly turns
 };

@@ -67,7 +67,9 @@ inline constexpr bool is_composite = requires {
 
 /// Can bodies of this kind be parts of a composite? See fits_composite().
 template <class Kind>
-inline constexpr bool can_be_part = is_composite<Kind> || Kind::closed || requires(const Kind kind) { kind.open(); };
+inline constexpr bool can_be_part = is_composite<Kind> || Kind::closed || requires(const Kind kind) {
+    kind.open();
+};
 
 /// Most simple bodies in one composite, and most that are connected: see union_groups.h.
 inline constexpr int most_parts = 100'000, most_leaves = 1024;

@@ -63,9 +63,9 @@ struct TorusKernel {
         Mask<S> leaves = starts_here;
         S known_rho = zero;
         if (any(starts_here)) leaves = starts_here & (dot(outwards(f), d) > zero), known_rho = sqrt(fma(x, x, y2));
-        const TorusProfile<S> profile{
-            x, y2, k, along, along_d, middle, major, minor, known_rho, width, shift, turned, starts_here, leaves};
-        if constexpr (strahl::width<S> > 1)
+        const TorusProfile<S> profile{x,     y2,        k,     along, along_d, middle,      major,
+                                      minor, known_rho, width, shift, turned,  starts_here, leaves};
+        if constexpr (strahl::width < S >> 1)
             return profile.call_crossings(nearest2, y * y, hit);
         else
             return profile.crossings(nearest2, y * y, hit);

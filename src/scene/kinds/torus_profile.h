@@ -15,8 +15,8 @@ struct TorusProfile {
     using E = Element<S>;
     S x, y2, k, along, along_d, middle, major, minor;  // F' = 2 (t - middle) for R = 0
     S known_rho;                                       // rho at t = 0
-    S width, shift;        // of the ball around the torus, half; and what t lacks of the ray's own
-    Mask<S> turned;        // the ray goes to the left
+    S width, shift;               // of the ball around the torus, half; and what t lacks of the ray's own
+    Mask<S> turned;               // the ray goes to the left
     Mask<S> starts_here, leaves;  // on the torus at t = 0, and from there outwards
 
     struct Value {
@@ -86,8 +86,8 @@ struct TorusProfile {
         if (any(starts_here)) place(known, t);
         const S outer[2]{select(turned, -t[3], t[0]) + shift, select(turned, -t[0], t[3]) + shift};
         const S inner[2]{select(turned, -t[2], t[1]) + shift, select(turned, -t[1], t[2]) + shift};
-        return {{select(four, outer[0], none_such), select(four, inner[0], none_such),
-                 select(four, inner[1], outer[0]), outer[1]},
+        return {{select(four, outer[0], none_such), select(four, inner[0], none_such), select(four, inner[1], outer[0]),
+                 outer[1]},
                 hit};
     }
 

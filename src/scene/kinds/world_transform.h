@@ -14,8 +14,7 @@ namespace strahl {
 /// order of transform_point.
 inline Box transformed(const Box& local, const glm::dmat4& m) {
     Box along[3];
-    for (int i = 0; i < 3; ++i)
-        along[i].add(DVec3(m[i]) * local.low[i]), along[i].add(DVec3(m[i]) * local.high[i]);
+    for (int i = 0; i < 3; ++i) along[i].add(DVec3(m[i]) * local.low[i]), along[i].add(DVec3(m[i]) * local.high[i]);
     const DVec3 moved(m[3]);
     return {(along[0].low + along[1].low) + (along[2].low + moved),
             (along[0].high + along[1].high) + (along[2].high + moved)};

@@ -70,9 +70,7 @@ void append(std::vector<Transformation>& steps, std::span<const Transformation> 
             steps.push_back(step);
 }
 
-double safe_factor(double factor) {
-    return std::copysign(std::clamp(std::fabs(factor), 1e-4, 1e4), factor);
-}
+double safe_factor(double factor) { return std::copysign(std::clamp(std::fabs(factor), 1e-4, 1e4), factor); }
 
 }  // namespace
 

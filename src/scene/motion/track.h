@@ -49,9 +49,9 @@ struct Music {
 /// A number of a struct that follows a track. For a track without keys the number stays as it is.
 struct Follow {
     std::string track, parameter;
-    int component = 0;           // of a vector
-    double factor = 1;           // by which the track's value is multiplied
-    double low = 0, high = 0;    // the range of the number
+    int component = 0;         // of a vector
+    double factor = 1;         // by which the track's value is multiplied
+    double low = 0, high = 0;  // the range of the number
     bool operator==(const Follow&) const = default;
 };
 /// Sorts them by parameter and component, so that the order in a text does not matter.

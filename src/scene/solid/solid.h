@@ -14,14 +14,35 @@ namespace strahl {
 
 /// The kinds of solid patterns, in the order of `solid_names`.
 enum class Solid : std::int32_t {
-    agate, boxed, bozo, bumps, cells, crackle, cylindrical, dents, gradient, granite, leopard,
-    marble, onion, planar, quilted, radial, ripples, spherical, spiral1, spiral2, uniform,
-    waves, wood, wrinkles,
+    agate,
+    boxed,
+    bozo,
+    bumps,
+    cells,
+    crackle,
+    cylindrical,
+    dents,
+    gradient,
+    granite,
+    leopard,
+    marble,
+    onion,
+    planar,
+    quilted,
+    radial,
+    ripples,
+    spherical,
+    spiral1,
+    spiral2,
+    uniform,
+    waves,
+    wood,
+    wrinkles,
 };
 inline constexpr std::array<std::string_view, 24> solid_names{
-    "agate", "boxed", "bozo", "bumps", "cells", "crackle", "cylindrical", "dents", "gradient", "granite", "leopard",
-    "marble", "onion", "planar", "quilted", "radial", "ripples", "spherical", "spiral1", "spiral2", "uniform",
-    "waves", "wood", "wrinkles"};
+    "agate",    "boxed",     "bozo",    "bumps",   "cells",   "crackle", "cylindrical", "dents",
+    "gradient", "granite",   "leopard", "marble",  "onion",   "planar",  "quilted",     "radial",
+    "ripples",  "spherical", "spiral1", "spiral2", "uniform", "waves",   "wood",        "wrinkles"};
 
 struct SolidPattern;
 

@@ -34,8 +34,8 @@ int QuickPictures::choose(int width, int height, const Wish& wish) {
                              wish.sharpened_until > 0 ? Sharpener::first_share : 1);
 }
 
-Counts QuickPictures::trace(Tracer& tracer, const Job& order, const TransferTable& table, const Wish& wish,
-                            int level, const std::function<double()>& clock, bool learns, ScreenImage& picture) {
+Counts QuickPictures::trace(Tracer& tracer, const Job& order, const TransferTable& table, const Wish& wish, int level,
+                            const std::function<double()>& clock, bool learns, ScreenImage& picture) {
     Job job = order;
     job.view.error *= pruned_more;
     const View& view = job.view;

@@ -27,9 +27,7 @@ double RecentCosts::median() const {
 
 double allowed_seconds(int level, double budget) { return level <= sixteenth_level ? 4 * budget : budget; }
 
-double Resolution::seconds_for(int l) const {
-    return costs.median() * count(pixels_of(l, width, height));
-}
+double Resolution::seconds_for(int l) const { return costs.median() * count(pixels_of(l, width, height)); }
 
 void Resolution::observe(double pixels, double seconds) {
     if (pixels <= 0) return;

@@ -40,7 +40,7 @@ class Resolution {
     int level = 2;  // every 8th pixel, until anything is known
     int width = 0, height = 0;
     RecentCosts costs;  // seconds per pixel of the last pictures
-    int since = 0;  // observations since the level changed
+    int since = 0;      // observations since the level changed
 };
 
 }  // namespace strahl

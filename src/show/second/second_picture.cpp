@@ -120,14 +120,15 @@ void make_second(const SecondOrder& order, ThreadPool& pool, const std::atomic<b
         result.finished = true;
         return publish(std::move(result));
     }
-    const std::vector<double> second =
-        povray ? povray_values(order, 0, pool.size(), stop)
-        : order.kind == SecondKind::one_ray ? own_values(order, Precision::float32, one_ray, pool, stop)
-                                            : own_values(order, Precision::extended, {}, pool, stop);
+    const std::vector<double> second = povray ? povray_values(order, 0, pool.size(), stop)
+                                       : order.kind == SecondKind::one_ray
+                                           ? own_values(order, Precision::float32, one_ray, pool, stop)
+                                           : own_values(order, Precision::extended, {}, pool, stop);
     result.image = encoded(second, order.view, table);
-    compare(second, own_values(order, povray ? Precision::float64 : Precision::float32, povray ? one_ray : Sampling{},
-                               pool, stop),
-            order, result);
+    compare(
+        second,
+        own_values(order, povray ? Precision::float64 : Precision::float32, povray ? one_ray : Sampling{}, pool, stop),
+        order, result);
     result.finished = !povray;
     publish(result);
     if (!povray) return;

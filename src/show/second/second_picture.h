@@ -8,8 +8,8 @@
 
 #include "num/thread_pool.h"
 #include "scene/scene.h"
-#include "show/session/divider.h"
 #include "show/motion/screen_image.h"
+#include "show/session/divider.h"
 #include "trace/world/view.h"
 
 namespace strahl {

@@ -130,8 +130,8 @@ Answer Session::perform(Command command, double now) {
         case Action::coarser:
             finest = std::clamp(finest + (command.action == Action::finer ? 1 : -1), 0, sharpened_level);
             return {"motion quality: " + (finest == sharpened_level ? "sharpened"
-                                           : finest == finest_level  ? "equal distances"
-                                                                     : "at most " + resolution_text(finest)),
+                                          : finest == finest_level  ? "equal distances"
+                                                                    : "at most " + resolution_text(finest)),
                     ""};
         case Action::expose:
             return expose(command.number);

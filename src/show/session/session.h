@@ -95,15 +95,15 @@ class Session {
     double time = 0;  // of moving bodies, in seconds: like `camera`, of the last moment followed
     bool orbiting = false;
     bool outside = false;  // the camera stays free while the flight goes on: it is seen from outside
-    bool fill = false;  // the view is widened to fill the window: see framing.h
+    bool fill = false;     // the view is widened to fill the window: see framing.h
     /// If not null, instead of the scene's.
     std::shared_ptr<const std::vector<Track>> tracks;
     TrackKeys track_keys;
-    KeyMap keys;                  // that messages name
-    bool keys_elsewhere = false;  // an editor of tracks has the keys, and they cannot be changed here
-    double speed = 1;           // units of the scene per second
+    KeyMap keys;                   // that messages name
+    bool keys_elsewhere = false;   // an editor of tracks has the keys, and they cannot be changed here
+    double speed = 1;              // units of the scene per second
     int finest = sharpened_level;  // level in motion
-    Exposure exposure;          // of the picture and of stills
+    Exposure exposure;             // of the picture and of stills
     /// The view that a window of this size shows now.
     View view(int window_width, int window_height) const;
     int depth() const { return own_depth.value_or(scene->settings.max_trace_level); }

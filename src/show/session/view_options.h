@@ -17,12 +17,12 @@ inline PictureSize first_window_size(double aspect) {
 }
 
 struct ViewOptions {
-    std::string scene;         // a file, or "-" for standard input
+    std::string scene;  // a file, or "-" for standard input
     OpeningOptions opening{};
     std::optional<PictureSize> size;  // of the window; by default 960 wide, with the aspect ratio of the scene's camera
     std::optional<PictureSize> still_size;  // of stills; by default that of the picture in the window
-    std::string still_folder;  // by default the current folder
-    std::string still_ending = ".bmp";  // or ".png"
+    std::string still_folder;               // by default the current folder
+    std::string still_ending = ".bmp";      // or ".png"
     bool full_screen = false;
     std::optional<int> depth;    // 1 to 256; by default the scene's max_trace_level
     int threads = 0;             // 0: all processors

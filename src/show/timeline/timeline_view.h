@@ -16,7 +16,7 @@ namespace strahl {
 struct TimelineView {
     const PathEditor& editor;
     Camera scene_camera;
-    double time = 0, duration = 0;  // of the flight, in seconds
+    double time = 0, duration = 0;                        // of the flight, in seconds
     bool running = false, outside = false, both = false;  // both: the flight is seen beside the view from outside
     std::shared_ptr<const Scene> scene{};
     const std::vector<Track>& tracks;

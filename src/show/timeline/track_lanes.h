@@ -30,8 +30,8 @@ class TrackLanes {
     std::vector<std::string> followed;   // names of tracks
     std::vector<SceneMotion> motions;
     NumberFields fields;
-    std::string chosen;  // one of the tracks
-    int chosen_row = 0;  // of its key, if it has one there
+    std::string chosen;    // one of the tracks
+    int chosen_row = 0;    // of its key, if it has one there
     bool scrolls = false;  // to the one chosen
     bool key_dragged = false;
     double low = 0, high = 1;            // the values that its lane shows; constant during a drag

@@ -43,7 +43,7 @@ class Welcome {
     const std::function<void()> notify;
     std::optional<GalleryReader> reader;  // from the first time on
     std::optional<std::vector<GallerySection>> sections;
-    std::string missing;                       // where no installed scenes were found
+    std::string missing;  // where no installed scenes were found
     struct GalleryTile {
         unsigned texture = 0;  // 0 if the scene cannot be read
         std::string fault{};   // why

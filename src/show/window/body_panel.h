@@ -29,12 +29,12 @@ struct BodyInput {
         int component;  // -1: each
         std::string name;
     };
-    std::optional<NewTrack> track;     // which a number follows from now on
-    std::optional<std::size_t> free;   // follows no tracks from now on
-    std::optional<std::size_t> own;    // gets a value of the body's own
-    std::optional<std::string> allow;  // changes values in this block
+    std::optional<NewTrack> track;           // which a number follows from now on
+    std::optional<std::size_t> free;         // follows no tracks from now on
+    std::optional<std::size_t> own;          // gets a value of the body's own
+    std::optional<std::string> allow;        // changes values in this block
     const MaterialPreset* preset = nullptr;  // gets this material
-    std::string refused;               // why a number that was typed is not taken, or ""
+    std::string refused;                     // why a number that was typed is not taken, or ""
 };
 
 class BodyPanel {
@@ -52,7 +52,7 @@ class BodyPanel {
     float wide = 0;
     CoveredArea own;
     NumberFields fields;
-    bool held = false;  // a value has been changed since the mouse button is down
+    bool held = false;                  // a value has been changed since the mouse button is down
     std::array<char, 64> track_name{};  // that is being typed
 };
 

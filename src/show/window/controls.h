@@ -34,7 +34,7 @@ class Controls {
     std::array<KeyState, 6> held;
     double right = 0, upwards = 0, dragged = -1;
     bool turns_around = false;  // the drag does
-    CameraInput tilted;  // per second
+    CameraInput tilted;         // per second
 };
 
 /// Distinguishes drags from clicks. All in pixels of the window.

@@ -21,8 +21,8 @@ ScreenImage icon(int size) {
             const double mirrored = std::max(0., 2 * cosine * normal.z - light.z);  // of the light, towards the eye
             const DVec3 color = DVec3(.95, .35, .1) * (.15 + .8 * cosine) + DVec3(std::pow(mirrored, 30));
             const auto code = [](double value) { return std::uint32_t(std::lround(255 * std::clamp(value, 0., 1.))); };
-            image.pixels[std::size_t(y) * size + x] = code(color.x) | code(color.y) << 8 | code(color.z) << 16 |
-                                                    code((1 - away) * radius + 0.5) << 24;
+            image.pixels[std::size_t(y) * size + x] =
+                code(color.x) | code(color.y) << 8 | code(color.z) << 16 | code((1 - away) * radius + 0.5) << 24;
         }
     return image;
 }

@@ -21,13 +21,13 @@ namespace strahl {
 /// Functions that are called, while events are processed, for what the user does besides moving the camera.
 struct InputHandlers {
     std::function<void(Command)> perform;
-    std::function<void()> draw;                            // draws the window at once
-    std::function<bool(int)> browse;               // takes a key for the gallery or a question, or returns false
-    std::function<void(double, bool)> turn_wheel;  // notches, up is positive; true with Ctrl
-    std::function<void(std::string)> drop;                 // the path of a file that is dropped onto the window
-    std::function<void(double, double)> click;             // x and y in pixels of the window
-    std::function<Hold(double, double)> points_at;         // what is there to be held
-    std::function<void(double, double)> hold;              // takes hold of the handle there
+    std::function<void()> draw;                     // draws the window at once
+    std::function<bool(int)> browse;                // takes a key for the gallery or a question, or returns false
+    std::function<void(double, bool)> turn_wheel;   // notches, up is positive; true with Ctrl
+    std::function<void(std::string)> drop;          // the path of a file that is dropped onto the window
+    std::function<void(double, double)> click;      // x and y in pixels of the window
+    std::function<Hold(double, double)> points_at;  // what is there to be held
+    std::function<void(double, double)> hold;       // takes hold of the handle there
     std::function<void(Hold, double, double, bool)> pull;  // moves what is held; `steps`: by round distances
     std::function<void()> let_go;                          // of the handle
 };

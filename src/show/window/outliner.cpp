@@ -47,9 +47,10 @@ std::vector<OutlineRow> outline_of(const Scene& scene) {
     std::vector<OutlineRow> rows;
     for (int i = 0; i < std::ssize(scene.lights); ++i) {
         const Light& light = scene.lights[std::size_t(i)];
-        const char* const name = light.direction ? "parallel light" : light.area   ? "rectangular light"
-                                                                  : light.spot ? "spotlight"
-                                                                               : "light";
+        const char* const name = light.direction ? "parallel light"
+                                 : light.area    ? "rectangular light"
+                                 : light.spot    ? "spotlight"
+                                                 : "light";
         rows.push_back({.what = TopBlock::light, .number = i, .name = name + (" " + std::to_string(i + 1))});
     }
     for (int i = 0; i < std::ssize(scene.primitives); ++i) {

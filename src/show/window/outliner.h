@@ -20,9 +20,9 @@ namespace strahl {
 /// A line of the outline: a light, a body, or a part of a composite.
 struct OutlineRow {
     TopBlock what = TopBlock::body;
-    int number = 0;    // of the light or the body
-    int leaf = 0;      // of the body, the first that belongs to a part
-    int depth = 0;     // 0 for lights and bodies, 1 for the parts of a composite, 2 for theirs
+    int number = 0;      // of the light or the body
+    int leaf = 0;        // of the body, the first that belongs to a part
+    int depth = 0;       // 0 for lights and bodies, 1 for the parts of a composite, 2 for theirs
     std::string name{};  // "sphere 3"
 };
 /// Returns the outline of a scene: its lights, and its bodies with their parts.
@@ -57,8 +57,8 @@ class Outliner {
     std::shared_ptr<const Scene> known;  // the scene of these
     std::vector<OutlineRow> rows;
     std::vector<std::string> warnings;
-    std::set<int> open;               // composites whose parts are shown
-    std::array<char, 64> sought{};    // what the user has typed
+    std::set<int> open;             // composites whose parts are shown
+    std::array<char, 64> sought{};  // what the user has typed
     float wide = 0;
     CoveredArea own;
 };

@@ -172,12 +172,11 @@ void draw_handles(const Overlay& overlay) {
     for (const Handles::HandleLine& line : overlay.tools.handles) {
         constexpr ImU32 colors[] = {IM_COL32(255, 80, 80, 255), IM_COL32(110, 220, 80, 255),
                                     IM_COL32(90, 140, 255, 255), IM_COL32(255, 255, 255, 255)};
-        const ImU32 color = line.handle == overlay.tools.pointed ? IM_COL32(255, 230, 60, 255)
-                                                                 : colors[static_cast<int>(line.handle)];
+        const ImU32 color =
+            line.handle == overlay.tools.pointed ? IM_COL32(255, 230, 60, 255) : colors[static_cast<int>(line.handle)];
         std::vector<ImVec2> points;
         for (const glm::dvec2& at : line.points)
-            points.push_back(
-                {static_cast<float>(overlay.area.x + at.x), static_cast<float>(overlay.area.y + at.y)});
+            points.push_back({static_cast<float>(overlay.area.x + at.x), static_cast<float>(overlay.area.y + at.y)});
         const int count = static_cast<int>(points.size());
         if (line.filled) list.AddConvexPolyFilled(points.data(), count - 1, color);
         list.AddPolyline(points.data(), count, IM_COL32(0, 0, 0, 160), 0, line.filled ? 1.f : 4.f);

@@ -30,8 +30,8 @@ struct Overlay {
     int width = 1, height = 1;  // of the picture, in its own pixels
     ScreenArea area;            // where the picture is on the screen
     struct Sides {
-        int column = 0;           // of the window, where the divider is
-        std::string left, right;  // what is seen there; may be empty
+        int column = 0;                          // of the window, where the divider is
+        std::string left, right;                 // what is seen there; may be empty
         std::optional<ScreenArea> other_view{};  // where another view is seen; around it the right is dark
     };
     std::optional<Sides> sides;

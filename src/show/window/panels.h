@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "show/session/session.h"
+#include "show/timeline/timeline.h"
 #include "show/window/add_panel.h"
 #include "show/window/body_panel.h"
 #include "show/window/outliner.h"
-#include "show/timeline/timeline.h"
 #include "show/work/pace.h"
 
 namespace strahl {

@@ -26,23 +26,23 @@ struct ReadFor {
 /// The result of reading a scene file.
 struct Loaded {
     std::string path;
-    std::shared_ptr<const Scene> scene{};  // null if it has an error, or is still being read
+    std::shared_ptr<const Scene> scene{};    // null if it has an error, or is still being read
     std::shared_ptr<const Scene> picture{};  // an older scene if that gives the same picture, with the same tracks
-    std::string fault{};                   // the message of the error
-    std::vector<Message> notes{};          // see OpenedScene
-    std::vector<std::string> warnings{};   // of a newly opened scene, see scene_warnings()
-    bool opened = false;                   // it is a newly opened file
-    bool renamed = false;                  // it is the scene as it was, in another file from now on
-    EyeWords words{};                      // of its camera
-    bool mirrored = false;                 // see OpenedScene
-    bool changes = false;                  // see OpenedScene
-    bool sized = false;                    // see OpenedScene
-    bool moved = false;                    // the file is the same, read for another moment or size
-    ReadFor read_for{};                    // the moment and the size that it was read for
-    pov::SourceLines lines{};              // of the bodies of a scene of POV-Ray
+    std::string fault{};                     // the message of the error
+    std::vector<Message> notes{};            // see OpenedScene
+    std::vector<std::string> warnings{};     // of a newly opened scene, see scene_warnings()
+    bool opened = false;                     // it is a newly opened file
+    bool renamed = false;                    // it is the scene as it was, in another file from now on
+    EyeWords words{};                        // of its camera
+    bool mirrored = false;                   // see OpenedScene
+    bool changes = false;                    // see OpenedScene
+    bool sized = false;                      // see OpenedScene
+    bool moved = false;                      // the file is the same, read for another moment or size
+    ReadFor read_for{};                      // the moment and the size that it was read for
+    pov::SourceLines lines{};                // of the bodies of a scene of POV-Ray
     // Holds what the file says; empty if that is more than 16 MB, or a scene of POV-Ray read again for each moment.
     std::string text{};
-    std::string tracks{};                  // the text of the file of tracks beside it, or empty
+    std::string tracks{};  // the text of the file of tracks beside it, or empty
 };
 
 /// What is to be written into the scene file.

@@ -12,8 +12,7 @@ StillRequests::StillRequests(const ViewOptions& options, Notes& notes, Pace& pac
     if (const std::string why = folder_fault(options.still_folder); !why.empty()) notes.fail(why);
 }
 
-void StillRequests::add(const Session& session, const std::string& scene_path, View view,
-                        const std::string& ending) {
+void StillRequests::add(const Session& session, const std::string& scene_path, View view, const std::string& ending) {
     if (finishing) return notes.note("the window is closing, and makes no more stills");
     if (const auto& size = options.still_size) view.width = size->width, view.height = size->height;
     const bool in_flight = session.flight.flying() || session.time != 0;

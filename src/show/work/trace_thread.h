@@ -23,8 +23,8 @@ struct Order {
     std::uint64_t number = 0;  // the same number means the same scene and view
     std::shared_ptr<const Scene> scene;
     View view;
-    bool moving = false;        // pictures in motion are not refined: the next one comes soon
-    double budget = 0.01;       // seconds for the first, coarse picture
+    bool moving = false;           // pictures in motion are not refined: the next one comes soon
+    double budget = 0.01;          // seconds for the first, coarse picture
     int finest = sharpened_level;  // level of the first picture in motion
     Exposure exposure{};
 };

@@ -74,11 +74,11 @@ class WatchedScene {
     std::unique_ptr<Reload> reload;
     bool awaited;
     std::string error;
-    double error_until = Pace::forever;  // only the error of another file, which was not opened, expires
+    double error_until = Pace::forever;   // only the error of another file, which was not opened, expires
     bool changes = false, sized = false;  // see Loaded
     std::vector<Message> said;
-    ReadFor read_for;                    // for what the scene was read, or was asked to be
-    double write_until = -1;             // until then the user may confirm that a changed file is written
+    ReadFor read_for;         // for what the scene was read, or was asked to be
+    double write_until = -1;  // until then the user may confirm that a changed file is written
 };
 
 }  // namespace strahl

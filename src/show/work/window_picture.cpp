@@ -11,11 +11,15 @@ namespace strahl {
 void WindowPicture::order(const Session& session, std::shared_ptr<const Scene> scene, int width, int height) {
     if (width == 0 || height == 0) return;
     const View view = session.view(width, height);
-    const bool same = wanted.scene == scene && same_picture(wanted.view, view) &&
-                      wanted.exposure == session.exposure;
+    const bool same = wanted.scene == scene && same_picture(wanted.view, view) && wanted.exposure == session.exposure;
     if (same && wanted.moving == pace.moving()) return;
     if (!same && check.active()) toggle_marks();
-    wanted = {wanted.number + (same ? 0 : 1), std::move(scene), view, pace.moving(), pace.budget(), session.finest,
+    wanted = {wanted.number + (same ? 0 : 1),
+              std::move(scene),
+              view,
+              pace.moving(),
+              pace.budget(),
+              session.finest,
               session.exposure};
     tracing.want(wanted);
 }

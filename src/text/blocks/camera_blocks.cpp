@@ -104,8 +104,8 @@ void CameraBlocks::check_times(const Flythrough& read_path, std::span<const KeyW
         if (i > 0 && !(keys[i].time > keys[i - 1].time))
             require_rising(reader.diagnostics, keys[i - 1].time, keys[i].time, words[i - 1].time, words[i].time);
         else if (keys[i].time > read_path.duration)
-            reader.diagnostics.add(words[i].time, "this is after the end, set by 'duration' in " +
-                                                        reader.diagnostics.line(duration));
+            reader.diagnostics.add(words[i].time,
+                                   "this is after the end, set by 'duration' in " + reader.diagnostics.line(duration));
     // A path that loops is back at its first key when the duration is over.
     Keyframe again = keys.front();
     again.time += read_path.duration;
@@ -119,8 +119,8 @@ void CameraBlocks::check(std::string_view end_of_text) {
     if (!camera_at.data()) reader.diagnostics.add(end_of_text, "no camera: a scene needs one 'camera { ... }'");
     if (!camera_good || !path) return;
     for (std::size_t i = 0; i < path->keys.size(); ++i)
-        if (const std::string fault = fault_of(camera_of(path->keys[i], the_camera),
-                                               key_words[i].sky || (by_sky && !key_words[i].up));
+        if (const std::string fault =
+                fault_of(camera_of(path->keys[i], the_camera), key_words[i].sky || (by_sky && !key_words[i].up));
             !fault.empty())
             reader.diagnostics.add(key_words[i].key, "invalid camera at this key: " + fault);
 }

@@ -28,7 +28,7 @@ class CameraBlocks {
 
     BlockReader& reader;
     const TextLimits& limits;
-    std::string_view camera_at, path_at;  // the first words of these blocks
+    std::string_view camera_at, path_at;       // the first words of these blocks
     bool camera_good = false, by_sky = false;  // is it valid; is `sky` given
     std::vector<KeyWords> key_words;
 };

@@ -36,8 +36,8 @@ LanguageWords words_of_language() {
 std::string vim_syntax() {
     const LanguageWords words = words_of_language();
     return "\" Scenes of Strahl, *.rt.\nif exists(\"b:current_syntax\")\n  finish\nendif\n"
-           "syn keyword strahlBlock " + listed(words.blocks, " ") +
-           "\nsyn keyword strahlParameter " + listed(words.others, " ") +
+           "syn keyword strahlBlock " +
+           listed(words.blocks, " ") + "\nsyn keyword strahlParameter " + listed(words.others, " ") +
            "\nsyn keyword strahlPattern " + listed(words.patterns, " ") +
            "\nsyn match strahlNumber \"[-+]\\?\\%(\\d\\+\\.\\?\\d*\\|\\.\\d\\+\\)\\%([eE][-+]\\?\\d\\+\\)\\?\"\n"
            "syn region strahlString start=+\"+ end=+\"+ oneline\n"

@@ -54,8 +54,8 @@ void Diagnostics::check() const {
 void Diagnostics::check_encoding() {
     const std::size_t i = find_invalid(text);
     if (i == text.npos) return;
-    add(text.substr(i, 1), text[i] == '\0' ? "a byte 0 in the text; is this a text file?"
-                                           : "not UTF-8; save the file in that encoding");
+    add(text.substr(i, 1),
+        text[i] == '\0' ? "a byte 0 in the text; is this a text file?" : "not UTF-8; save the file in that encoding");
     check();
 }
 

@@ -26,8 +26,9 @@ bool BlockReader::follow(double& value, const NumberRange& range, std::string_vi
         fault(block, word, "the name of this track is longer than 255 bytes");
     else if (!block.follows)
         fault(block, word,
-              what + " cannot follow a track; numbers of lights, materials, the camera, the fog, the background's "
-                     "colour and the transformations of bodies can");
+              what +
+                  " cannot follow a track; numbers of lights, materials, the camera, the fog, the background's "
+                  "colour and the transformations of bodies can");
     else
         block.follows->push_back({std::string(track), std::string(name), block.component, 1, range.low, range.high});
     any_track = true;
@@ -35,8 +36,9 @@ bool BlockReader::follow(double& value, const NumberRange& range, std::string_vi
     if (next != ',' && next != '<' && lexer.at_value()) return read(value, range, name, block), true;
     value = 0;
     if (!range.contains(0))
-        fault(block, word, what + " cannot be 0: give its value for a track without keys, as in 'track \"" +
-                               std::string(track) + "\" " + text_of(range.contains(1) ? 1 : range.low) + "'");
+        fault(block, word,
+              what + " cannot be 0: give its value for a track without keys, as in 'track \"" + std::string(track) +
+                  "\" " + text_of(range.contains(1) ? 1 : range.low) + "'");
     return true;
 }
 
@@ -124,8 +126,9 @@ void BlockReader::set_time(double& time, const std::optional<double>& beat, std:
     if (!beat || !block.good()) return;
     if (music) time = music->offset + *beat * 60 / music->bpm;
     if (music && seconds.contains(time)) return;
-    fault(block, at, music ? "this beat is later than 1e9 seconds"
-                           : "the length of a beat is unknown: put 'music { bpm 120 }' above");
+    fault(block, at,
+          music ? "this beat is later than 1e9 seconds"
+                : "the length of a beat is unknown: put 'music { bpm 120 }' above");
 }
 
 void BlockReader::require(Block& block, std::span<const Parameter> parameters, std::initializer_list<Need> needs) {

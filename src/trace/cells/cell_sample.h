@@ -18,10 +18,10 @@ struct CellSample {
     float reflected[3], reflection;  // direction and weight of the reflected ray
     float further;                   // the longest way that rays went from there
     bool uneven;                     // see Sight
-    bool filtered;   // it shows means of patterns; then
-    float color[3];  // is what its light is multiplied by,
-    float loose;     // this says how loose the filter is, from 0 to 1, or below 0 if nothing varies around,
-    float doubt;     // and this is the standard deviation of what that colour may be off
+    bool filtered;                   // it shows means of patterns; then
+    float color[3];                  // is what its light is multiplied by,
+    float loose;  // this says how loose the filter is, from 0 to 1, or below 0 if nothing varies around,
+    float doubt;  // and this is the standard deviation of what that colour may be off
     bool detailed() const { return filtered && loose >= 0; }
 };
 

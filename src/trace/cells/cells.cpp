@@ -10,7 +10,7 @@ namespace strahl {
 namespace {
 
 constexpr std::int32_t least_cell = Point::unit / 32;
-constexpr int side = tile_pixels + 1;  // of the lattice
+constexpr int side = tile_pixels + 1;      // of the lattice
 constexpr double steepest_gradient = .06;  // across a cell of one signature
 /// The error of the loosest filter of patterns over the deviation of samples from each other, found by experiment.
 constexpr double filter_off = .85;
@@ -409,8 +409,8 @@ double Cells::off_corners(const Cell& cell) const {
     return with_values(cell, [&](const auto& value) {
         double loose = middle.loose;
         for (const CellSample* corner : corners) loose = std::max(loose, double(corner->loose));
-        double off = std::max(filter_off * loose * deviation_of(corners, middle),
-                              most_doubt * light_of(middle) * middle.doubt);
+        double off =
+            std::max(filter_off * loose * deviation_of(corners, middle), most_doubt * light_of(middle) * middle.doubt);
         for (int c = 0; c < 3; ++c)
             off = std::max(off, std::abs(.25 * (value(0, c) + value(1, c) + value(2, c) + value(3, c)) - value(4, c)));
         return off;

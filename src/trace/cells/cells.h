@@ -78,9 +78,7 @@ class Cells {
         std::array<int, 3> probes;
     };
 
-    std::size_t pixel_of(const Cell& cell) const {
-        return 3 * (std::size_t(cell.y / unit) * columns + cell.x / unit);
-    }
+    std::size_t pixel_of(const Cell& cell) const { return 3 * (std::size_t(cell.y / unit) * columns + cell.x / unit); }
     int sample_at(Point point);
     bool within(std::int32_t x, std::int32_t y) const;
     void divide(const Cell& cell);

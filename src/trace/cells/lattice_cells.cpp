@@ -8,8 +8,8 @@
 namespace strahl {
 namespace {
 
-constexpr int most_seen = 3;    // different signatures in a cell that is worth dividing
-constexpr int coarsest = 8;     // the side of cells that a tile begins with
+constexpr int most_seen = 3;  // different signatures in a cell that is worth dividing
+constexpr int coarsest = 8;   // the side of cells that a tile begins with
 
 int count_signatures(const std::array<const CellSample*, 4>& corners, const CellSample& middle) {
     std::array<std::uint32_t, 5> seen{middle.signature};

@@ -64,7 +64,7 @@ class LatticeCells {
     Lattice tile;
     const FilledLattice* lattice = nullptr;
     const ThinBodies* thin = nullptr;
-    std::uint32_t* first = nullptr;  // the tile's first pixel
+    std::uint32_t* first = nullptr;          // the tile's first pixel
     std::array<int, across * across> known;  // samples by place, -1 where there are none
     std::vector<CellSample> samples;
     std::vector<std::uint32_t> colors;  // of the samples

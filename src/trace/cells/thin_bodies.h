@@ -43,8 +43,7 @@ class ThinBodies {
     Sights sights_at(const std::array<CellCorner, 4>& corners) const;
     bool hides_camera(const std::array<CellCorner, 4>& corners, const Sights& sights, double furthest, FacetsSeen seen,
                       double least, std::optional<FlatPart>* part) const;
-    bool hides_shadow(const FourPoints& points, double radius, std::uint32_t lit, FacetsSeen seen,
-                      double least) const;
+    bool hides_shadow(const FourPoints& points, double radius, std::uint32_t lit, FacetsSeen seen, double least) const;
     bool hides_reflection(const FourPoints& points, double radius, const FourPoints& directions, double furthest,
                           double reach, FacetsSeen seen, double least) const;
 

@@ -103,7 +103,7 @@ RayBundle::Met RayBundle::met(std::span<const DVec3> polygon, const glm::dmat3& 
     constexpr double edge = 1e-9;
     for (DVec3& point : points) {
         if (!parallel) point *= 1 / point.z;
-        const bool left = point.x < edge, right = point.x > 1 - edge, top = point.y < edge, bottom = point.y > 1 - edge;
+        const bool left = point.x<edge, right = point.x> 1 - edge, top = point.y<edge, bottom = point.y> 1 - edge;
         if (top && left) result.corners |= 1;
         if (top && right) result.corners |= 2;
         if (bottom && right) result.corners |= 4;

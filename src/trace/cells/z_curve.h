@@ -14,7 +14,7 @@ inline constexpr int lattice_tile = 16;
 struct TileSpot {
     std::uint8_t x, y;
 };
-inline constexpr std::array<TileSpot, lattice_tile * lattice_tile> z_curve = [] {
+inline constexpr std::array<TileSpot, lattice_tile* lattice_tile> z_curve = [] {
     std::array<TileSpot, lattice_tile * lattice_tile> spots{};
     for (std::size_t i = 0; i < spots.size(); ++i)
         for (int bit = 0; bit < 4; ++bit) {

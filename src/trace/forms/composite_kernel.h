@@ -341,8 +341,7 @@ class CompositeWalk {
             // Takes faces of an equal body for its own, but not planes: another body's face there may end before.
             const S same = start_key - S(static_cast<T>(own.first_key)), face = ray.source - surface;
             const S faces(static_cast<T>(own.faces)), zero(0);
-            start = select((face >= zero) & (face < faces), face,
-                           select((same >= zero) & (same < faces), same, start));
+            start = select((face >= zero) & (face < faces), face, select((same >= zero) & (same < faces), same, start));
         }
         from.source = surface + start;
         calls<S>(own.form).ends(world, own.item, from, end);

@@ -204,8 +204,8 @@ STRAHL_INLINE void visit_leaves(const Node* nodes, const R<S>& ray, const Limit&
 /// until that returns true. Where few rays are left, each goes on by itself: single(lane, leaf), which may be an inner
 /// node. If `sorted` is false, the visits of a ray do not depend on its neighbours; else only their order does.
 template <bool sorted, template <class> class R, class S, class Visit, class Single>
-STRAHL_INLINE void traverse(const Node* nodes, const R<S>& ray, Mask<S> active, const S& limit,
-                            const Visit& visit, const Single& single) {
+STRAHL_INLINE void traverse(const Node* nodes, const R<S>& ray, Mask<S> active, const S& limit, const Visit& visit,
+                            const Single& single) {
     using F = ForBoxes<S>;
     using T = Element<F>;
     constexpr int threshold = width<S> / 4 > 0 ? width<S> / 4 : 1;  // up to so many rays leave the pack

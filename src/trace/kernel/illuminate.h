@@ -24,9 +24,19 @@ template <class S, class P>
     const MaterialKernel<S>& material = hit.material;
     const LightKernel<T>& light = shading.world.lights[number];
     const Vec3<S> reflected = reflect(hit);
-    const LitHits<S> hits{lanes, hit.outside, hit.position, hit.normal,
-                          shading.world.patterns.bends ? notes.flat : hit.normal, reflected, hit.surface, hit.weight,
-                          largest(material.diffuse), material.specular, material.pow, material.shines_from, hit.bin};
+    const LitHits<S> hits{lanes,
+                          hit.outside,
+                          hit.position,
+                          hit.normal,
+                          shading.world.patterns.bends ? notes.flat : hit.normal,
+                          reflected,
+                          hit.surface,
+                          hit.weight,
+                          largest(material.diffuse),
+                          material.specular,
+                          material.pow,
+                          material.shines_from,
+                          hit.bin};
     constexpr T usual = T(1) / 510;
     const T error = shading.limits.error > T(0) ? shading.limits.error : usual;
     const AreaMeans<S> means = AreaLightCalls<S>::means(shading.world, number, hits, error, visibility<S>);

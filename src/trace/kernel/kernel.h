@@ -48,9 +48,9 @@ struct RayQueue {
     T* medium;  // number of its medium stack; only in nested worlds
     T* t;       // where it leaves its body; only of rays inside an enclosed one
     int count = 0;
-    T* extra[4] = {};                       // values that the kernel's policy keeps, see plain.h
-    Differentials<T*> differentials{};      // only where patterns are filtered
-    RayCone<T*> cone{};                     // only where they are filtered roughly
+    T* extra[4] = {};                   // values that the kernel's policy keeps, see plain.h
+    Differentials<T*> differentials{};  // only where patterns are filtered
+    RayCone<T*> cone{};                 // only where they are filtered roughly
     // Where rays carry more than weights (FinishTables::carries): the colour of their light beside `weight`, their
     // generation as POV-Ray counts, and 1 if they have been reflected on their way from the eye, else 0.
     T *tint[3] = {}, *level = nullptr, *mirrored = nullptr;

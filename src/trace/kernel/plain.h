@@ -42,12 +42,11 @@ struct Plain {
     /// Finds the nearest surfaces that a pack of rays meets, those of a queue from number `i` on.
     template <class S, class T>
     STRAHL_INLINE static Nearest<S> nearest(const World<T>& world, const Limits<T>&, const RayQueue<T>&, int,
-                                            const Ray<S>& ray, Mask<S> active, BodySet set, int,
-                                            const PixelBatch<T>&) {
+                                            const Ray<S>& ray, Mask<S> active, BodySet set, int, const PixelBatch<T>&) {
         return strahl::nearest(world, ray, active, set);
     }
 
-    static constexpr auto nothing = [](const auto&...) __attribute__((always_inline)) {};
+    static constexpr auto nothing = [](const auto&...) __attribute__((always_inline)){};
     /// Called for camera rays; for rays that miss; for hits, once their material, their bent normals or their light is
     /// known.
     static constexpr auto start = nothing, miss = nothing, meet = nothing, bend = nothing, shade = nothing;

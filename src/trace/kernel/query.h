@@ -96,7 +96,7 @@ STRAHL_INLINE void nearest_in_hierarchy(const World<Element<S>>& world, const Ra
         S ends[together<S>];
         for (int h = 0; h < together<S>; ++h) ends[h] = best[h].t;
         limit = join(ends);
-        if constexpr (together<S> > 1) limit = limit * F(1 + 8 * std::numeric_limits<Element<F>>::epsilon());
+        if constexpr (together < S >> 1) limit = limit * F(1 + 8 * std::numeric_limits<Element<F>>::epsilon());
     };
     const auto look = [&](const Leaf& leaf, Mask<F> mask) {
         for (int h = 0; h < together<S>; ++h) {

@@ -2,8 +2,8 @@
 #pragma once
 #include <algorithm>
 
-#include "trace/kernel/fog.h"
 #include "trace/kernel/finish.h"
+#include "trace/kernel/fog.h"
 #include "trace/kernel/footprint.h"
 #include "trace/kernel/illuminate.h"
 #include "trace/kernel/scatter.h"

@@ -36,7 +36,7 @@ class Workspace {
     std::vector<Sight<T>> sights;
     std::vector<T> sides;               // see Footprints
     std::vector<SeenPatterns<T>> seen;  // see Footprints
-    int batch = scattered_pixels;  // number of pixels that fitted last time
+    int batch = scattered_pixels;       // number of pixels that fitted last time
     /// Allocates the arrays of a policy's data of rays.
     void hold_extra();
     /// Allocates the arrays of differentials, for filtering patterns.

@@ -419,7 +419,7 @@ class GridSum {
     std::vector<int> wanted, first_wanted;
     std::vector<Quarter> parts, quarters, first_parts;
     std::vector<std::pair<Quarter, T>> whole, first_whole;  // undivided parts, and what each of their corners counts
-    T weight = 1, first_weight;  // what each corner of a part counts of the level before
+    T weight = 1, first_weight;                             // what each corner of a part counts of the level before
 };
 
 template <class S>

@@ -49,8 +49,8 @@ struct LightBuffers<T>::Arrays {
         std::int32_t face, first_row, last_row;
         std::int32_t first_cell, end_cell;  // the numbers of its cells, and behind them
         std::int64_t begin = 0;             // place in `candidates` of its cells' bodies beyond the first ones
-        std::int64_t more = 0;     // how many these are
-        std::int64_t squares = 0;  // sum over cells of the square of the number of candidates
+        std::int64_t more = 0;              // how many these are
+        std::int64_t squares = 0;           // sum over cells of the square of the number of candidates
     };
     static constexpr double float_epsilon = std::numeric_limits<float>::epsilon();
     static constexpr double epsilon = static_cast<double>(std::numeric_limits<T>::epsilon());

@@ -15,8 +15,8 @@ Basis basis_around(const DVec3& axis) {
 }
 std::vector<Basis> cube_around(const Basis& basis) {
     const auto& [right, up, axis] = basis;
-    return {{right, up, axis}, {right, up, -axis}, {up, axis, right},
-            {up, axis, -right}, {axis, right, up}, {axis, right, -up}};
+    return {{right, up, axis},  {right, up, -axis}, {up, axis, right},
+            {up, axis, -right}, {axis, right, up},  {axis, right, -up}};
 }
 
 Slopes slopes_of(double x, double z, double radius, double limit) {

@@ -26,8 +26,7 @@ class Shaft {
     template <class S>
     Mask<S> beside_ball(const Vec3<S>& centre, const S& radius) const {
         Mask<S> beside = first_lanes<S>(0);
-        for (int i = 0; i < planes; ++i)
-            beside = beside | (dot(splat<S>(normal[i]), centre) - S(offset[i]) > radius);
+        for (int i = 0; i < planes; ++i) beside = beside | (dot(splat<S>(normal[i]), centre) - S(offset[i]) > radius);
         return beside;
     }
     template <class S>
@@ -123,8 +122,7 @@ template <class S, class T>
 bool anything_in(const World<T>& world, const Shaft<T>& shaft, const ShaftStart<T>& start) {
     bool clear = true;
     world.groups.each([&](const auto& group) {
-        clear = clear &&
-                beside_items(shaft, group, group.in_hierarchy, group.count - group.in_hierarchy, start);
+        clear = clear && beside_items(shaft, group, group.in_hierarchy, group.count - group.in_hierarchy, start);
     });
     std::int32_t stack[Hierarchy::most_levels * Node::width];
     int height = 0;
@@ -135,8 +133,8 @@ bool anything_in(const World<T>& world, const Shaft<T>& shaft, const ShaftStart<
             return Vec3<S>(load_converted<S>(of[0] + c), load_converted<S>(of[1] + c), load_converted<S>(of[2] + c));
         };
         for (int c = 0; c < node.children; c += width<S>) {
-            const Mask<S> met = first_lanes<S>(node.children - c) &
-                                !shaft.beside_box(side(node.low, c), side(node.high, c));
+            const Mask<S> met =
+                first_lanes<S>(node.children - c) & !shaft.beside_box(side(node.low, c), side(node.high, c));
             for (unsigned left = bits(met); clear && left; left &= left - 1) {
                 const int i = c + std::countr_zero(left), code = node.leaves[i];
                 if (code == 0) {

@@ -11,9 +11,9 @@
 namespace strahl {
 namespace {
 
-constexpr double safety = 16;        // of the sample's largest rounding over the error
-constexpr double least_jump = 1e-3;  // smaller differences are not taken for edges
-constexpr double edge_radius = .1;   // pixels; in float edges are this wide where mirrors magnify
+constexpr double safety = 16;                  // of the sample's largest rounding over the error
+constexpr double least_jump = 1e-3;            // smaller differences are not taken for edges
+constexpr double edge_radius = .1;             // pixels; in float edges are this wide where mirrors magnify
 constexpr int few_edges = 4, many_edges = 64;  // pixels on edges that may differ: so many and one in so many
 
 /// Pixels spread over the picture, about a thousand.

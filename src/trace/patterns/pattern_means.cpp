@@ -182,8 +182,7 @@ double mean_of_checks(const PatternArea& area) {
     if (is_far(area)) return 0;
     if (extent(area, second) > most_pieces) {
         double product = 1;
-        for (const int axis : axes)
-            product *= mean_of(square, area.middle[axis], area.across[axis], area.down[axis]);
+        for (const int axis : axes) product *= mean_of(square, area.middle[axis], area.across[axis], area.down[axis]);
         return product;
     }
     const AreaPart whole(area);
@@ -712,7 +711,7 @@ template PatternMean mean_over(const PatternKernel<long double>&, const ColorSto
                                const PatternArea&, double*, SmoothedValues);
 template PatternMean mean_over(const PatternKernel<float>&, const ColorStopKernel<float>*, const ValueGrid&, double*);
 template PatternMean mean_over(const PatternKernel<double>&, const ColorStopKernel<double>*, const ValueGrid&, double*);
-template PatternMean mean_over(const PatternKernel<long double>&, const ColorStopKernel<long double>*,
-                               const ValueGrid&, double*);
+template PatternMean mean_over(const PatternKernel<long double>&, const ColorStopKernel<long double>*, const ValueGrid&,
+                               double*);
 
 }  // namespace strahl

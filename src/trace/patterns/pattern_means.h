@@ -29,14 +29,14 @@ struct ValueGrid {
     static constexpr int most_steps = 10, most_values = (most_steps + 1) * (most_steps + 1);
     static constexpr int room = (most_values + 15) / 16 * 16;  // a whole number of packs
     int columns, rows;
-    double spread = 0;  // the standard deviation of what the values lack of the finest detail
-    double loose = 0;   // the share of their variation over areas beside each other that they lack, from 0 to 1
-    double unseen = 0;  // the variance of the area's mean that they do not show, as a share of that of values
-    double cells = 0;   // how many cells of the finest detail that counts the sides of the area cross
+    double spread = 0;    // the standard deviation of what the values lack of the finest detail
+    double loose = 0;     // the share of their variation over areas beside each other that they lack, from 0 to 1
+    double unseen = 0;    // the variance of the area's mean that they do not show, as a share of that of values
+    double cells = 0;     // how many cells of the finest detail that counts the sides of the area cross
     bool coarse = false;  // detail is lost between values: colours of these count, not of what lies between
     double lost = 0;      // to this share the area shows so many cells that any value may be anywhere
     const ValuesAnywhere* anywhere = nullptr;  // those values
-    alignas(64) double values[room] = {};  // row by row
+    alignas(64) double values[room] = {};      // row by row
 };
 
 /// The grid has so many steps for each cell of the finest detail that counts, if these are not too many. Detail counts

@@ -44,7 +44,7 @@ STRAHL_INLINE S own_error(const AffineKernel<K, S>& body, const Vec3<S>& from_ce
 /// product 3/2, in all 3.1 of the largest stretch; the direction 2.6, 3 by its length and 1/2 where it is divided by s.
 /// Distances there are s times those in the world; s has the relative error of the direction and 5/4 units.
 template <class S, class K>
-    requires KnownInOwnSpace<K, S>
+requires KnownInOwnSpace<K, S>
 [[gnu::noinline]] auto span_bounds(const AffineKernel<K, S>& body, const Ray<S>& ray, const Doubt<S>& doubt,
                                    const S& start, const Slack<Element<S>>& slack) {
     constexpr auto u = unit_error<S>;
@@ -71,9 +71,9 @@ template <class S, class K>
 /// Bounds the span in one body, the same in all lanes, by the function above: its code is too long to be compiled for
 /// that once more.
 template <class S, template <class> class K>
-    requires(!std::is_same_v<S, Element<S>>)
-STRAHL_INLINE auto span_bounds(const AffineKernel<K<Element<S>>, Element<S>>& body, const Ray<S>& ray,
-                               const Doubt<S>& doubt, const S& start, const Slack<Element<S>>& slack) {
+requires(!std::is_same_v<S, Element<S>>) STRAHL_INLINE
+    auto span_bounds(const AffineKernel<K<Element<S>>, Element<S>>& body, const Ray<S>& ray, const Doubt<S>& doubt,
+                     const S& start, const Slack<Element<S>>& slack) {
     return span_bounds(splat_item<AffineKernel<K<S>, S>, S>(body), ray, doubt, start, slack);
 }
 
@@ -129,7 +129,7 @@ STRAHL_INLINE S off_surface(const AffineKernel<K, S>& body, const Vec3<S>& p, co
 /// the surface's nearest point counts in all directions, not only along the surface. Roundings: 3 units each of the
 /// normal there, whose length is off too, and of the normal here.
 template <class S, class K>
-    requires KnownInOwnSpace<K, S>
+requires KnownInOwnSpace<K, S>
 [[gnu::noinline]] PointBounds<S> point_bounds(const AffineKernel<K, S>& body, const Ray<S>& ray, const Doubt<S>& doubt,
                                               const S& t, const SurfacePoint<S>& point, const S& face,
                                               const Slack<Element<S>>& slack) {

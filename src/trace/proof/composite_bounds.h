@@ -50,7 +50,7 @@ STRAHL_INLINE void cross_leaf(const K& kernel, const Ray<S>& ray, const Doubt<S>
 }
 /// Bounds the first span in a torus. Nothing is known of rays that start inside, since they may come back.
 template <class S, class K>
-    requires requires(const K& torus, const Ray<S>& ray) { torus.crossings(ray, S(0)); }
+requires requires(const K& torus, const Ray<S>& ray) { torus.crossings(ray, S(0)); }
 STRAHL_INLINE void cross_leaf(const K& torus, const Ray<S>& ray, const Doubt<S>& doubt, const S& start,
                               const Slack<Element<S>>& slack, KnownLeaf<S>& leaf) {
     constexpr auto inf = SpanBounds<S>::inf;

@@ -23,8 +23,14 @@ struct ConeSide {
     template <class K>
     STRAHL_INLINE ConeSide(const ConeKernel<K>& cone, const Ray<S>& ray, const Doubt<S>& doubt,
                            const Slack<Element<S>>& slack)
-        : f(ray.origin - splat<S>(cone.base)), d(ray.direction), axis(splat<S>(cone.axis)), along_f(dot(f, axis)),
-          along_d(dot(d, axis)), cosine(cone.cosine), sine(cone.sine), radius(cone.radius) {
+        : f(ray.origin - splat<S>(cone.base)),
+          d(ray.direction),
+          axis(splat<S>(cone.axis)),
+          along_f(dot(f, axis)),
+          along_d(dot(d, axis)),
+          cosine(cone.cosine),
+          sine(cone.sine),
+          radius(cone.radius) {
         constexpr auto u = unit_error<S>;
         constexpr Element<S> turned = 2.5f;
         const S widest(cone.widest), from = norm1(f);
@@ -81,8 +87,7 @@ struct ConeSide {
         const S t = select(nearest > from, min(nearest, to), from);
         const Vec3<S> u = at(t).across, w = scale(S(1) / sqrt(dot(u, u)), u);
         const Place first = at(from), last = at(to);
-        const S beyond_plane =
-            min(beyond(dot(w, first.across), first.along), beyond(dot(w, last.across), last.along));
+        const S beyond_plane = min(beyond(dot(w, first.across), first.along), beyond(dot(w, last.across), last.along));
         return beyond_plane > max(off(from), off(to));
     }
     /// Returns the lanes in which a ray that starts on the side certainly leaves it outwards. The normal there turns by
@@ -107,10 +112,9 @@ STRAHL_INLINE SpanBounds<S> span_bounds(const ConeKernel<K>& cone, const Ray<S>&
     const Mask<S> maybe = here | !side.passes(middle - reach, middle + reach);
     if (none(maybe)) return {S(0), S(0), S(0), S(0), maybe, maybe};
 
-    const SpanBounds<S> ends =
-        between_ends(side.along_f, side.along_d, S(cone.height),
-                     doubt.away + own_error<S>(cone, slack) + S(slack.turn) * S(cone.height) + norm1(side.f) * turn,
-                     turn, start);
+    const SpanBounds<S> ends = between_ends(
+        side.along_f, side.along_d, S(cone.height),
+        doubt.away + own_error<S>(cone, slack) + S(slack.turn) * S(cone.height) + norm1(side.f) * turn, turn, start);
     const Span<S> crossed = cone.cross_side(side.f, side.d, side.along_f, side.along_d);
     const S leaves = select(own_side, cone.leave_side(side.f, side.d, side.along_f, side.along_d), crossed.far);
     S near_low, near_high, far_low, far_high;

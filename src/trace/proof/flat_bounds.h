@@ -25,8 +25,11 @@ STRAHL_INLINE SpanBounds<S> span_bounds(const DiscKernel<K>& disc, const Ray<S>&
     const Mask<S> within = (out + off < r) & ((hole == S(0)) | (out - off > hole));
     // A disc nearly parallel to the ray is met far away, if at all.
     const S nearest = (abs(over) - over_error) / (abs(slope) + slope_error);
-    return {S(-inf), S(-inf), select(slanted, t - off, select(nearest > S(0), nearest, S(-inf))),
-            select(slanted, t + off, S(inf)), Mask<S>(elsewhere & !(slanted & beside)),
+    return {S(-inf),
+            S(-inf),
+            select(slanted, t - off, select(nearest > S(0), nearest, S(-inf))),
+            select(slanted, t + off, S(inf)),
+            Mask<S>(elsewhere & !(slanted & beside)),
             Mask<S>(elsewhere & slanted & within)};
 }
 
@@ -91,9 +94,8 @@ STRAHL_INLINE S off_surface(const BoxKernel<S>& box, const Vec3<S>& p, const Sla
            fma(S(slack.turn + Element<S>(2.5) * u), norm1(p - box.centre), S(.51 * u) * norm1(p));
 }
 template <class S>
-STRAHL_INLINE PointBounds<S> point_bounds(const BoxKernel<S>& box, const Ray<S>& ray, const Doubt<S>& doubt,
-                                          const S& t, const SurfacePoint<S>& point, const S& face,
-                                          const Slack<Element<S>>& slack) {
+STRAHL_INLINE PointBounds<S> point_bounds(const BoxKernel<S>& box, const Ray<S>& ray, const Doubt<S>& doubt, const S& t,
+                                          const SurfacePoint<S>& point, const S& face, const Slack<Element<S>>& slack) {
     constexpr auto u = unit_error<S>;
     const S off = off_surface(box, point.position, slack);
     PointBounds<S> known = point_bounds(ray, doubt, t, point, off, S(0), S(slack.turn + 3 * u));

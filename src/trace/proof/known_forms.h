@@ -13,7 +13,7 @@ namespace strahl::inline STRAHL_LEVEL {
 /// True if there is a span_bounds() for the form's kernel.
 template <class Form>
 inline constexpr bool is_known = requires(const typename Form::template Kernel<double>& kernel, const Ray<double>& ray,
-                                       const Doubt<double>& doubt, const Slack<double>& slack) {
+                                          const Doubt<double>& doubt, const Slack<double>& slack) {
     span_bounds(kernel, ray, doubt, 0., slack);
 };
 /// Calls visit(group) if the form is known. Returns true if it is.

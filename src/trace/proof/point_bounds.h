@@ -171,8 +171,10 @@ STRAHL_INLINE void bound_inside(const S& k, const Ray<S>& ray, const Doubt<S>& d
 /// it starts.
 template <class S, class K>
 STRAHL_INLINE PointBounds<S> point_bounds(const K& body, const Ray<S>& ray, const Doubt<S>& doubt, const S& t,
-                                          const SurfacePoint<S>& point, const S& face, const Slack<Element<S>>& slack)
-    requires requires { bend_of(body, point.position, face, face, slack); }
+                                          const SurfacePoint<S>& point, const S& face,
+                                          const Slack<Element<S>>& slack) requires requires {
+    bend_of(body, point.position, face, face, slack);
+}
 {
     const S off = off_surface(body, point.position, slack);
     const Bend<S> bend = bend_of(body, point.position, face, off, slack);

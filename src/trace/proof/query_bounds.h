@@ -19,7 +19,7 @@ STRAHL_INLINE RoundedTraversalRay<S> traversal_ray(const DoubtfulRay<S>& own, co
 /// Finds what rays may meet in the hierarchy. Kept out of line: inlined, its stack frame would slow down small worlds.
 template <class S>
 [[gnu::noinline]] void candidates_in_hierarchy(const World<Element<S>>& world, const DoubtfulRay<S>& own,
-                                              Mask<S> active, const Slack<Element<S>>& slack, Candidates<S>& found) {
+                                               Mask<S> active, const Slack<Element<S>>& slack, Candidates<S>& found) {
     using T = Element<S>;
     const auto line = traversal_ray(own, slack);
     const auto look = [&](const Leaf& leaf, Mask<S> mask) {

@@ -89,7 +89,7 @@ struct Comparison {
     /// are off by `rounding` as a share of each, its rows by a few units of the products of three of their lengths as
     /// well.
     template <class Shape, class K>
-        requires requires(const Shape& shape) { in_own_space(shape); }
+    requires requires(const Shape& shape) { in_own_space(shape); }
     void operator()(const Shape& shape, const AffineKernel<K, T>& kernel) const {
         constexpr Extended few = 16 * ExtendedTransform::unit;
         const auto own = extended_affine(shape, to_world, {});

@@ -65,7 +65,9 @@ STRAHL_INLINE SpanBounds<S> span_bounds(const TriangleKernel<K>& kernel, const R
     const S leans = fma(way, abs(towards) + S(3 * u) * (S(2) + triangle.narrow), off);
     const S along_e = dot(triangle.e, d), along_f = dot(triangle.f, d);
     const S nearest = dot(to_a, d) + min(S(0), min(along_e, along_f)) - off;
-    return {S(-inf), S(-inf), select(slanted, t - reach, select(nearest > S(0), nearest, S(-inf))),
+    return {S(-inf),
+            S(-inf),
+            select(slanted, t - reach, select(nearest > S(0), nearest, S(-inf))),
             select(slanted, t + reach, S(inf)),
             Mask<S>(elsewhere & !((slanted & (within < -edge)) | (triangle.clear & (abs(over) > leans)))),
             Mask<S>(elsewhere & slanted & (within > edge))};

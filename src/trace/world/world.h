@@ -63,14 +63,14 @@ struct LightKernel {
     T tightness = 0;
     bool special = false;  // has any of what follows
     bool shadowless = false;
-    T fade_per = 0, fade_power = 0;  // fade_per: 1 over the distance; 0 if the light does not fade
+    T fade_per = 0, fade_power = 0;   // fade_per: 1 over the distance; 0 if the light does not fade
     bool area = false, soft = false;  // soft: see Light
-    Vec3<T> u{0}, v{0};  // edges of a rectangle around its position, or unit vectors across parallel light
+    Vec3<T> u{0}, v{0};               // edges of a rectangle around its position, or unit vectors across parallel light
     std::int32_t columns = 0, rows = 0, adaptive = 0;  // of a soft light with a grid, see Light
     bool circular = false, orient = false;
     bool starts = false;  // parallel light from the plane of the points p with position . p = start
     T start = 0;
-    T beam = 0, core = 0;  // of parallel light around an axis, see Light; 0: it shines everywhere
+    T beam = 0, core = 0;    // of parallel light around an axis, see Light; 0: it shines everywhere
     std::int32_t group = 0;  // see FinishKernel
 };
 
@@ -200,9 +200,9 @@ struct FewBodies {
     const BodyBox<T>* boxes = nullptr;    // around the bodies
     const LightCone<T>* cones = nullptr;  // by light * bins + bin: each body as seen from the light
     const BodySet* occluders =
-        nullptr;  // by light * bins + bin: bodies that can keep the light from it, itself only from inside
-    BodySet cold = 0;                     // bodies of other than hot forms
-    BodySet convex = 0;                   // bodies that never shadow their own outside
+        nullptr;         // by light * bins + bin: bodies that can keep the light from it, itself only from inside
+    BodySet cold = 0;    // bodies of other than hot forms
+    BodySet convex = 0;  // bodies that never shadow their own outside
     // Transparent convex bodies that nothing else reaches into: a ray inside meets the same body again.
     BodySet enclosed = 0;
     // For proofs the cones by columns: by light the axes' x, y and z, the cosines and the distances of all bins.
@@ -292,9 +292,9 @@ struct World {
     MediumTables<T> media;
     FinishTables<T> finishes;
 
-    Vec3<T> eye{0};  // of the view that is traced
-    T rounding = 0;  // what the coordinates of points on bodies may be off
-    T passed_over = 0, passed_in_shadows = 0;  // what is nearer to the start of a ray is not there for it
+    Vec3<T> eye{0};                                   // of the view that is traced
+    T rounding = 0;                                   // what the coordinates of points on bodies may be off
+    T passed_over = 0, passed_in_shadows = 0;         // what is nearer to the start of a ray is not there for it
     T farthest = std::numeric_limits<T>::infinity();  // rays see nothing that is as far away
     T around_lights = 0;  // what is so near to a light, as a share of its distance, is not in its way
     ShadowRays shadow_rays = ShadowRays::whole;

@@ -78,8 +78,8 @@ DVec3 to_double(const Vec3<T>& v) {
 /// The traits of a form.
 struct FormTraits {
     bool hot, bounded, convex, listed;  // listed: rays list where they cross its items
-    int faces;   // of an item
-    int fields;  // numbers in an item, the last two being its surface and its material
+    int faces;                          // of an item
+    int fields;                         // numbers in an item, the last two being its surface and its material
 };
 template <class T, class... F>
 constexpr std::array<FormTraits, sizeof...(F)> traits_of(FormList<F...>) {

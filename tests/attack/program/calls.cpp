@@ -170,9 +170,7 @@ int unlink(const char* path) noexcept {
     if (result == 0) record("unlink", 0, 0, 0, path);
     return result;
 }
-int mkdir(const char* path, mode_t mode) noexcept {
-    return watched("mkdir", SYS_mkdirat, AT_FDCWD, path, mode);
-}
+int mkdir(const char* path, mode_t mode) noexcept { return watched("mkdir", SYS_mkdirat, AT_FDCWD, path, mode); }
 
 int ftruncate(int file, off_t size) noexcept {
     const int result = watched("ftruncate", SYS_ftruncate, file, size);
@@ -197,11 +195,7 @@ int close(int file) {
     if (!is_closed) call();
     return errno = error, static_cast<int>(result);
 }
-int fchmod(int file, mode_t mode) noexcept {
-    return watched("fchmod", SYS_fchmod, file, mode);
-}
-int fchown(int file, uid_t owner, gid_t group) noexcept {
-    return watched("fchown", SYS_fchown, file, owner, group);
-}
+int fchmod(int file, mode_t mode) noexcept { return watched("fchmod", SYS_fchmod, file, mode); }
+int fchown(int file, uid_t owner, gid_t group) noexcept { return watched("fchown", SYS_fchown, file, owner, group); }
 
 }  // extern "C"

@@ -2,8 +2,8 @@
 #pragma once
 #include <string>
 
-#include "attacked.h"
 #include "../options.h"
+#include "attacked.h"
 
 namespace strahl::attack {
 

@@ -13,9 +13,9 @@
 #include "image/pixels.h"
 #include "image/transfer.h"
 #include "num/thread_pool.h"
+#include "show/motion/screen_image.h"
 #include "show/session/flight.h"
 #include "show/session/progressive.h"
-#include "show/motion/screen_image.h"
 #include "tests/bench/measure.h"
 #include "text/parse.h"
 #include "trace/tracer.h"
@@ -147,8 +147,7 @@ void fly(Shot& shot, int moments) {
     for (int level = finest_level; level >= -1; --level)
         if (const auto at = std::size_t(level + 1); plain_levels[at] + filled_levels[at] > 0)
             std::printf("1/%-4d of the pixels: plain %5.1f %%, filled %5.1f %% of the moments\n",
-                        steps_of(level).area(), 100. * plain_levels[at] / moments,
-                        100. * filled_levels[at] / moments);
+                        steps_of(level).area(), 100. * plain_levels[at] / moments, 100. * filled_levels[at] / moments);
 }
 
 }  // namespace

@@ -26,9 +26,10 @@ int main(int argc, char** argv) {
     add(1, 0);
     const std::int32_t last = 1 + inner * rings;
     const auto at = [&](int i, int k) { return i == 0 ? 0 : i == rings ? last : 1 + (i - 1) * rings + k % rings; };
-    std::printf("ply\nformat binary_little_endian 1.0\nelement vertex %zu\nproperty float x\nproperty float y\n"
-                "property float z\nelement face %d\nproperty list uchar int vertex_indices\nend_header\n",
-                points.size() / 3, 2 * inner * rings);
+    std::printf(
+        "ply\nformat binary_little_endian 1.0\nelement vertex %zu\nproperty float x\nproperty float y\n"
+        "property float z\nelement face %d\nproperty list uchar int vertex_indices\nend_header\n",
+        points.size() / 3, 2 * inner * rings);
     std::fwrite(points.data(), sizeof(float), points.size(), stdout);
     const auto face = [](std::int32_t a, std::int32_t b, std::int32_t c) {
         std::putchar(3);

@@ -176,8 +176,7 @@ void write_details(const std::vector<World>& worlds) {
                       << (row.rays > 0 && row.trace > 0 ? digits(row.rays / row.trace * 1e-6) : "") << " | "
                       << text("%.0f", row.memory / 1024) << " | "
                       << (row.difference ? text("%.2g", *row.difference) : "") << " | "
-                      << (row.beyond ? text("%.4f", 100 * *row.beyond / row.width / row.height) + " %" : "")
-                      << " |\n";
+                      << (row.beyond ? text("%.4f", 100 * *row.beyond / row.width / row.height) + " %" : "") << " |\n";
         }
     }
 }

@@ -228,8 +228,9 @@ int main(int argc, char** argv) {
         const Measured own{argv[1], number(2, 320), number(3, 32), argc > 4 ? std::atof(argv[4]) : -1};
         return compare(own, all.subspan(std::min(argc, 5)));
     }
-    return std::puts("usage: bench_sampling SCENE [WIDTH [GRID [TIME [PICTURE...]]]]\n"
-                     "       bench_sampling --table WIDTH GRID SCENE[@TIME]...\n"
-                     "GRID 0: no reference, so that errors are only estimated"),
+    return std::puts(
+               "usage: bench_sampling SCENE [WIDTH [GRID [TIME [PICTURE...]]]]\n"
+               "       bench_sampling --table WIDTH GRID SCENE[@TIME]...\n"
+               "GRID 0: no reference, so that errors are only estimated"),
            2;
 }

@@ -75,8 +75,8 @@ TEST_CASE("pictures without compression: headers that are forged, and files that
 TEST_CASE("BMP headers that are forged, and files that are cut off") {
     const Scratch folder;
     const auto reading = [&](std::int32_t start, std::int32_t width, std::int32_t height, std::size_t size) {
-        std::string bytes = "BM" + little_endian(0, 0, start, 40, width, height, std::uint16_t(1), std::uint16_t(24),
-                                                   0, 0, 0, 0, 0, 0);
+        std::string bytes =
+            "BM" + little_endian(0, 0, start, 40, width, height, std::uint16_t(1), std::uint16_t(24), 0, 0, 0, 0, 0, 0);
         bytes.resize(size, '\7');
         write_file(folder / "a.bmp", bytes);
         return fault_in(folder / "a.bmp");

@@ -13,10 +13,10 @@
 #include <random>
 
 #include "files/output_file.h"
-#include "image/uncompressed.h"
 #include "image/pixels.h"
 #include "image/transfer.h"
 #include "image/transfer_table.h"
+#include "image/uncompressed.h"
 #include "tests/unit/faults.h"
 #include "tests/unit/scratch.h"
 

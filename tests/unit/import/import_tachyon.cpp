@@ -29,8 +29,9 @@ TEST_CASE("Tachyon: camera and lights, mirrored in z") {
 }
 
 TEST_CASE("Tachyon: parallel light, spotlights, fog and skies") {
-    const Imported lit = imported(eye + "DIRECTIONAL_LIGHT DIRECTION 0 -1 2 COLOR 1 .5 1\nSPOTLIGHT CENTER 1 2 3 RAD 0 "
-                                        "DIRECTION 0 0 2 FALLOFF_START 20 FALLOFF_END 45 COLOR 1 1 0\n");
+    const Imported lit = imported(eye +
+                                  "DIRECTIONAL_LIGHT DIRECTION 0 -1 2 COLOR 1 .5 1\nSPOTLIGHT CENTER 1 2 3 RAD 0 "
+                                  "DIRECTION 0 0 2 FALLOFF_START 20 FALLOFF_END 45 COLOR 1 1 0\n");
     CHECK(lit.scene.lights.at(0) == Light{.color = {1, .5, 1}, .direction = DVec3(0, -1, -2)});
     CHECK(lit.scene.lights.at(1) ==
           Light{.position = {1, 2, -3}, .color = {1, 1, 0}, .spot = Spot{{1, 2, -5}, 20, 45}});
@@ -48,7 +49,7 @@ TEST_CASE("Tachyon: parallel light, spotlights, fog and skies") {
     CHECK(std::get<Gradient>(pattern.kind).axis == DVec3(0, 0, -1));
     CHECK(pattern.colors == std::vector<ColorStop>{{.4, {0, 0, 1}}, {.8, {1, 0, 0}}});
     const auto at = glm::inverse(matrix(pattern.transformations)) * glm::dvec4(0, 0, .9, 1);  // .9 down
-    CHECK(-at.z == doctest::Approx(.2));  // (-.9 + 1.5) / 3
+    CHECK(-at.z == doctest::Approx(.2));                                                      // (-.9 + 1.5) / 3
     CHECK(sky.warnings.empty());
 }
 
@@ -143,9 +144,9 @@ TEST_CASE("Tachyon: features without a counterpart are reported and replaced by 
           "LIGHT CENTER 0 0 0 RAD 0 ATTENUATION CONSTANT 1 LINEAR 0 QUADRATIC 0 COLOR 1 1 1",
           "SPOTLIGHT CENTER 0 0 0 RAD 0 DIRECTION 0 0 0 FALLOFF_START 1 FALLOFF_END 2 COLOR 1 1 1",
           "SPOTLIGHT CENTER 0 0 0 RAD 0 DIRECTION 0 0 1 FALLOFF_START 5 FALLOFF_END 2 COLOR 1 1 1",
-          "DIRECTIONAL_LIGHT DIRECTION 0 0 0 COLOR 1 1 1",
-          "START_CLIPGROUP NUMPLANES 1 0 0 1 5 END_CLIPGROUP", "SPHERE CENTER 0 0 0 RAD 1 nowhere",
-          "SKY_LIGHT NUMSAMPLES 9 COLOR 1 1 1", "SCAPE RES 9 9 SCALE 1 1 CENTER 0 0 0 nowhere",
+          "DIRECTIONAL_LIGHT DIRECTION 0 0 0 COLOR 1 1 1", "START_CLIPGROUP NUMPLANES 1 0 0 1 5 END_CLIPGROUP",
+          "SPHERE CENTER 0 0 0 RAD 1 nowhere", "SKY_LIGHT NUMSAMPLES 9 COLOR 1 1 1",
+          "SCAPE RES 9 9 SCALE 1 1 CENTER 0 0 0 nowhere",
           "SPHERE CENTER 0 0 0 RAD 0 TEXTURE AMBIENT 0 DIFFUSE 1 SPECULAR 0 OPACITY 1 COLOR 1 1 1 TEXFUNC 0",
           "TEXDEF a AMBIENT 0 DIFFUSE 1 SPECULAR 0 OPACITY 1 COLOR 1 1 1 TEXFUNC 7 b.ppm CENTER 0 0 0 ROTATE 0 0 0 "
           "SCALE 1 1 1",

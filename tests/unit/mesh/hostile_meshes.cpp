@@ -129,8 +129,7 @@ TEST_CASE("indices out of range") {
     CHECK(fault_in("a.obj", points + "f 1 2 -4\nv 1 1 1") == Says{"point -4, and before it come 3 points"});
     CHECK(fault_in("a.obj", points + "f 1//1 2//1 3//2") == Says{"names normal 2; the file has 1 normal"});
     CHECK(fault_in("a.obj", points + "f 1//1 2//1 3//-2") == Says{"normal -2, and before it come 1 normal"});
-    for (const char* corner :
-         {"3z", "/3", "3/x/1", "3/1/1/1", "x", "1.5", "99999999999999999999"}) {
+    for (const char* corner : {"3z", "/3", "3/x/1", "3/1/1/1", "x", "1.5", "99999999999999999999"}) {
         CAPTURE(corner);
         CHECK(fault_in("a.obj", points + "f 1 2 " + corner) == Says{std::string("'") + corner + "' is not a corner"});
     }

@@ -1,10 +1,11 @@
 // Directives in scene text: the scenes that they make, and where errors are.
+#include "pov/expand.h"
+
 #include <doctest/doctest.h>
 
 #include <fstream>
 #include <string>
 
-#include "pov/expand.h"
 #include "pov/open_scene.h"
 #include "tests/unit/faults.h"
 #include "tests/unit/scratch.h"
@@ -33,9 +34,9 @@ TEST_CASE("directives make the scene that the same text without them makes") {
 #if (Size > 1) light { position <0, 0, 9> color <1, 1, 1> } #else light { position 9 * z color <1, 1, 1> } #end
 )");
     CHECK(row == expanded("sphere { <-2, 0, 1>, .5 material { rgb <.5, 0, 0> pow 60 specular .25 } }"
-                        "sphere { <0, 0, 1>, .5 material { rgb <.5, .25, 0> pow 60 specular .25 } }"
-                        "sphere { <2, 0, 1>, .5 material { rgb <.5, .5, 0> pow 60 specular .25 } }"
-                        "light { position <0, 0, 9> color <1, 1, 1> }"));
+                          "sphere { <0, 0, 1>, .5 material { rgb <.5, .25, 0> pow 60 specular .25 } }"
+                          "sphere { <2, 0, 1>, .5 material { rgb <.5, .5, 0> pow 60 specular .25 } }"
+                          "light { position <0, 0, 9> color <1, 1, 1> }"));
     // The words of tracks, names in quotes, and `define` stay what they are.
     const Scene moving = expanded(R"(
 #declare N = 3;
@@ -43,8 +44,8 @@ define Red material { rgb <1, 0, 0> }
 sphere { <0, 0, 0>, N - 2  material Red { diffuse track "x" .25 } translate <track "y" 1, N, 3> }
 )");
     CHECK(moving == expanded("define Red material { rgb <1, 0, 0> }"
-                           "sphere { <0, 0, 0>, 1 material Red { diffuse track \"x\" .25 } "
-                           "translate <track \"y\" 1, 3, 3> }"));
+                             "sphere { <0, 0, 0>, 1 material Red { diffuse track \"x\" .25 } "
+                             "translate <track \"y\" 1, 3, 3> }"));
 }
 
 TEST_CASE("texts have directives only outside of comments and quotes") {

@@ -269,7 +269,9 @@ TEST_CASE("a scene file of POV-Ray's is seen by another camera than its own") {
         CAPTURE(right);
         const std::string path = folder / "scene.pov";
         std::ofstream(path) << "#version 3.7; global_settings { assumed_gamma 1 }\n"
-                               "camera { location <1, 2, -6> right 4/3*" << right << " look_at <0, .5, 0> angle 40 }\n"
+                               "camera { location <1, 2, -6> right 4/3*"
+                            << right
+                            << " look_at <0, .5, 0> angle 40 }\n"
                                "light_source { <-5, 9, -3>, 1 } plane { y, 0 pigment { rgb <.3, .6, .2> } }\n"
                                "sphere { <.5, 1, 1>, 1 pigment { rgb <.9, .2, .1> } } // no end of line";
         const OpenedScene opened = open_scene(bytes_of(path), path, {}, read_pixels);

@@ -141,11 +141,10 @@ TEST_CASE("bodies made of bodies: a material for each part, or one for all of a 
                " }\n  sphere { <0, 0.5, 1>, 1 translate <0, 0, 0.5> }\n  scale 2 " + own + " }";
     };
     const std::string dull = convert(lens("material { reflection 0 }", "")).pov;
-    CHECK(
-        has(dull,
-            "\nintersection {\n  sphere { <0, 0, 1>, 1 texture { Grey_Gloss } }\n"
-            "  sphere { <0, 0.5, 1>, 1 translate <0, 0, 0.5> }\n  texture { Grey_Mirror }\n  scale 2\n"
-            "  scale Unit\n}\n"));
+    CHECK(has(dull,
+              "\nintersection {\n  sphere { <0, 0, 1>, 1 texture { Grey_Gloss } }\n"
+              "  sphere { <0, 0.5, 1>, 1 translate <0, 0, 0.5> }\n  texture { Grey_Mirror }\n  scale 2\n"
+              "  scale Unit\n}\n"));
     const std::string glass = "material { rgb <1, 0, 0> reflection 0 refraction 1 diffuse 0 ior 1.5 }";
     const PovFiles clear = convert(lens("", glass));
     CHECK(has(clear.pov,

@@ -93,9 +93,7 @@ TEST_CASE("a hundred thousand glass balls are searched in no time, along any axi
 TEST_CASE("rays meet the same triangles of a mesh with and without a tree") {
     Dice dice(7);
     auto mesh = std::make_shared<MeshData>();
-    const auto anywhere = [&](double size) {
-        return dice.vector(-size, size);
-    };
+    const auto anywhere = [&](double size) { return dice.vector(-size, size); };
     for (std::int32_t i = 0; i < 300; ++i) {
         const DVec3 middle = anywhere(4);
         for (int k = 0; k < 3; ++k) mesh->points.push_back(middle + anywhere(1));

@@ -30,7 +30,8 @@ struct PlacedPieces {
     /// Returns all crossings, the nearest first, or some from the first `enough` on. Some kernels take lines of doubles
     /// in worlds of floats.
     std::vector<T> crossings(const Ray<T>& ray, int enough = 1000) const {
-        using V = std::conditional_t<requires { Kernel::in_double; }, Doubles<T>, T>;
+        using V = std::conditional_t < requires { Kernel::in_double; }
+        , Doubles<T>, T > ;
         std::vector<T> found;
         kernel.each_crossing(pieces, enough, Ray<V>{Vec3<V>(ray.origin), Vec3<V>(ray.direction), V(0)}, V(ray.source),
                              true, [&](bool, V t, V) { found.push_back(static_cast<T>(t)); });

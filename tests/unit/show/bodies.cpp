@@ -282,7 +282,7 @@ TEST_CASE("lines are added and removed, and undo and redo find them again") {
 }
 
 TEST_CASE("the lines around a body are those between its pixels and others") {
-    const std::vector<bool> inside{false, true, true, false,  //
+    const std::vector<bool> inside{false, true, true,  false,  //
                                    false, true, false, false};
     CHECK(lines_around(inside, 4, 2) ==
           std::vector<SilhouetteLine>{{2, 1, 3, 1}, {1, 0, 1, 2}, {2, 1, 2, 2}, {3, 0, 3, 1}});

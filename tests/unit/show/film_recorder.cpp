@@ -81,8 +81,7 @@ TEST_CASE("a film shows the flight as it is edited, from where the camera is if 
     CHECK(camera_at(order->scene, .5).position.x > 1.5);
     REQUIRE(order->sound);
     CHECK(order->sound->file == "a/m.ogg");
-    Session moving(shown_scene(
-        "sphere { <0,0,0>, 1 motion { key { time 0 } key { time 3 translate <1,0,0> } } }"));
+    Session moving(shown_scene("sphere { <0,0,0>, 1 motion { key { time 0 } key { time 3 translate <1,0,0> } } }"));
     moving.steer({.right = 1}, 0);
     const auto seen = film_of(moving, "scene.rt", 64, 48);
     REQUIRE(seen);

@@ -35,8 +35,7 @@ std::vector<std::string> names_of(const std::vector<OutlineRow>& rows, const std
 TEST_CASE("the outline has lights, bodies, and the parts of composites with their leaves") {
     const std::vector<OutlineRow> rows = outline_of(*shown_scene(more));
     using Names = std::vector<std::string>;
-    CHECK(names_of(rows, "") ==
-          Names{"light 1", "spotlight 2", "sphere 1", "sphere 2", "plane 3", "difference 4"});
+    CHECK(names_of(rows, "") == Names{"light 1", "spotlight 2", "sphere 1", "sphere 2", "plane 3", "difference 4"});
     CHECK(names_of(rows, "", {3}) == Names{"light 1", "spotlight 2", "sphere 1", "sphere 2", "plane 3", "difference 4",
                                            "box", "union", "sphere", "sphere", "cylinder"});
     CHECK(names_of(rows, "SPHERE") == Names{"sphere 1", "sphere 2", "difference 4", "sphere", "sphere"});

@@ -399,9 +399,12 @@ TEST_CASE("the window's size and place are kept in the XDG state folder") {
         std::ofstream(folder / "new/state/strahl/window") << bad;
         CHECK(!read_window_state());
     }
-    std::ofstream(folder / "new/state/strahl/window") << "\xEF\xBB\xBF" "1 2 300 400";
+    std::ofstream(folder / "new/state/strahl/window") << "\xEF\xBB\xBF"
+                                                         "1 2 300 400";
     CHECK(read_window_state() == WindowState{1, 2, 300, 400});
-    CHECK(!window_state_in("\xFF\xFE" "1"));
+    CHECK(
+        !window_state_in("\xFF\xFE"
+                         "1"));
     ::setenv("XDG_STATE_HOME", "relative", 1);  // to be ignored, says the specification
     ::setenv("HOME", (folder / "home").c_str(), 1);
     CHECK(window_state_file() == folder / "home/.local/state/strahl/window");

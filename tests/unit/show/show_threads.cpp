@@ -88,8 +88,7 @@ Exact exact(const Order& order) {
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         image.pixels[i] = 0xff000000u;
         for (int c = 0; c < 3; ++c)
-            image.pixels[i] |= quantise(frame.rgb[3 * i + c], order.scene->settings.assumed_gamma, 255)
-                               << 8 * (2 - c);
+            image.pixels[i] |= quantise(frame.rgb[3 * i + c], order.scene->settings.assumed_gamma, 255) << 8 * (2 - c);
     }
     return {image, rays};
 }
@@ -128,7 +127,7 @@ TEST_CASE("in motion a picture is not refined; at rest refinement continues") {
     order.moving = true, order.finest = 3;
     watcher.tracing.want(order);
     REQUIRE(watcher.watch([](const Refinement& r) { return r.number == 1; }));
-    CHECK(watcher.state.level == 2);  // to begin with
+    CHECK(watcher.state.level == 2);    // to begin with
     CHECK(watcher.screen.width == 64);  // between every 8th pixel it is interpolated
     const std::uint64_t first = watcher.state.rays.camera;
     CHECK(first <= 9 * 9);  // a cell of 8x8 pixels of the level, with its corners

@@ -117,8 +117,7 @@ TEST_CASE("a value says which block it comes from, and can become the body's own
     CHECK(own(1, 0, "refraction").find("dark { ior 2  refraction 0.5 } }") != std::string::npos);
     CHECK(own(2, 0, "pow").find("sphere { <0,0,0>, 2  material { pow 0.5 } } box") != std::string::npos);
     for (int body = 0; body < 3; ++body) static_cast<void>(parse_scene(own(body, 0, "pow"), ""));
-    const std::string shared =
-        with_numbers(valid, value(body_of(valid, 0), "ior"), std::vector<double>{1.25});
+    const std::string shared = with_numbers(valid, value(body_of(valid, 0), "ior"), std::vector<double>{1.25});
     const Scene scene = parse_scene(shared, "");
     CHECK(scene.materials[scene.primitives[0].material].ior == 1.25);
     CHECK(scene.materials[scene.primitives[1].material].ior == 2);

@@ -36,10 +36,14 @@ TEST_CASE("a byte order mark is skipped, and UTF-16 and UTF-32 are called so") {
     };
     for (const std::string& text : {eye, tracks}) {
         const std::string zeros(2, '\0');
-        for (const auto& [bytes, encoding] :
-             {std::pair{wide(text, 0, 1), "16"}, {wide(text, 1, 0), "16"}, {"\xFF\xFE" + wide(text, 0, 1), "16"},
-              {"\xFE\xFF" + wide(text, 1, 0), "16"}, {wide(text, 0, 3), "32"}, {wide(text, 3, 0), "32"},
-              {"\xFF\xFE" + zeros + wide(text, 0, 3), "32"}, {zeros + "\xFE\xFF" + wide(text, 3, 0), "32"}}) {
+        for (const auto& [bytes, encoding] : {std::pair{wide(text, 0, 1), "16"},
+                                              {wide(text, 1, 0), "16"},
+                                              {"\xFF\xFE" + wide(text, 0, 1), "16"},
+                                              {"\xFE\xFF" + wide(text, 1, 0), "16"},
+                                              {wide(text, 0, 3), "32"},
+                                              {wide(text, 3, 0), "32"},
+                                              {"\xFF\xFE" + zeros + wide(text, 0, 3), "32"},
+                                              {zeros + "\xFE\xFF" + wide(text, 3, 0), "32"}}) {
             const std::string said = std::string(": this text is in UTF-") + encoding + "; save the file as UTF-8";
             CHECK(message(bytes) == "x.rt" + said);
             CHECK(fault_of([&] { parse_tracks(bytes, "x.tracks"); }) == "x.tracks" + said);
@@ -49,16 +53,34 @@ TEST_CASE("a byte order mark is skipped, and UTF-16 and UTF-32 are called so") {
 
 TEST_CASE("files of tracks with braces and words where none belong are refused, and reading them ends") {
     const std::string good = "track \"a\" { 0 1 step }\n";
-    for (const char* const text : {"}", "}}", "{", "{}", "}{", "]", "track", "track \"a\"", "track \"a\" {", "track {",
-                                   "track \"a\" }", "track \"a\" {{", "track \"a\" { 0", "track \"a\" { track {", "/",
-                                   "/*", "x {", "x { }", "} track", "\"", "0 1 step", "track track \"a\" {}"}) {
+    for (const char* const text : {"}",
+                                   "}}",
+                                   "{",
+                                   "{}",
+                                   "}{",
+                                   "]",
+                                   "track",
+                                   "track \"a\"",
+                                   "track \"a\" {",
+                                   "track {",
+                                   "track \"a\" }",
+                                   "track \"a\" {{",
+                                   "track \"a\" { 0",
+                                   "track \"a\" { track {",
+                                   "/",
+                                   "/*",
+                                   "x {",
+                                   "x { }",
+                                   "} track",
+                                   "\"",
+                                   "0 1 step",
+                                   "track track \"a\" {}"}) {
         CAPTURE(text);
         for (const std::string& all : {std::string(text), good + text, text + good})
             CHECK(fault_of([&] { parse_tracks(all, "x.tracks"); }).starts_with("x.tracks:"));
     }
     const auto fault = fault_of([&] { parse_tracks(good + "}\n", "x.tracks"); });
-    CHECK(lines(fault).at(0) ==
-          "x.tracks:2:1: a block expected, such as 'track \"fade\" { 0 1 step }', but found '}'");
+    CHECK(lines(fault).at(0) == "x.tracks:2:1: a block expected, such as 'track \"fade\" { 0 1 step }', but found '}'");
 }
 
 TEST_CASE("a reader that does not come further is stopped") {

@@ -1,5 +1,6 @@
 // The scene language: valid scenes.
 #include "tests/unit/text/language.h"
+
 #include "text/write.h"
 
 using namespace strahl;

@@ -131,11 +131,13 @@ TEST_CASE("other files than scenes are named") {
     for (const char* const plain : {"P3\n2 2 255 0 0 0", "P6 2 2 255 ", "PF\n2 2\n-1\n", "P1\n# a comment"})
         says(plain, "a.rt", "a.rt is a picture, not a scene");
     says("RIFF....WAVEfmt ", "a.rt", "a.rt is a sound, not a scene");
-    says("\x7F" "ELF", "a.rt", "a.rt is a program, not a scene");
+    says(
+        "\x7F"
+        "ELF",
+        "a.rt", "a.rt is a program, not a scene");
     says("v 0 0 0\n", "b.OBJ", "b.OBJ is a mesh, not a scene; a scene shows it by mesh { file \"b.OBJ\" }");
     says("ply\n", "b.ply", "b.ply is a mesh, not a scene; a scene shows it by mesh { file \"b.ply\" }");
-    says("v\n", "b.nff",
-         "b.nff is a scene of another program; convert it first: strahl import b.nff -o SCENE.rt");
+    says("v\n", "b.nff", "b.nff is a scene of another program; convert it first: strahl import b.nff -o SCENE.rt");
     // A comment may begin a scene, and a scene may be called anything.
     CHECK(fault_of([&] { parse_scene("// P3\n" + eye, "BM"); }, "no error") == "no error");
 }
@@ -168,21 +170,17 @@ TEST_CASE("missing parameters") {
 
 TEST_CASE("syntax errors") {
     check_fault("sphere <0,0,0>, 1", "2:8: '{' expected after 'sphere', but found '<'");
-    check_fault("sphere { <0 0,0>, 1 }",
-                "2:13: ',' expected between the three numbers of a vector, but found '0'");
+    check_fault("sphere { <0 0,0>, 1 }", "2:13: ',' expected between the three numbers of a vector, but found '0'");
     check_fault("sphere { <0,0>, 1 }", "2:14: ',' expected between the three numbers of a vector, but found '>'");
-    check_fault("sphere { <0,0,0,0>, 1 }",
-                "2:16: '>' expected after the three numbers of a vector, but found ','");
+    check_fault("sphere { <0,0,0,0>, 1 }", "2:16: '>' expected after the three numbers of a vector, but found ','");
     check_fault("sphere { <0,0,inf>, 1 }", "2:15: a number expected for 'centre' of 'sphere', but found 'inf'");
     check_fault("sphere { <0,0,-nan>, 1 }", "2:15: a number expected for 'centre' of 'sphere', but found '-nan'");
     check_fault("sphere { <0,0,0>, --1 }", "2:19: a number expected for 'radius' of 'sphere', but found '-'");
     check_fault("sphere { <0,0,0>, 1.2.3 }", "2:19: '1.2.3' is not a number");
     check_fault("sphere { <0,0,0>, 1e }", "2:19: '1e' is not a number");
     check_fault("sphere { <0,0,0>, 0x10 }", "2:19: '0x10' is not a number");
-    check_fault("sphere { <0,0,0>, 1e999 }",
-                "2:19: '1e999' is out of the range of numbers (4.9e-324 to 1.8e308)");
-    check_fault("sphere { <0,0,0>, 1e-999 }",
-                "2:19: '1e-999' is out of the range of numbers (4.9e-324 to 1.8e308)");
+    check_fault("sphere { <0,0,0>, 1e999 }", "2:19: '1e999' is out of the range of numbers (4.9e-324 to 1.8e308)");
+    check_fault("sphere { <0,0,0>, 1e-999 }", "2:19: '1e-999' is out of the range of numbers (4.9e-324 to 1.8e308)");
     check_fault("sphere { <0,0,0>, 1, }", "2:20: a word or '}' expected in 'sphere', but found ','");
     check_fault("sphere { <0,0,0>, 1 } }", "2:23: a block expected, such as 'sphere { ... }', but found '}'");
     check_fault("<1,2,3>", "2:1: a block expected, such as 'sphere { ... }', but found '<'");

@@ -228,10 +228,8 @@ TEST_CASE("invalid flythroughs") {
                 "'duration' longer");
     check_fault(path("duration 2", "0 tmie 3", "0"), "3:47: unknown word 'tmie' in 'key'; did you mean 'time'?");
     check_fault("key { time 1 }", "2:1: " + unknown("key"));
-    CHECK(
-        faults(eye + "flythrough { duration 2 key { time 0 position <0,0,0> look_at <0,0,0> }\nkey { time 1 position "
-                     "<0,0,0> look_at <0,0,1> } }") ==
-        Faults{
-            "x.rt:2:25: invalid camera at this key: position and look_at are the same point",
-            "x.rt:3:1: invalid camera at this key: up is parallel to the direction from position to look_at"});
+    CHECK(faults(eye + "flythrough { duration 2 key { time 0 position <0,0,0> look_at <0,0,0> }\nkey { time 1 position "
+                       "<0,0,0> look_at <0,0,1> } }") ==
+          Faults{"x.rt:2:25: invalid camera at this key: position and look_at are the same point",
+                 "x.rt:3:1: invalid camera at this key: up is parallel to the direction from position to look_at"});
 }

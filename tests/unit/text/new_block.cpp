@@ -48,8 +48,8 @@ TEST_CASE("a new block is one that a person would write, behind the last body or
                       "  sphere { <0, 0, 0>, 0.5  material { rgb <.8, .8, .8>  reflection 0  refraction 0  "
                       "diffuse .8  ambient .1  specular .3 }  translate <1.23, 2, 0.5> }\n" +
                       text.substr(text.find("light")));
-    CHECK(with_new_block(text, block_of("light"), 1, {0, 0, 0}, {0, 0, 1}, 1, 2).find(
-              "} light { position <0, 0, 4>  color <.7, .7, .7> } background") != std::string::npos);
+    CHECK(with_new_block(text, block_of("light"), 1, {0, 0, 0}, {0, 0, 1}, 1, 2)
+              .find("} light { position <0, 0, 4>  color <.7, .7, .7> } background") != std::string::npos);
     CHECK(with_new_block("camera { }", block_of("light"), 0, {0, 0, 0}, {0, 0, 1}, 1, 2) ==
           "camera { }\nlight { position <0, 0, 4>  color <.7, .7, .7> }\n");
     // Bodies that a loop makes cannot be told apart in the text: the block comes behind all of it.

@@ -1,6 +1,4 @@
 // --error: off the edges, pictures stay within the error allowed, and larger errors cost less.
-#include "trace/measure/picture_accuracy.h"
-
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include "num/thread_pool.h"
 #include "tests/unit/scenes.h"
 #include "trace/measure/edge_pixels.h"
+#include "trace/measure/picture_accuracy.h"
 #include "trace/tracer.h"
 
 namespace strahl::accuracy {
@@ -121,10 +120,11 @@ TEST_CASE("an edge is a jump, not a gradual change") {
     CHECK(near < columns * rows / 2);
     CHECK(nearer < near);
     // A slope of a million steps ends unfound, and is no edge.
-    scene = parse_scene("camera { position <0, 0, 9> look_at <0, 0, 0> sky <0, 1, 0> angle 20 }\n"
-                        "light { position <9, 9, 9> color <1, 1, 1> }\n"
-                        "sphere { <0, 0, 0>, 1 material { rgb <.8, .8, .8> } }\n",
-                        "ball");
+    scene = parse_scene(
+        "camera { position <0, 0, 9> look_at <0, 0, 0> sky <0, 1, 0> angle 20 }\n"
+        "light { position <9, 9, 9> color <1, 1, 1> }\n"
+        "sphere { <0, 0, 0>, 1 material { rgb <.8, .8, .8> } }\n",
+        "ball");
     Tracer ball(scene, Precision::float64);
     CHECK(!on_edge(ball, {.camera = scene.camera, .width = 9, .height = 9}, pool, {4, 4}, .5, 1e-9));
     CHECK(on_edge(ball, {.camera = scene.camera, .width = 9, .height = 9}, pool, {4, 4}, 4, 1e-9));

@@ -128,8 +128,7 @@ TEST_CASE("bodies of which one is the unit of length, and the square of the othe
 
 TEST_CASE("glass in coloured fog that lets nearly nothing through") {
     // The colours of refracted rays were divided by the largest of them, whose inverse is infinite.
-    for (const std::string body :
-         {"plane { <0, 0, -1>, <1, 0, -1>, <0, 1, -1>", "box { <-4, -1, -1>, <4, 3, 1>"})
+    for (const std::string body : {"plane { <0, 0, -1>, <1, 0, -1>, <0, 1, -1>", "box { <-4, -1, -1>, <4, 3, 1>"})
         CHECK(faults("camera { position <0, -4, 1> look_at <0, 0, 0> up <0, 0, -1> fov 40 }"
                      "light { position <-5, -5, 2> color <1, 1, 1> }"
                      "fog { distance 2 color <1, 2, 1> altitude .5 transmit .7 filter .4 }" +

@@ -62,8 +62,7 @@ void hold(const Scene& scene, int depth) {
 TEST_CASE("no more radiance is lost than the bound says") {
     for (int seed = 0; seed < 40; ++seed) {
         CAPTURE(seed);
-        const RandomScene what{
-            .lights = seed % 3 == 1, .patterns = seed % 2 == 1, .camera_inside = seed % 4 == 3};
+        const RandomScene what{.lights = seed % 3 == 1, .patterns = seed % 2 == 1, .camera_inside = seed % 4 == 3};
         hold(random_scene(seed, what), 1 + seed % 5);
     }
     for (const auto& [title, scene, depth] : examples()) {

@@ -10,11 +10,13 @@ namespace strahl {
 
 /// A scene that shows colours as they are, seen along -z from above.
 inline Scene flat(const std::string& bodies, double width = 8, const std::string& at = "0, 0, 0") {
-    return parse_scene("global_settings { ambient_light <1, 1, 1> }\n"
-                       "defaultmaterial { ambient 1  diffuse 0  reflection 0  specular 0 }\n"
-                       "camera { position <0, 0, 100>  look_at <" + at + ">  sky <0, 1, 0>  fov " +
-                           std::to_string(std::atan(width / 200) * 57.29577951308232) + " }\n" + bodies,
-                       "flat");
+    return parse_scene(
+        "global_settings { ambient_light <1, 1, 1> }\n"
+        "defaultmaterial { ambient 1  diffuse 0  reflection 0  specular 0 }\n"
+        "camera { position <0, 0, 100>  look_at <" +
+            at + ">  sky <0, 1, 0>  fov " + std::to_string(std::atan(width / 200) * 57.29577951308232) + " }\n" +
+            bodies,
+        "flat");
 }
 inline Frame picture(const Scene& scene, Precision precision = Precision::float64, int width = 64, int height = 48) {
     return render(scene,

@@ -56,8 +56,8 @@ std::vector<double> differences(const Traced& a, const Traced& b) {
     std::vector<double> off(a.colors.size());
     for (std::size_t i = 0; i < off.size(); ++i)
         for (int shift = 0; shift < 24; shift += 8)
-            off[i] = std::max(off[i],
-                              std::abs(double(a.colors[i] >> shift & 255) - double(b.colors[i] >> shift & 255)));
+            off[i] =
+                std::max(off[i], std::abs(double(a.colors[i] >> shift & 255) - double(b.colors[i] >> shift & 255)));
     return off;
 }
 /// Cuts a part out of a picture.

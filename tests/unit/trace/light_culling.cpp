@@ -59,8 +59,7 @@ TEST_CASE("light culling does not change pictures") {
 TEST_CASE("light culling does not change pictures of random scenes") {
     for (int seed = 0; seed < random_scenes; ++seed) {
         CAPTURE(seed);
-        const RandomScene what{
-            .transparent = seed % 3 != 0, .lights = seed % 2 == 1, .camera_inside = seed % 5 == 4};
+        const RandomScene what{.transparent = seed % 3 != 0, .lights = seed % 2 == 1, .camera_inside = seed % 5 == 4};
         CHECK(largest_difference(random_scene(1000 + seed, what), Precision::float64) < 1e-8);
     }
 }
@@ -202,8 +201,9 @@ Scene large_world(int seed, bool scattered) {
     // Before all bodies, among them, nearly touching one, far away; grazing the floor; parallel; in a cone.
     const DVec3 ball = std::get<Sphere>(scene.primitives[1].shape).centre;
     const double size = std::get<Sphere>(scene.primitives[1].shape).radius;
-    const DVec3 places[] = {{4, -5, 6}, place(1), ball + DVec3(0, 0, 1.0001 * size), {-300, 40, 200}, {9, 3, -1.99},
-                            {-3, 2, 4}, {0, 0, 0}, {0, 0, 0}};
+    const DVec3 places[] = {{4, -5, 6},      place(1),      ball + DVec3(0, 0, 1.0001 * size),
+                            {-300, 40, 200}, {9, 3, -1.99}, {-3, 2, 4},
+                            {0, 0, 0},       {0, 0, 0}};
     for (const DVec3& position : places) {
         Light& light = scene.lights.emplace_back();
         light.position = position, light.color = Color(.3);

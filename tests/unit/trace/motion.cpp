@@ -1,12 +1,11 @@
 // Bodies and lights that move: their values, their pictures, and what the language says of them.
-#include "scene/moving_scene.h"
-
 #include <cmath>
 #include <numbers>
 #include <random>
 
 #include "num/thread_pool.h"
 #include "num/vec_math.h"
+#include "scene/moving_scene.h"
 #include "tests/unit/text/language.h"
 #include "text/write.h"
 #include "trace/tracer.h"

@@ -240,10 +240,9 @@ TEST_CASE("a mean is the sum of the colours of stops by their weights") {
         double weights[most_weighed];
         ValueGrid grid{.columns = 2, .rows = 2, .spread = dice.in(0, .1)};
         for (int k = 0; k < 9; ++k) grid.values[k] = dice.in(-.1, 1.1);
-        const PatternMean mean =
-            pattern.form == PatternForm::noise
-                ? mean_over(pattern, stops.data(), grid, weights)
-                : mean_over(pattern, stops.data(), {3. * vector(), vector(), vector()}, weights);
+        const PatternMean mean = pattern.form == PatternForm::noise
+                                     ? mean_over(pattern, stops.data(), grid, weights)
+                                     : mean_over(pattern, stops.data(), {3. * vector(), vector(), vector()}, weights);
         double all = 0;
         DVec3 sum(0);
         for (int k = 0; k < pattern.stops; ++k) all += weights[k], sum += weights[k] * stops[k].color;
@@ -279,7 +278,8 @@ TEST_CASE("means of patterns end and are finite, whatever the footprint") {
             }
 }
 
-const char* const fine_floors[]{  // all that is left of them is how often there is which value
+const char* const fine_floors[]{
+    // all that is left of them is how often there is which value
     "noise { octaves 1  colors { 0 <.5, .4, .4>  .2 <.4, .1, .7>  .62 <.05, .05, .05>  .62 <1, 1, 1>\n"
     "                           1 <.05, .05, .05> }  scale .006 }",
     "solid { quilted  turbulence <.05, .75, .4>  octaves 2  frequency 5  wave 4\n"
@@ -318,11 +318,12 @@ TEST_CASE("floors of checks, bricks and lines, and of patterns in these, come ou
     for (int depth : {1, 1, 2, 2}) texts.push_back(random_pattern(patterns, depth));
     for (const std::string& text : texts) {
         CAPTURE(text);
-        const Scene scene = parse_scene("camera { position <0, -10, 4>  look_at <0, 0, 1>  sky <0, 0, 1>  angle 40 }\n"
-                                        "light { position <-6, -8, 10>  color <1, 1, 1> }\n"
-                                        "plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0>  material { rgb " +
-                                            text + "  diffuse .9  specular 0  reflection 0 } }\n",
-                                        "floor", {}, {});
+        const Scene scene = parse_scene(
+            "camera { position <0, -10, 4>  look_at <0, 0, 1>  sky <0, 0, 1>  angle 40 }\n"
+            "light { position <-6, -8, 10>  color <1, 1, 1> }\n"
+            "plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0>  material { rgb " +
+                text + "  diffuse .9  specular 0  reflection 0 } }\n",
+            "floor", {}, {});
         const View view{.camera = scene.camera, .width = 80, .height = 60};
         const Lattice all{.columns = view.width, .rows = view.height};
         ThreadPool pool(2);

@@ -13,13 +13,13 @@ namespace {
 
 /// All coefficients are 0 until a test sets them.
 const Material dull{.rgb = {.5, .25, 1},
-                        .reflection = 0,
-                        .refraction = 0,
-                        .diffuse = 0,
-                        .ambient = 0,
-                        .specular = 0,
-                        .pow = 1,
-                        .ior = 1};
+                    .reflection = 0,
+                    .refraction = 0,
+                    .diffuse = 0,
+                    .ambient = 0,
+                    .specular = 0,
+                    .pow = 1,
+                    .ior = 1};
 
 Scene scene_of(std::initializer_list<std::pair<Shape, Material>> bodies) {
     Scene scene;

@@ -161,8 +161,9 @@ TEST_CASE("the squares of errors measured at some pixels are expected to be thos
         const MeasuredError one = measured_error({columns, rgb, samples}, .02, seed, trace);
         sum += one, spread += (one.squares - squares) * (one.squares - squares);
     }
-    CHECK(double(sum.checked) / times == doctest::Approx(.02 * (std::accumulate(samples.begin(), samples.end(), 0.) +
-                                                                .25 * columns * rows)).epsilon(.01));
+    CHECK(double(sum.checked) / times ==
+          doctest::Approx(.02 * (std::accumulate(samples.begin(), samples.end(), 0.) + .25 * columns * rows))
+              .epsilon(.01));
     CHECK(sum.squares / times == doctest::Approx(squares).epsilon(.06));
     CHECK(sum.variance > spread);  // it counts what a few of the pixels share
     CHECK(sum.variance < 4 * spread);

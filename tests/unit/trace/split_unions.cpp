@@ -45,8 +45,7 @@ TEST_CASE("unions are split where their parts share no points") {
         for (const Primitive& part : outer) boxes.push_back(transformed_bounds(part, glm::dmat4(1)));
         const std::vector<Transformation> lift{Translate{{0, 0, 3}}};
         for (const Primitive& part : inner) boxes.push_back(transformed_bounds(part, matrix(lift)));
-        if (!inner.empty())
-            outer.push_back({Union{std::make_shared<const std::vector<Primitive>>(inner)}, 0, lift});
+        if (!inner.empty()) outer.push_back({Union{std::make_shared<const std::vector<Primitive>>(inner)}, 0, lift});
         const Primitive whole{Union{std::make_shared<const std::vector<Primitive>>(outer)}, 0, {Translate{{9, 0, 0}}}};
 
         // Groups by the plainest way: neighbours take over the lower number until none does.

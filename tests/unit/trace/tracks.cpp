@@ -310,8 +310,7 @@ TEST_CASE("mistakes in a file of tracks") {
                   "x.tracks:3:8: a second track of this name"});
     check_tracks("track x { }", {"x.tracks:1:7: the name of a track in quotes expected, but found 'x'"});
     check_tracks("\xFF", {"x.tracks:1:1: not UTF-8; save the file in that encoding"});
-    check_tracks("track \"x\" { word }",
-                 {"x.tracks:1:13: a number expected for 'row' of 'track', but found 'word'"});
+    check_tracks("track \"x\" { word }", {"x.tracks:1:13: a number expected for 'row' of 'track', but found 'word'"});
 }
 
 TEST_CASE("scenes/beat.rt is cut to its music") {

@@ -228,8 +228,8 @@ struct BlobKernel : ContourKernel<T> {
             const int first = part * width<V>;
             LineSpans<V> spans;
             const Mask<V> own_starts = mask_of<V>(bits(starts) >> first);
-            const OwnLine<V> line = this->own_line(
-                Ray<V>{doubles_of(ray.origin, part), doubles_of(ray.direction, part), V(0)}, own_starts);
+            const OwnLine<V> line =
+                this->own_line(Ray<V>{doubles_of(ray.origin, part), doubles_of(ray.direction, part), V(0)}, own_starts);
             store_lanes(stretches.shift + first, line.shift), store_lanes(stretches.per + first, line.per);
             for (unsigned left = find_spans<V>(pieces, line.nearest, line.unit, -line.shift, own_starts,
                                                mask_of<V>(bits(lanes) >> first), spans);

@@ -96,9 +96,11 @@ struct JuliaKernel : ContourKernel<T> {
                             .sure_to = anywhere / line.per - line.shift,
                             .place = max(towards - root, ahead),
                             .lanes = lanes};
-        with_rule(own.rule, [&](auto rule) __attribute__((always_inline)) { start_march<rule()>(own, march); });
+        with_rule(
+            own.rule, [&](auto rule) __attribute__((always_inline)) { start_march<rule()>(own, march); });
         for (int found = 0; any(march.lanes);) {
-            with_rule(own.rule, [&](auto rule) __attribute__((always_inline)) { advance<rule()>(own, march); });
+            with_rule(
+                own.rule, [&](auto rule) __attribute__((always_inline)) { advance<rule()>(own, march); });
             const Mask<V> itself = march.turned & starts & (march.at < itself_until);
             const V t = (line.shift + march.at) * line.per;
             const Mask<V> there = march.turned & !itself & (starts | box.holds(ray, t, abs(t)));
@@ -117,12 +119,13 @@ struct JuliaKernel : ContourKernel<T> {
         Vec3<S> unit(S(0));
         for (int part = 0; part < width<S> / width<V>; ++part) {
             const Vec3<V> own_p = doubles_of(p, part);
-            const Vec3<V> n = with_rule(own.rule, [&](auto rule) __attribute__((always_inline)) {
-                if constexpr (width<V> != 1)
-                    return call_normal<rule()>(own, own_p);
-                else
-                    return JuliaOrbit<V, rule()>::normal(own, own_p);
-            });
+            const Vec3<V> n = with_rule(
+                own.rule, [&](auto rule) __attribute__((always_inline)) {
+                    if constexpr (width<V> != 1)
+                        return call_normal<rule()>(own, own_p);
+                    else
+                        return JuliaOrbit<V, rule()>::normal(own, own_p);
+                });
             const V length = sqrt(dot(n, n));
             const Mask<V> known = (length > V(0)) & (length <= V(std::numeric_limits<R>::max()));
             const V per = select(known, V(1) / length, V(0));
