@@ -5,7 +5,7 @@
 build_packages=(g++ cmake ninja-build pkg-config libglfw3-dev libgl-dev libglm-dev libopenimageio-dev zlib1g-dev
     libfreetype-dev libimgui-dev libcli11-dev nlohmann-json3-dev libopenal-dev libvorbis-dev)
 test_packages=(doctest-dev povray povray-includes ffmpeg xvfb xauth libgl1-mesa-dri xdotool imagemagick
-    openimageio-tools parallel dpkg-dev)
+    openimageio-tools parallel dpkg-dev clang-format)
 attack_packages=(clang-16 libclang-rt-16-dev)
 # Lists the names of each package in Debian, Fedora, Arch and openSUSE; "-" stands where a system may have none.
 names_elsewhere='
@@ -36,6 +36,7 @@ imagemagick       ImageMagick             imagemagick      ImageMagick
 openimageio-tools -                       openimageio      -
 parallel          parallel                parallel         gnu_parallel
 dpkg-dev          -                       dpkg             -
+clang-format      clang-tools-extra       clang            clang
 '
 
 say() { printf 'strahl: %s\n' "$*" >&2; }
