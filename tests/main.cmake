@@ -13,7 +13,7 @@ set_tests_properties(command_pictures command_farm command_film command_resume c
 # These show the same in every build.
 set_tests_properties(command_usage command_files command_check command_import command_models command_broken_scenes
                      PROPERTIES LABELS memory)
-add_test(NAME layout COMMAND bash ${CMAKE_SOURCE_DIR}/tests/layout.sh $<TARGET_FILE:strahl> ${CMAKE_SOURCE_DIR})
+add_test(NAME layout COMMAND bash ${CMAKE_SOURCE_DIR}/tests/layout.sh $<TARGET_FILE:strahl> ${CMAKE_SOURCE_DIR} ${CMAKE_BINARY_DIR})
 # These start other programs only.
 set_tests_properties(command_launcher command_ci layout PROPERTIES LABELS figures)
 
