@@ -1,9 +1,10 @@
-// Bodies and lights that the window adds to a scene's text.
+// Bodies, lights and materials that the window adds to a scene's text.
 #pragma once
 #include <array>
 #include <string>
 
 #include "num/vec.h"
+#include "text/body_text.h"
 #include "text/place_body.h"
 
 namespace strahl {
@@ -21,5 +22,17 @@ extern const std::array<NewBlock, 9> new_blocks;
 /// many of these the text has. Numbers are rounded to so many decimals, see rounded().
 std::string with_new_block(const std::string& text, const NewBlock& added, int count, const DVec3& point,
                            const DVec3& normal, double size, int decimals);
+
+/// A material: its name for the user, and its values as scene text. `color` is a colour, as text, which some keep;
+/// `size` is the length of a pattern's largest features, as text.
+struct MaterialPreset {
+    const char* name;
+    std::string (*values)(const std::string& color, const std::string& size);
+};
+extern const std::array<MaterialPreset, 6> material_presets;
+
+/// Returns the text in which a body with a place for its material has this one in place of its own. It keeps its colour
+/// if the material has none. `size` is about half the body's size.
+std::string with_material(const std::string& text, const BodyText& body, const MaterialPreset& preset, double size);
 
 }  // namespace strahl

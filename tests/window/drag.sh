@@ -106,7 +106,7 @@ cp scene.rt before.rt
 xdotool key ctrl+a sleep 0.3 mousemove --window "$id" 50 188 sleep 0.2 click 1
 xdotool sleep 0.3 mousemove --window "$id" 300 320 click 1
 await 'cone added'
-writes '^cone { <[-0-9., ]*, 0>, [0-9.]*, <[-0-9., ]*>, 0  material { rgb <.8, .8, .8> .* } }$'
+writes '^cone { <0, 0, -[0-9.]*>, [0-9.]*, <0, 0, [0-9.]*>, 0  material { rgb <.8, .8, .8> .* }  translate <[-0-9., ]*> }$'
 [[ $(diff before.rt scene.rt | grep -c '^[<>]') == 1 ]] || fault "more than a line: $(diff before.rt scene.rt)"
 xdotool key ctrl+z
 await 'undone'

@@ -7,7 +7,6 @@
 #include <unordered_map>
 
 #include "num/vec_math.h"
-#include "pov/meaning/coincident.h"
 #include "pov/meaning/open_mesh.h"
 #include "pov/meaning/scene_maker.h"
 #include "pov/things/prisms.h"
@@ -598,12 +597,6 @@ std::optional<SceneMaker::Part> SceneMaker::build_parts(const ObjectThing& objec
     const bool turns = unites && !solid.empty();
     Primitive whole{.shape = share_of(std::move(solid), std::move(hollow)), .material = 0, .transformations = more};
     if (object.kind == ObjectKind::unite && !within.merges) keep_surfaces(whole, around, turns, object.place);
-    if (object.kind == ObjectKind::merge) {
-        std::vector<Transformation> moves = more;
-        moves.insert(moves.end(), around.moves.begin(), around.moves.end());
-        if (share_seen_faces(whole, transform_point(glm::inverse(matrix(moves)), scene.camera.position)))
-            notes.approximated(object.place, "a merge keeps faces that its parts share, which POV-Ray leaves out");
-    }
     if (within.shared->number)
         whole.material = *within.shared->number;
     else  // no part uses it; it is that of the first leaf, but for patterns

@@ -176,29 +176,6 @@ void keep_faces(Primitive& body) {
     if (grows) difference->parts = std::make_shared<const std::vector<Primitive>>(std::move(parts));
 }
 
-bool share_seen_faces(const Primitive& whole, const DVec3& eye) {
-    constexpr std::size_t most = 1000;  // each is compared with each
-    std::vector<FlatFace> before;
-    bool any = false;
-    each_part(whole, [&](const Primitive& part) {
-        if (any || before.size() > most) return;
-        Primitive copy = part;
-        std::vector<FlatFace> own;
-        change_leaves(copy, glm::dmat4(1), false, [&](Primitive& leaf, const glm::dmat4& outer) {
-            std::ranges::move(faces_of(leaf, outer), std::back_inserter(own));
-        });
-        for (FlatFace& face : own) {
-            face.points.clear();  // of the copy
-            const bool seen = (eye[face.axis] - face.at) * face.side > 0;
-            any |= seen && std::ranges::any_of(before, [&](const FlatFace& other) {
-                       return face.beside(other) && face.side == other.side;
-                   });
-        }
-        std::ranges::move(own, std::back_inserter(before));
-    });
-    return any;
-}
-
 void settle_faces(Scene& scene) {
     const DVec3 eye = scene.camera.position;
     std::vector<std::pair<int, double>> planes;

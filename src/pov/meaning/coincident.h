@@ -11,11 +11,6 @@ namespace strahl::pov {
 /// intersections by a hair where they only touch, which POV-Ray shows as a face.
 void keep_faces(Primitive& body);
 
-/// Do parts of a merge have flat faces in one place that face the eye? POV-Ray takes points of each for points inside
-/// the other part, and leaves both out, as far as rounding lets it. The eye is in the space of the parts. Looks at the
-/// first 1000 faces only.
-bool share_seen_faces(const Primitive& whole, const DVec3& eye);
-
 /// Moves faces of bodies by a hair away from the eye where a plane is seen in their place, which POV-Ray shows.
 void settle_faces(Scene& scene);
 

@@ -10,7 +10,7 @@
 #include "show/session/body_editor.h"
 #include "show/timeline/number_fields.h"
 #include "show/window/covered_area.h"
-#include "text/material_presets.h"
+#include "text/new_block.h"
 
 namespace strahl {
 

@@ -216,18 +216,6 @@ TEST_CASE("POV-Ray: a prism without an area is nothing, and takes nothing away")
     CHECK(opened("difference { sphere { 0, 2 } " + prism + "}").scene.primitives.size() == 1);
 }
 
-TEST_CASE("POV-Ray: faces that parts of a merge share are told of where they are seen") {
-    const auto told = [](const std::string& parts) {
-        return says(notes_of("merge { " + parts + " translate 9*z }"), "a merge keeps faces");
-    };
-    const std::string box = "box { <-1, -1, 0>, <1, 1, 2> } ";
-    CHECK(told(box + "box { <-.5, -.5, 0>, <.5, .5, 1> }"));
-    CHECK(told(box + "union { cylinder { 0, z, .5 } sphere { 0, .1 } }"));
-    CHECK(!told(box + "box { <-.5, -.5, 1>, <.5, .5, 2> }"));  // behind
-    CHECK(!told(box + "box { <-.5, -.5, .1>, <.5, .5, 1> }"));
-    CHECK(!told(box + "box { <1, -1, 0>, <2, 1, 2> }"));  // side by side
-}
-
 TEST_CASE("POV-Ray: a camera is beside the surface that it lies on, where it looks; lights stay") {
     const std::string text =
         "camera { right -4/3*x location <0, 1, -3> look_at <0, 1, 0> } "

@@ -8,7 +8,7 @@
 #include "scene/leaves.h"
 #include "tests/unit/scenes.h"
 #include "tests/unit/text/random_texts.h"
-#include "text/material_presets.h"
+#include "text/new_block.h"
 #include "text/parse.h"
 #include "text/text_items.h"
 #include "text/write.h"
