@@ -45,9 +45,9 @@ change() {
 }
 # color Y RED GREEN BLUE: types a colour.
 color() {
-    change 662 "$1" "$2"
-    change 715 "$1" "$3"
-    change 768 "$1" "$4"
+    change 754 "$1" "$2"
+    change 808 "$1" "$3"
+    change 861 "$1" "$4"
 }
 # drag X Y DX DY: drags from there, in two steps and by round distances.
 drag() {
@@ -85,19 +85,19 @@ await 'finished'
 
 echo "-- a ball: added, made larger, lifted by its arrow, and red"
 add 0 430 470
-change 726 124 1.2
+change 820 124 1.2
 drag 429 358 0 -29
 color 202 .85 .12 .1
-change 726 228 .25
+change 820 228 .25
 shot 2
 
 echo "-- a ring and a cone"
 add 4 250 560
-change 662 202 -.61
-change 718 202 -.03
-change 726 150 1.7
+change 758 202 -.61
+change 819 202 -.03
+change 820 150 1.7
 color 254 .95 .7 .25
-change 726 280 .3
+change 820 280 .3
 add 3 520 330
 color 254 .2 .4 .75
 shot 3
@@ -125,7 +125,7 @@ change 246 688 125
 change 780 688 beat.ogg
 point 420 400
 await 'chosen: body 2'
-follow 834 190 bounce 795
+follow 927 190 bounce 795
 way 2
 for _ in 1 2 3 4 5 6 7 8; do point 88 596 4; done
 point 160 590
