@@ -76,6 +76,7 @@ class ObjReader {
 template <class Read>
 void ObjReader::for_lines(Read read) {
     constexpr std::array<std::string_view, 10> known{"v", "f", "vn", "vt", "g", "o", "fo", "usemtl", "mtllib", "surf"};
+    constexpr std::array<std::string_view, 3> whole{"g", "o", "usemtl"};  // such a line may end in a backslash
     const std::string_view bytes = source.bytes;
     // A file may end some of its lines in one way and some in another. One search for both characters would be slower.
     const auto end_of_line = [&](std::size_t start) {
@@ -87,7 +88,8 @@ void ObjReader::for_lines(Read read) {
         Words words(source, bytes.substr(start, end - start));
         const std::string_view keyword = words.next();
         if (std::ranges::find(known, keyword) != known.end()) {
-            while (end < bytes.size() && continues(bytes.substr(start, end - start)))
+            const bool named = std::ranges::find(whole, keyword) != whole.end();
+            while (!named && end < bytes.size() && continues(bytes.substr(start, end - start)))
                 end = end_of_line(end + (bytes.substr(end, 2) == "\r\n" ? 2 : 1));
             words = Words(source, bytes.substr(start, end - start));
             read(words.next(), words);
