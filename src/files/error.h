@@ -8,7 +8,7 @@
 
 namespace strahl {
 
-/// What is said about a place in a file. Line and column, in characters, are counted from 1, and 0 if not known.
+/// Tells the user of a place in a file. Line and column, in characters, are counted from 1, and 0 if not known.
 struct Message {
     std::string text;
     std::string file{};  // empty if it is about none

@@ -1,4 +1,4 @@
-// What mesh files say besides triangles: colours, and the groups and materials that triangles belong to.
+// Holds what mesh files say besides triangles: colours, and the groups and materials that triangles belong to.
 #pragma once
 #include <array>
 #include <cstdint>

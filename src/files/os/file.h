@@ -17,7 +17,7 @@ struct FileStamp {
     bool operator==(const FileStamp&) const = default;
 };
 
-/// What stands at a path, or is open.
+/// Describes what stands at a path, or an open file.
 struct FileStatus {
     int error = 0;  // the errno if nothing can be seen there
     std::filesystem::file_type type = std::filesystem::file_type::none;

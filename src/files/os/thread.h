@@ -1,4 +1,4 @@
-// What the system does with threads.
+// Sets the priority of threads, and ends the program beside threads that were left behind.
 #pragma once
 
 namespace strahl::os {

@@ -1,4 +1,4 @@
-// Where the nodes of a glTF file are, and how they move.
+// Finds where the nodes of a glTF file are, and how they move.
 #pragma once
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>

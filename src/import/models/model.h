@@ -1,4 +1,4 @@
-// What a file of a model holds, ready to be shown: meshes with their materials, and what the file says of its view.
+// Reads a model from its file: meshes with their materials, and the camera and lights if the file has some.
 #pragma once
 #include <memory>
 #include <optional>

@@ -26,7 +26,7 @@ class GalleryReader {
     /// pixels. What is under way is given up if it is not among these.
     void want(std::vector<std::string> paths, int width, int height);
 
-    /// What was listed, or a picture that was made.
+    /// Holds a new list, or a picture that was made.
     struct GalleryNews {
         std::optional<std::vector<GallerySection>> listed{};
         std::string path{};  // of the picture's scene

@@ -65,7 +65,7 @@ class Rocket {
     void tell_row(int row);
 
   private:
-    /// What one packet has brought; or the end of the connection, and the reason.
+    /// Holds the commands of one packet, or the reason why the connection has ended.
     struct Received {
         std::vector<RocketCommand> commands;
         std::string lost{};

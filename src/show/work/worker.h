@@ -114,7 +114,7 @@ class Worker {
     void notify() const { shared->notify(); }
 
   private:
-    /// What a thread uses, even one that was left behind.
+    /// Holds all that the thread uses, so that one that was left behind can go on.
     struct WorkerState {
         explicit WorkerState(std::function<void()> notify) : notify(std::move(notify)) {}
         void work();

@@ -20,7 +20,7 @@ constexpr double most_widening = 2;
 /// to the horizon are not parallelograms of the surface.
 constexpr double most_receding = 2;
 
-/// The same limit for shadows in mirrors, where distances alone tell whether all corners show one surface.
+/// Limits distances for shadows in mirrors more closely, since they alone tell whether all corners show one surface.
 constexpr double most_slanted = 1.05;
 
 /// Cells of less than so many pixels are not divided for what facets that some of their corners meet may leave.

@@ -45,8 +45,8 @@ struct HitBounds {
     S diffuse{0};  // error bound of the largest channel of the diffuse colour
     S color{0};    // and of that of a pattern's colour
     S tint{1};     // the largest channel of colours that the ray carries
-    // Of hits with finishes, errors of the shares of light that are reflected and refracted; and the most that goes on
-    // of both.
+    // For hits with finishes: errors of the shares of light that are reflected and refracted, and the largest sum of
+    // both.
     S reflected{0}, refracted{0}, sent{0};
     Mask<S> followed;  // lanes whose errors are bounded; all light of the others is in their pixels' bounds
 };

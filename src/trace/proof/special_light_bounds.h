@@ -26,7 +26,7 @@ template <class S>
     LitBounds<S> lit{};
     lit.doubt = first_lanes<S>(0);
     if (light.area || light.beam > 0 || light.starts || light.tightness < 0) {
-        // Of all lights together hits with finishes send back no more than `scattered`.
+        // A hit with finishes sends back at most `scattered` of the light of all lights together.
         lit.known = false;
         add_unknown_light(shading, hit, light, known);
         known.off = known.off + hit.material.scattered;
