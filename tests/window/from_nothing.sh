@@ -125,7 +125,7 @@ change 246 688 125
 change 780 688 beat.ogg
 point 420 400
 await 'chosen: body 2'
-follow 927 190 bounce 795
+follow 927 210 bounce 795
 way 2
 for _ in 1 2 3 4 5 6 7 8; do point 88 596 4; done
 point 160 590

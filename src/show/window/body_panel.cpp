@@ -78,13 +78,16 @@ BodyInput BodyPanel::draw(const BodyEditor& editor, const std::string& file, flo
                 body.kind.c_str());
     if (body.line > 0) dim_text(file + ", line " + std::to_string(body.line));
     if (const auto& chosen = editor.choice(); chosen && chosen->at.hit.t > 0) {
-        char text[120];
-        std::snprintf(text, sizeof text, "%.5g away, at <%.4g, %.4g, %.4g>", chosen->at.hit.t, chosen->point.x,
-                      chosen->point.y, chosen->point.z);
-        dim_text(text);
-        std::snprintf(text, sizeof text, "face %d, normal <%.3g, %.3g, %.3g>", chosen->at.hit.face + 1,
-                      chosen->at.hit.normal.x, chosen->at.hit.normal.y, chosen->at.hit.normal.z);
-        dim_text(text);
+        // Lines of their own: a wider panel would move the fields below with each click.
+        const auto& hit = chosen->at.hit;
+        const auto line = [](const char* format, auto... values) {
+            char text[120];
+            std::snprintf(text, sizeof text, format, values...);
+            dim_text(text);
+        };
+        line("face %d, %.5g away", hit.face + 1, hit.t);
+        line("at <%.4g, %.4g, %.4g>", chosen->point.x, chosen->point.y, chosen->point.z);
+        line("normal <%.3g, %.3g, %.3g>", hit.normal.x, hit.normal.y, hit.normal.z);
     }
     if (editor.read_only())
         dim_text(editor.edited.text().empty() ? "read only: this text is changed in an editor"
