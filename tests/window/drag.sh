@@ -144,7 +144,7 @@ cp ball.pov before.pov
 start ball.pov --size 640x400
 xdotool mousemove --window "$id" 250 200 click 1
 await 'chosen: body 1, sphere, line 3'
-xdotool sleep 0.3 mousemove --window "$id" 480 163 sleep 0.1 click --repeat 2 1 type .75
+xdotool sleep 0.3 mousemove --window "$id" 480 183 sleep 0.1 click --repeat 2 1 type .75
 xdotool key Return
 await 'the changed text is shown'
 xdotool mousemove --window "$id" 100 300 key F2

@@ -64,7 +64,7 @@ cmp second.rt scene.rt || fault "undone is not what was written before"
 echo "-- a body is chosen, its radius dragged and written in place; undone"
 xdotool key t key r sleep 0.2 mousemove --window "$id" 320 160 click 1
 await 'chosen: body 1, sphere, line 4'
-xdotool sleep 0.3 mousemove --window "$id" 507 127 sleep 0.2 mousedown 1 sleep 0.2
+xdotool sleep 0.3 mousemove --window "$id" 507 147 sleep 0.2 mousedown 1 sleep 0.2
 xdotool mousemove_relative 20 0 sleep 0.2 mousemove_relative 20 0 sleep 0.2 mouseup 1 key F2
 await 'changes written into'
 [[ $(<scene.rt) =~ 'sphere { <0, 0, 2>, 2.'[0-9]*'  material' ]] || fault "the radius: $(sed -n 4p scene.rt)"
