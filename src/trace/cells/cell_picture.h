@@ -53,7 +53,7 @@ class CellPicture {
     int largest_filled = 0;
     double checked = 0;
     std::vector<TilePlace> places;
-    std::vector<std::unique_ptr<Cells>> made, spare;  // those in work, by tile; those of finished tiles
+    std::vector<std::unique_ptr<Cells>> made, spare;  // cells in work, by tile; cells of finished tiles, to reuse
     std::vector<char> begun;
     std::optional<ThinBodies> thin;
     std::mutex mutex;  // of spare and sum
