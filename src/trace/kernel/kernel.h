@@ -183,6 +183,7 @@ struct PixelBatch {
     int count;
     Sight<T>* sights = nullptr;                 // of each pixel, if that is wanted
     const Footprints<T>* footprints = nullptr;  // of each pixel, if that is wanted
+    const T *lens_x = nullptr, *lens_y = nullptr;  // places on the lens, see lens_place(); its middle without them
 
     /// Forgets all that the pixels have brought back.
     void clear() const {
