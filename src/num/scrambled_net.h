@@ -20,8 +20,7 @@ constexpr NetDirections net_directions() {
                 continue;
             }
             own = all[k - degree[d]][d] ^ all[k - degree[d]][d] >> degree[d];
-            for (std::uint32_t j = 1; j < degree[d]; ++j)
-                own ^= (inner[d] >> (degree[d] - 1 - j) & 1) * all[k - j][d];
+            for (std::uint32_t j = 1; j < degree[d]; ++j) own ^= (inner[d] >> (degree[d] - 1 - j) & 1) * all[k - j][d];
         }
     return all;
 }
@@ -41,7 +40,8 @@ class ScrambledNet {
         for (std::uint32_t k = 0; k < 32; ++k)
             for (std::uint32_t d = 0; d < 4; ++d) bits[d] ^= (0u - (shuffled >> k & 1)) & directions_of_nets[k][d];
         std::array<double, 4> place;
-        for (std::uint32_t d = 0; d < 4; ++d) place[d] = scrambled(bits[d], mix(seed + 0x9e3779b9u * (d + 1))) * 0x1p-32;
+        for (std::uint32_t d = 0; d < 4; ++d)
+            place[d] = scrambled(bits[d], mix(seed + 0x9e3779b9u * (d + 1))) * 0x1p-32;
         return place;
     }
 

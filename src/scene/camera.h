@@ -42,10 +42,10 @@ struct Camera {
     double fov = 25;     // degrees between the viewing axis and the left or right edge: below 90 or, if angular, to 360
     std::optional<double> aspectratio;  // picture width / height; without it the picture's own
     Projection projection = Projection::perspective;
-    double aperture = 0;             // the radius of the lens; 0 for a pinhole, to which everything is sharp
-    std::optional<double> focus;     // the distance of the plane that is sharp, along the viewing direction,
-    std::optional<DVec3> focus_on;   // or a point of it; without either it goes through look_at
-    std::optional<double> blades;    // corners of a lens that is a regular polygon; without them it is round
+    double aperture = 0;            // the radius of the lens; 0 for a pinhole, to which everything is sharp
+    std::optional<double> focus;    // the distance of the plane that is sharp, along the viewing direction,
+    std::optional<DVec3> focus_on;  // or a point of it; without either it goes through look_at
+    std::optional<double> blades;   // corners of a lens that is a regular polygon; without them it is round
     bool operator==(const Camera&) const = default;
 };
 /// Returns whether the rays of a pixel start all over a lens.

@@ -95,8 +95,9 @@ class Batches {
     void trace_lens_grid(const Lattice& tile, int grid, const Camera& camera, const Sink& sink) {
         LensPixels pixels;
         pixels.begin(tile.x, tile.y, tile.columns, tile.rows, 1, camera);
-        pixels.take((grid * grid + LensPixels::nets - 1) / LensPixels::nets,
-                    [&](std::span<const LensRay> rays, std::span<std::array<double, 3>> rgb, bool) { trace_lens(rays, rgb); });
+        pixels.take(
+            (grid * grid + LensPixels::nets - 1) / LensPixels::nets,
+            [&](std::span<const LensRay> rays, std::span<std::array<double, 3>> rgb, bool) { trace_lens(rays, rgb); });
         if (!limits.stopped()) sink({tile, pixels.values()});
     }
 
@@ -230,12 +231,11 @@ class Batches {
                                            workspace.sides.data() + done,
                                            workspace.seen.data() + done,
                                            eye.rays != nullptr};
-            const ProvingBatch<T> batch{{workspace.pixels_x.data() + done, workspace.pixels_y.data() + done,
-                                         workspace.sums.data() + done, workspace.past.data() + done, count,
-                                         sights ? sights + done : nullptr, filters ? &footprints : nullptr,
-                                         lens ? workspace.lens_x.data() + done : nullptr,
-                                         lens ? workspace.lens_y.data() + done : nullptr},
-                                        prove ? bounds.data() + done : nullptr};
+            const ProvingBatch<T> batch{
+                {workspace.pixels_x.data() + done, workspace.pixels_y.data() + done, workspace.sums.data() + done,
+                 workspace.past.data() + done, count, sights ? sights + done : nullptr, filters ? &footprints : nullptr,
+                 lens ? workspace.lens_x.data() + done : nullptr, lens ? workspace.lens_y.data() + done : nullptr},
+                prove ? bounds.data() + done : nullptr};
             if (kernel.trace(world, eye, limits, batch, workspace, counts)) {
                 done += count;
                 workspace.batch = std::min(scattered_pixels, 2 * workspace.batch);

@@ -235,7 +235,8 @@ class TracerOf : public AnyTracer {
         view.camera.position = known->eye;
         Eye<T> eye = eye_of<T>(view, placed);
         std::optional<CameraRays<T>> rays;
-        if (way == Samples::lens || view.camera.projection != Projection::perspective) rays.emplace(scene(), view, *built, placed);
+        if (way == Samples::lens || view.camera.projection != Projection::perspective)
+            rays.emplace(scene(), view, *built, placed);
         if (rays) eye.rays = &*rays;
         World<T> world = built->world();
         world.eye = eye.position;

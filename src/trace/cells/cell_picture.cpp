@@ -82,10 +82,10 @@ void CellPicture::refine(int i, int finest, const Job& job, const TraceAt& trace
             off = lens_pixels.measured(std::min(1., 32 * share), trace_lens);
         else if (checked > 0)
             off = measured_error({place.columns, rgb, counts}, share,
-                                   static_cast<std::uint32_t>(place.y * 65536 + place.x + 1),
-                                   [&](std::span<const Point> points, double side, CellSample* samples) {
-                                       trace(place.x, place.y, points, side, samples);
-                                   });
+                                 static_cast<std::uint32_t>(place.y * 65536 + place.x + 1),
+                                 [&](std::span<const Point> points, double side, CellSample* samples) {
+                                     trace(place.x, place.y, points, side, samples);
+                                 });
         if (job.stopped()) return;
         const std::lock_guard lock(mutex);
         sum.add(counts), sum.measured += off;

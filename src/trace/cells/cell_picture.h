@@ -65,7 +65,7 @@ class CellPicture {
     double error = 0;
     std::optional<Camera> lens;      // of a picture through one;
     std::optional<ThinBodies> thin;  // of others
-    std::mutex mutex;  // of spare and sum
+    std::mutex mutex;                // of spare and sum
     Sampled sum;
     std::atomic<int> done = 0;
 };

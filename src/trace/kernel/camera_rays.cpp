@@ -38,7 +38,8 @@ auto CameraRays<T>::ray(Real x, Real y, Real across, Real below) const -> Camera
     CameraRay<Real> own = camera_ray(view.camera.projection, frame, (2 * (x + Real(view.shift_x)) + 1) / view.width - 1,
                                      (2 * (y + Real(view.shift_y)) + 1) / view.height - 1);
     if (across != 0 || below != 0) {  // to the point in focus that all of the lens sees there
-        const Vec3<Real> off = Real(view.camera.aperture) * (across * Vec3<Real>(frame.right) + below * Vec3<Real>(frame.down));
+        const Vec3<Real> off =
+            Real(view.camera.aperture) * (across * Vec3<Real>(frame.right) + below * Vec3<Real>(frame.down));
         own.way = Real(sharp) * own.way - off, own.start = own.start + off;
     }
     own.start = Real(placement.scale) * (Vec3<Real>(view.camera.position - placement.origin) + own.start);
