@@ -31,8 +31,8 @@ class TrackLanes {
     std::vector<SceneMotion> motions;
     NumberFields fields;
     std::string chosen;    // one of the tracks
-    int chosen_row = 0;    // of its key, if it has one there
-    bool scrolls = false;  // to the one chosen
+    int chosen_row = 0;    // row of the track's key, if it has one there
+    bool scrolls = false;  // should the lanes scroll to the chosen one?
     bool key_dragged = false;
     double low = 0, high = 1;            // the values that its lane shows; constant during a drag
     bool value_held = false;             // a value has been changed since the mouse button is down

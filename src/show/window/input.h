@@ -29,7 +29,7 @@ struct InputHandlers {
     std::function<Hold(double, double)> points_at;  // what is there to be held
     std::function<void(double, double)> hold;       // takes hold of the handle there
     std::function<void(Hold, double, double, bool)> pull;  // moves what is held; `steps`: by round distances
-    std::function<void()> let_go;                          // of the handle
+    std::function<void()> let_go;                          // called when the handle is let go
 };
 
 class Input {
@@ -85,8 +85,8 @@ class Input {
         int key, scancode, modifiers;
     };
     struct PanelKeys {
-        std::map<int, int> pressed;         // and the number of the picture that was drawn last then
-        std::vector<ReleasedKey> released;  // before panels could see that they were pressed
+        std::map<int, int> pressed;         // key, and the number of the last picture drawn before it
+        std::vector<ReleasedKey> released;  // keys let go before panels saw them pressed
     };
     PanelKeys for_panels;
     bool used = false;               // the key whose character follows

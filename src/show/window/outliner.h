@@ -21,7 +21,7 @@ namespace strahl {
 struct OutlineRow {
     TopBlock what = TopBlock::body;
     int number = 0;      // of the light or the body
-    int leaf = 0;        // of the body, the first that belongs to a part
+    int leaf = 0;        // first leaf of the body that belongs to the part
     int depth = 0;       // 0 for lights and bodies, 1 for the parts of a composite, 2 for theirs
     std::string name{};  // "sphere 3"
 };

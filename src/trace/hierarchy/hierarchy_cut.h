@@ -42,7 +42,7 @@ inline QuadBox grown(const QuadBox& box, double margin) {
             box.high + (grow + maximum(box.high, -box.high) * units)};
 }
 
-inline constexpr float item_cost = .2f;  // of that of a binary node
+inline constexpr float item_cost = .2f;  // relative to the cost of a binary node
 
 /// A box around a range of boxes, and one around their centres.
 struct Extents {
