@@ -44,6 +44,7 @@ struct Plan {
     bool normal_maps = false;     // some material has one
     bool bumps_by_uv = false;     // some material has a bump by uv
     bool moves = false;           // bodies or lights do, in an animation
+    bool sharp_lens = false;      // a lens that POV-Ray has not
 };
 
 Plan plan_for(const Scene& scene, const PovRequest& request) {
@@ -62,6 +63,8 @@ Plan plan_for(const Scene& scene, const PovRequest& request) {
     for (std::size_t n = 0; plan.moves && n < request.cameras.size(); ++n)
         look(at(scene, static_cast<double>(n) / request.fps), {request.cameras[n]});
     if (!plan.moves) look(scene, request.cameras);
+    const Camera& camera = request.cameras[0];
+    plan.sharp_lens = has_lens(camera) && (camera.blades || camera.projection != Projection::perspective);
     plan.scale = scale_for(sizes);
     plan.scaled = plan.scale.factor != 1;
     plan.materials = pov_materials(scene, request.depth, plan.scaled);
@@ -107,6 +110,7 @@ std::vector<std::string> warnings_of(const Plan& plan) {
         {plan.bumps_by_uv,
          "POV-Ray bends normals by uv as if u and v grew along x and y; the picture is right only for meshes on which "
          "they do"},
+        {plan.sharp_lens, "POV-Ray has round lenses of perspective cameras alone"},
         {plan.bodies_overlap,
          "transparent bodies may share space; where a ray leaves one that it did not enter last, it continues "
          "unrefracted, which POV-Ray does not count as a generation: this shows only at the depth limit"}};
@@ -152,12 +156,20 @@ std::string top(const Scene& scene, const PovRequest& request, const Plan& plan)
 /// perspective. If the picture's sides are angles, these are in degrees, and only the ratio of `right` and `up` counts.
 struct PovCamera {
     DVec3 location, right, up, direction, angles;
+    DVec3 focus{0}, lens{0};  // a point in focus, and the aperture
 };
 PovCamera axes_of(const Camera& camera, double aspect, bool left_handed = false) {
     const CameraFrame frame = frame_of(camera, aspect);
     const double ratio = frame.tan_x / frame.tan_y;
     const DVec3 angles(2 * camera.fov, 2 * camera.fov / ratio, 0), up = -2 * frame.tan_y * frame.down;
-    if (!angular(camera.projection)) return {camera.position, 2 * frame.tan_x * frame.right, up, frame.forward, angles};
+    if (!angular(camera.projection))
+        return {camera.position,
+                2 * frame.tan_x * frame.right,
+                up,
+                frame.forward,
+                angles,
+                camera.position + focal_distance(camera) * frame.forward,
+                DVec3(4 * camera.aperture)};
     PovCamera axes{camera.position, ratio * frame.right, DVec3(0) - frame.down, frame.forward, angles};
     if (camera.projection == Projection::fisheye) axes.angles.x /= ratio;
     if (camera.projection == Projection::cylinder || camera.projection == Projection::cylinder3) axes.up = up;
@@ -177,8 +189,11 @@ std::string array(const std::string& name, const std::vector<PovCamera>& cameras
 
 /// Writes a camera from the text of each of its vectors.
 template <class Text>
-std::string camera_block(Projection projection, const Text& text) {
+std::string camera_block(Projection projection, bool lens, const Text& text) {
     std::string angle;
+    if (lens)  // samples lie within a quarter of the aperture
+        angle = "\n  aperture  " + text("Lens", &PovCamera::lens) + "\n  focal_point " +
+                text("Focus", &PovCamera::focus) + "\n  blur_samples 400, 400  variance 0";
     if (angular(projection)) angle = "\n  angle     " + text("Angles", &PovCamera::angles) + ".x";
     if (projection == Projection::spherical) angle += ", " + text("Angles", &PovCamera::angles) + ".y";
     std::string word(projection_words[static_cast<std::size_t>(projection)]);
@@ -195,6 +210,7 @@ std::string camera_section(const PovRequest& request, const Plan& plan) {
         cameras.push_back(axes_of(camera, double(request.width) / request.height));
     const Projection projection = request.cameras[0].projection;
     const bool animated = request.fps > 0;
+    const bool lens = has_lens(request.cameras[0]) && projection == Projection::perspective;
     std::string text =
         heading("Camera") + comment(
                                 "The picture's axes in full: `right` and `up` are its width and height at distance 1. "
@@ -204,11 +220,17 @@ std::string camera_section(const PovRequest& request, const Plan& plan) {
         text += comment("One entry per frame, " + text_of(request.fps) + " frames a second; frame_number chooses.") +
                 array("Eye", cameras, &PovCamera::location) + array("Right", cameras, &PovCamera::right) +
                 array("Up", cameras, &PovCamera::up) + array("Direction", cameras, &PovCamera::direction) +
-                (angular(projection) ? array("Angles", cameras, &PovCamera::angles) : "");
-    return text + camera_block(projection, [&](const char* name, DVec3 PovCamera::*member) {
-               const std::string value = animated ? name + std::string("[frame_number]") : text_of(cameras[0].*member);
+                (angular(projection) ? array("Angles", cameras, &PovCamera::angles) : "") +
+                (lens ? array("Focus", cameras, &PovCamera::focus) + array("Lens", cameras, &PovCamera::lens) : "");
+    return text + camera_block(projection, lens, [&](const char* name, DVec3 PovCamera::*member) {
+               const bool number = member == &PovCamera::lens;
+               const DVec3& first = cameras[0].*member;
+               const std::string value = animated ? name + std::string(number ? "[frame_number].x" : "[frame_number]")
+                                         : number ? text_of(first.x)
+                                                  : text_of(first);
                const bool across = member == &PovCamera::right || member == &PovCamera::up;
-               const bool length = member == &PovCamera::location || (across && starts_apart(projection));
+               const bool of_lens = member == &PovCamera::focus || member == &PovCamera::lens;
+               const bool length = member == &PovCamera::location || of_lens || (across && starts_apart(projection));
                return length ? scaled(value, plan) : value;
            });
 }
@@ -337,7 +359,7 @@ PovFiles write_pov(const Scene& whole, const PovRequest& request) {
 
 std::string pov_camera(const Camera& camera, double aspect, bool mirrored) {
     const PovCamera axes = axes_of(camera, aspect, mirrored);
-    return camera_block(camera.projection, [&](const char*, DVec3 PovCamera::*member) {
+    return camera_block(camera.projection, false, [&](const char*, DVec3 PovCamera::*member) {
         const DVec3& v = axes.*member;
         return text_of(mirrored ? DVec3(v.x, v.y, 0 - v.z) : v);
     });

@@ -27,7 +27,7 @@ install(FILES LICENSE DESTINATION share/doc/strahl)
 # written as for the installed program, and paths of scenes as from the folder of the pages.
 set(user_pages src/text/README:language src/main/README:films src/main/commands:commands src/main/lsp/README:editors
     src/import/README:import src/pov/README:povray src/show/README:window src/show/keys:keys
-    scenes/tutorial/README:tutorial assets/FAQ:questions)
+    scenes/tutorial/README:tutorial assets/FAQ:questions src/main/notebook:notebook)
 set(pages ${CMAKE_BINARY_DIR}/pages)
 foreach(page ${user_pages})
   string(REGEX MATCH "(.*):(.*)" page ${page})

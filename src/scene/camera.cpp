@@ -39,12 +39,37 @@ Camera raw_camera_at(const Flythrough& path, const Camera& scene_camera, double 
 }  // namespace
 
 Camera camera_of(const Keyframe& key, const Camera& scene_camera) {
-    return {key.position,
-            key.look_at,
-            key.up.value_or(scene_camera.up),
-            key.fov.value_or(scene_camera.fov),
-            scene_camera.aspectratio,
-            scene_camera.projection};
+    Camera camera = scene_camera;
+    camera.position = key.position, camera.look_at = key.look_at;
+    camera.up = key.up.value_or(scene_camera.up), camera.fov = key.fov.value_or(scene_camera.fov);
+    return camera;
+}
+
+double focal_distance(const Camera& camera) {
+    const DVec3 view = camera.look_at - camera.position;
+    if (camera.focus_on) {
+        const DVec3 way = *camera.focus_on - camera.position;
+        return std::max({dot_product(normalize(view), way), 1e-3 * length(way), 1e-9});
+    }
+    return camera.focus.value_or(length(view));
+}
+
+std::array<double, 2> lens_place(const Camera& camera, double s, double t) {
+    constexpr double pi = std::numbers::pi;
+    if (camera.blades) {  // of a fan of triangles around the middle, the first corner on top
+        const double place = s * *camera.blades, side = std::floor(place), share = place - side, out = std::sqrt(t);
+        const auto corner = [&](double number) {
+            const double angle = 2 * pi * number / *camera.blades;
+            return std::array{std::sin(angle), -std::cos(angle)};
+        };
+        const auto a = corner(side), b = corner(side + 1);
+        return {out * (a[0] + share * (b[0] - a[0])), out * (a[1] + share * (b[1] - a[1]))};
+    }
+    const double x = 2 * s - 1, y = 2 * t - 1;
+    if (x == 0 && y == 0) return {0, 0};
+    const bool wide = std::abs(x) > std::abs(y);
+    const double radius = wide ? x : y, angle = wide ? pi / 4 * (y / x) : pi / 2 - pi / 4 * (x / y);
+    return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
 const char* degenerate(const Camera& camera) {

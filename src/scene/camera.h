@@ -42,8 +42,21 @@ struct Camera {
     double fov = 25;     // degrees between the viewing axis and the left or right edge: below 90 or, if angular, to 360
     std::optional<double> aspectratio;  // picture width / height; without it the picture's own
     Projection projection = Projection::perspective;
+    double aperture = 0;            // the radius of the lens; 0 for a pinhole, to which everything is sharp
+    std::optional<double> focus;    // the distance of the plane that is sharp, along the viewing direction,
+    std::optional<DVec3> focus_on;  // or a point of it; without either it goes through look_at
+    std::optional<double> blades;   // corners of a lens that is a regular polygon; without them it is round
     bool operator==(const Camera&) const = default;
 };
+/// Returns whether the rays of a pixel start all over a lens.
+constexpr bool has_lens(const Camera& camera) { return camera.aperture > 0; }
+/// Returns the distance from the camera of the plane that is sharp. Where a flight has left focus_on behind or beside
+/// the camera, it is a thousandth of the distance to that point, or 1e-9.
+double focal_distance(const Camera& camera);
+/// Returns the place on the lens, relative to its radius, of a point of the unit square: x to the right of the picture,
+/// y down it. Equal areas become equal ones (discs: P. Shirley and K. Chiu, "A Low Distortion Map Between Disk and
+/// Square", 1997).
+std::array<double, 2> lens_place(const Camera& camera, double s, double t);
 
 /// The orthonormal axes of a camera: `right` and `down` the picture, `forward` into it; and half the picture's width
 /// and height: at distance 1; of an orthographic camera as at the distance of look_at; or in radians.

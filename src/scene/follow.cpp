@@ -37,6 +37,9 @@ void follow(Camera& camera, const std::vector<Follow>& follows, const TrackValue
                : name == "up"          ? target(now.up)
                : name == "fov"         ? target(now.fov)
                : name == "aspectratio" ? target(now.aspectratio)
+               : name == "aperture"    ? target(now.aperture)
+               : name == "focus"       ? target(now.focus)
+               : name == "focus_on"    ? target(now.focus_on)
                                        : FollowTarget{};
     });
     if (!degenerate(now)) camera = now;

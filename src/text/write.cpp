@@ -249,7 +249,11 @@ std::string write_camera(const Camera& camera, const std::vector<Follow>& follow
     else
         text += (angle ? "angle " : "fov ") + text_of(angle ? 2 * camera.fov : camera.fov, follows, "fov") + "\n";
     if (camera.aspectratio) text += "  aspectratio " + text_of(*camera.aspectratio, follows, "aspectratio") + "\n";
-    return text + "}\n";
+    if (has_lens(camera)) text += "  aperture " + text_of(camera.aperture, follows, "aperture");
+    if (camera.focus) text += "  focus " + text_of(*camera.focus, follows, "focus");
+    if (camera.focus_on) text += "  focus_on " + text_of(*camera.focus_on, follows, "focus_on");
+    if (camera.blades) text += "  blades " + text_of(*camera.blades);
+    return text + (has_lens(camera) ? "\n}\n" : "}\n");
 }
 
 std::string write_key(const Keyframe& key, EyeWords words) {

@@ -9,6 +9,7 @@
 
 #include "trace/cells/cells.h"
 #include "trace/cells/lattice_cells.h"
+#include "trace/cells/lens_pixels.h"
 #include "trace/cells/z_curve.h"
 #include "trace/kernel/kernel.h"
 #include "trace/kernel/workspace.h"
@@ -71,6 +72,33 @@ class Batches {
         if (limits.stopped()) return;
         for (int i = 0; i < count; ++i)
             for (int c = 0; c < 3; ++c) rgb[3 * i + c] = finite<To>(workspace.sums[i].rgb[c]);
+    }
+
+    /// Traces rays of a lens. Those of a batch that was stopped get no values.
+    void trace_lens(std::span<const LensRay> rays, std::span<std::array<double, 3>> rgb) {
+        workspace.lens_x.resize(scattered_pixels), workspace.lens_y.resize(scattered_pixels);
+        for (std::size_t done = 0; done < rays.size() && !limits.stopped(); done += scattered_pixels) {
+            const int count = static_cast<int>(std::min<std::size_t>(scattered_pixels, rays.size() - done));
+            for (int i = 0; i < count; ++i) {
+                const LensRay& ray = rays[done + i];
+                workspace.pixels_x[i] = static_cast<T>(ray.x), workspace.pixels_y[i] = static_cast<T>(ray.y);
+                workspace.lens_x[i] = static_cast<T>(ray.across), workspace.lens_y[i] = static_cast<T>(ray.below);
+            }
+            trace_batches(count, nullptr);
+            for (int i = 0; i < count; ++i)
+                for (int c = 0; c < 3; ++c) rgb[done + i][c] = finite<double>(workspace.sums[i].rgb[c]);
+        }
+        workspace.lens_x.clear(), workspace.lens_y.clear();
+    }
+
+    /// Traces a tile of pixels with rays all over a lens: in each at least as many as a grid has.
+    void trace_lens_grid(const Lattice& tile, int grid, const Camera& camera, const Sink& sink) {
+        LensPixels pixels;
+        pixels.begin(tile.x, tile.y, tile.columns, tile.rows, 1, camera);
+        pixels.take(
+            (grid * grid + LensPixels::nets - 1) / LensPixels::nets,
+            [&](std::span<const LensRay> rays, std::span<std::array<double, 3>> rgb, bool) { trace_lens(rays, rgb); });
+        if (!limits.stopped()) sink({tile, pixels.values()});
     }
 
     /// Traces a tile of pixels with a grid of rays in each.
@@ -194,6 +222,7 @@ class Batches {
 
     /// Traces the first pixels of the workspace, as many at once as fit.
     void trace_batches(int pixels, Sight<T>* sights) {
+        const bool lens = !workspace.lens_x.empty();
         for (int done = 0; done < pixels;) {
             const int count = std::min(workspace.batch, pixels - done);
             const Footprints<T> footprints{eye.forward,
@@ -202,10 +231,11 @@ class Batches {
                                            workspace.sides.data() + done,
                                            workspace.seen.data() + done,
                                            eye.rays != nullptr};
-            const ProvingBatch<T> batch{{workspace.pixels_x.data() + done, workspace.pixels_y.data() + done,
-                                         workspace.sums.data() + done, workspace.past.data() + done, count,
-                                         sights ? sights + done : nullptr, filters ? &footprints : nullptr},
-                                        prove ? bounds.data() + done : nullptr};
+            const ProvingBatch<T> batch{
+                {workspace.pixels_x.data() + done, workspace.pixels_y.data() + done, workspace.sums.data() + done,
+                 workspace.past.data() + done, count, sights ? sights + done : nullptr, filters ? &footprints : nullptr,
+                 lens ? workspace.lens_x.data() + done : nullptr, lens ? workspace.lens_y.data() + done : nullptr},
+                prove ? bounds.data() + done : nullptr};
             if (kernel.trace(world, eye, limits, batch, workspace, counts)) {
                 done += count;
                 workspace.batch = std::min(scattered_pixels, 2 * workspace.batch);

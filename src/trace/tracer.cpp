@@ -104,6 +104,8 @@ class TracerOf : public AnyTracer {
     /// Traces a piece of a picture in the thread whose number is given.
     template <class Piece>
     using Work = std::function<void(Batches<T>&, const Piece&, int)>;
+    /// What pieces are made of: rays through single places, cells, or rays all over a lens.
+    enum class RayPlaces { single, cells, lens };
 
     Counts traced(const Job& job, const Lattice& lattice) { return each_pixel(job, lattice, 0); }
     Counts each_pixel(const Job& job, const Lattice& lattice, double footprint) {
@@ -165,6 +167,13 @@ class TracerOf : public AnyTracer {
     Counts traced(const Job& job, const SampledRegion& sampled) {
         const auto& [region, sampling] = sampled;
         if (sampling.grid == 1 && !sampling.centre) return traced(job, region);
+        if (sampling.grid > 0 && has_lens(job.view.camera))
+            return each_tile(
+                job, region, lattice_tile, 0,
+                [&](Batches<T>& batches, const Lattice& tile, int) {
+                    batches.trace_lens_grid(tile, sampled.sampling.grid, job.view.camera, job.sink);
+                },
+                0, RayPlaces::lens);
         if (sampling.grid > 0)
             return each_tile(job, region, lattice_tile, 0, [&](Batches<T>& batches, const Lattice& tile, int) {
                 batches.trace_grid(tile, sampled.sampling, job.sink);
@@ -175,19 +184,26 @@ class TracerOf : public AnyTracer {
 
     Counts traced(const Job& job, const CellPass& pass) {
         const auto refine = [&](Batches<T>& batches, int i, int) {
-            pass.picture.refine(i, pass.finest, job,
-                                [&](int x, int y, std::span<const Point> points, double side, CellSample* samples) {
-                                    const Counts before = batches.counts;
-                                    batches.trace_points(x, y, placed.scale, points, side, samples);
-                                    if (side > 0) batches.counts = before;  // a check is no part of the picture
-                                });
+            pass.picture.refine(
+                i, pass.finest, job,
+                [&](int x, int y, std::span<const Point> points, double side, CellSample* samples) {
+                    const Counts before = batches.counts;
+                    batches.trace_points(x, y, placed.scale, points, side, samples);
+                    if (side > 0) batches.counts = before;  // a check is no part of the picture
+                },
+                [&](std::span<const LensRay> rays, std::span<std::array<double, 3>> rgb, bool check) {
+                    const Counts before = batches.counts;
+                    batches.trace_lens(rays, rgb);
+                    if (check) batches.counts = before;
+                });
         };
-        return each(job, pass.picture.tiles(), pass.picture.contrast(), refine, 0, true);
+        const auto way = pass.picture.through_lens() ? RayPlaces::lens : RayPlaces::cells;
+        return each(job, pass.picture.tiles(), pass.picture.contrast(), refine, 0, way);
     }
 
     /// Calls work(batches, tile, thread) for the tiles of a lattice, on all threads. Footprints have this side.
     Counts each_tile(const Job& job, const Lattice& lattice, int side, double noticed, const Work<Lattice>& work,
-                     double footprint = 0) {
+                     double footprint = 0, RayPlaces way = RayPlaces::single) {
         const int columns = (lattice.columns + side - 1) / side;
         const int tiles = columns * ((lattice.rows + side - 1) / side);
         const auto each_of = [&](Batches<T>& batches, int i, int thread) {
@@ -198,12 +214,14 @@ class TracerOf : public AnyTracer {
                          lattice.step_y},
                  thread);
         };
-        return each(job, tiles, noticed, each_of, footprint);
+        return each(job, tiles, noticed, each_of, footprint, way);
     }
 
     /// Calls work(batches, i, thread) for 0 <= i < tiles, on all threads. If footprints have a side, patterns are
-    /// averaged over them roughly; with `means` as well as is known, over footprints with sides of their own.
-    Counts each(const Job& job, int tiles, double noticed, const Work<int>& work, double side = 0, bool means = false) {
+    /// averaged over them roughly; for cells as well as is known, over footprints with sides of their own.
+    Counts each(const Job& job, int tiles, double noticed, const Work<int>& work, double side = 0,
+                RayPlaces way = RayPlaces::single) {
+        const bool means = way == RayPlaces::cells;
         ThreadPool& pool = job.pool;
         while (static_cast<int>(workspaces.size()) < pool.size())
             workspaces.push_back(std::make_unique<Workspace<T>>());
@@ -217,7 +235,8 @@ class TracerOf : public AnyTracer {
         view.camera.position = known->eye;
         Eye<T> eye = eye_of<T>(view, placed);
         std::optional<CameraRays<T>> rays;
-        if (view.camera.projection != Projection::perspective) rays.emplace(scene(), view, *built, placed);
+        if (way == RayPlaces::lens || view.camera.projection != Projection::perspective)
+            rays.emplace(scene(), view, *built, placed);
         if (rays) eye.rays = &*rays;
         World<T> world = built->world();
         world.eye = eye.position;

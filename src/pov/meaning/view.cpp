@@ -114,7 +114,14 @@ void SceneMaker::set_camera() {
         return std::fabs(dot_product(normalize(a), normalize(b))) > 1e-6;
     };
     approximated(slant(right, up) || slant(right, ahead) || slant(up, ahead), "the camera's axes are at right angles");
-    approximated(own.blurred, "everything is in focus");
+    // Samples lie within half of a radius that is half the aperture (render/tracepixel.cpp of 3.7).
+    if (own.aperture != 0 && own.blur_samples > 0 && is(Projection::perspective)) {
+        camera.aperture = std::clamp(std::fabs(own.aperture) / 4, 1e-9, 1e9);
+        const double sharp = own.focal_point ? length(*own.focal_point - own.location) : length(axes.direction);
+        camera.focus = std::clamp(sharp > 0 ? sharp : 1, 1e-9, 1e9);
+        notes.approximated(own.place, "'blur_samples': the whole lens is averaged, without grain");
+        approximated(own.bokeh, "'bokeh': the lens is an even disc");
+    }
     approximated(own.bent, "the camera's normal bends nothing");
     const bool as_given = own.projection == word("perspective") ||
                           (own.projection == word("orthographic") && own.has_look_at && own.steps.empty());

@@ -71,13 +71,14 @@ CameraThing PovReader::read_camera(Interpreter& in) {
                 in.skip_block();
                 break;
             case word("aperture"):
-                camera.blurred = in.read_number() != 0;
+                camera.aperture = in.read_number();
                 break;
-            case word("blur_samples"):
-                in.read_number(), in.skip_comma(), in.read_number_or(0);
+            case word("blur_samples"):  // one number is the most, of two the second
+                camera.blur_samples = in.read_number(), in.skip_comma();
+                camera.blur_samples = in.read_number_or(camera.blur_samples);
                 break;
             case word("focal_point"):
-                in.read_vector();
+                camera.focal_point = in.read_vector();
                 break;
             case word("confidence"):
             case word("variance"):
@@ -85,7 +86,7 @@ CameraThing PovReader::read_camera(Interpreter& in) {
                 break;
             case word("normal"):
             case word("bokeh"):
-                camera.bent |= code == word("normal");
+                camera.bent |= code == word("normal"), camera.bokeh |= code == word("bokeh");
                 in.skip_block();
                 break;
             default:

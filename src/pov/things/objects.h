@@ -89,7 +89,9 @@ struct CameraThing : Thing {
     TextPlace place;
     std::uint16_t projection = word("perspective");
     DVec3 location{0}, direction{0, 0, 1}, right{1.33, 0, 0}, up{0, 1, 0}, sky{0, 1, 0}, look_at{0, 0, 1};
-    bool has_look_at = false, has_axes = false, has_direction = false, blurred = false, bent = false;
+    bool has_look_at = false, has_axes = false, has_direction = false, bent = false, bokeh = false;
+    double aperture = 0, blur_samples = 0;
+    std::optional<DVec3> focal_point;
     std::optional<double> angle, vertical_angle;
     int cylinder = 1;  // POV-Ray's number of its type
     Steps steps;

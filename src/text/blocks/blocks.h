@@ -75,9 +75,11 @@ struct CameraText {
     EyeText eye;
     std::optional<double> aspectratio, fisheye, ultra_wide_angle, spherical, cylinder, cylinder2, cylinder3, cylinder4;
     bool orthographic = false, panoramic = false;
+    std::optional<double> aperture, focus, blades;
+    std::optional<DVec3> focus_on;
 };
-inline std::array<Parameter, 16> camera_parameters(CameraText& camera) {
-    const std::array<Parameter, 10> more{
+inline std::array<Parameter, 20> camera_parameters(CameraText& camera) {
+    const std::array<Parameter, 14> more{
         {{"aspectratio", &camera.aspectratio, positive, "width / height of what the camera sees", "the picture's"},
          {projection_words[1],
           &camera.orthographic,
@@ -98,7 +100,14 @@ inline std::array<Parameter, 16> camera_parameters(CameraText& camera) {
          {projection_words[8], &camera.cylinder3, wide_angles,
           "as `cylinder`, but rows look level, from heights on its axis, as if it had the radius 1", "perspective"},
          {projection_words[9], &camera.cylinder4, wide_angles,
-          "the same lying down, its angle that of the picture's height", "perspective"}}};
+          "the same lying down, its angle that of the picture's height", "perspective"},
+         {"aperture", &camera.aperture, lengths, "the radius of the lens; what is not in focus is blurred",
+          "everything is sharp"},
+         {"focus", &camera.focus, lengths, "the distance from the camera of the plane that is sharp",
+          "that of `look_at`", "focus_on"},
+         {"focus_on", &camera.focus_on, coordinates, "a point of that plane", "`look_at`"},
+         {"blades", &camera.blades, blade_counts, "corners of a lens that is a regular polygon, one of them on top",
+          "a round lens"}}};
     return joined(eye_parameters(camera.eye, required), more);
 }
 /// The time of a key: in seconds or, in place of that, in beats of the music.

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "num/vec_math.h"
 #include "text/blocks/blocks.h"
 
 namespace strahl {
@@ -46,11 +47,34 @@ void CameraBlocks::camera(std::string_view word) {
     }
     reader.require(block, parameters);
     if (!block.good()) return;
-    the_camera = {eye.position, eye.look_at, *eye.down(), *eye.half_angle(), text.aspectratio, projection};
+    the_camera = {eye.position,
+                  eye.look_at,
+                  *eye.down(),
+                  *eye.half_angle(),
+                  text.aspectratio,
+                  projection,
+                  text.aperture.value_or(0),
+                  text.focus,
+                  text.focus_on,
+                  text.blades};
     by_sky = eye.sky.has_value();
     const std::string fault = fault_of(the_camera, by_sky);
     if (!fault.empty()) reader.diagnostics.add(word, "invalid camera: " + fault);
     camera_good = fault.empty();
+    const auto given = [&](std::string_view name) -> const Parameter* {
+        const Parameter& parameter = *std::ranges::find(parameters, name, &Parameter::name);
+        return parameter.given() ? &parameter : nullptr;
+    };
+    const Parameter* const lens = given("aperture");
+    for (const char* const name : {"focus", "focus_on", "blades"})
+        if (const Parameter* const other = given(name); other && !lens)
+            reader.diagnostics.add(
+                other->at, std::string("'") + name + "' changes nothing without 'aperture', the radius of the lens");
+    if (lens && projection > Projection::orthographic)
+        reader.diagnostics.add(lens->at, "only perspective and orthographic cameras have a lens");
+    if (const Parameter* const point = given("focus_on");
+        point && camera_good && !(dot_product(eye.look_at - eye.position, *text.focus_on - eye.position) > 0))
+        reader.diagnostics.add(point->at, "this point is not before the camera, so nothing could be sharp");
     for (Follow& follow : follows) {
         if (follow.parameter == "sky") follow.parameter = "up", follow.factor = -1;
         if (follow.parameter == "angle" ||

@@ -41,6 +41,7 @@ inline constexpr NumberRange octave_counts{1, 10, "a whole number from 1 to 10",
 inline constexpr NumberRange step_counts{1, 1000, "a whole number from 1 to 1000", true};
 inline constexpr NumberRange grid_sizes{1, 64, "a whole number from 1 to 64", true};
 inline constexpr NumberRange grid_levels{0, 100, "a whole number from 0 to 100", true};
+inline constexpr NumberRange blade_counts{3, 64, "a whole number from 3 to 64", true};
 inline constexpr NumberRange row_counts{1, 256, "a whole number from 1 to 256", true};
 inline constexpr NumberRange gammas{1, 5, "from 1 to 5"};
 inline constexpr NumberRange directions{-largest_coordinate, largest_coordinate, "from -1e9 to 1e9, not all 0"};

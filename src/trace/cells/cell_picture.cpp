@@ -7,12 +7,17 @@
 
 namespace strahl {
 
-void CellPicture::begin(const Scene& scene, const View& view, const Lattice& new_region, double error, int largest) {
-    region = new_region, most_contrast = contrast_for(error), largest_filled = largest;
-    for (auto& cells : made)
-        if (cells) spare.push_back(std::move(cells));
+void CellPicture::begin(const Scene& scene, const View& view, const Lattice& new_region, double new_error,
+                        int largest) {
+    region = new_region, error = new_error, most_contrast = contrast_for(error), largest_filled = largest;
+    for (auto& tile : made)
+        if (tile) spare.push_back(std::move(tile));
     places.clear(), made.clear(), begun.clear();
-    thin.emplace(scene, view);
+    lens.reset(), thin.reset();
+    if (has_lens(view.camera))
+        lens = view.camera;
+    else
+        thin.emplace(scene, view);
     sum = {}, done = 0;
     // Tiles and cells are those of the whole view; of a crop those that it touches.
     const auto down = [](int x) { return x / coarsest_cell * coarsest_cell; };
@@ -28,31 +33,36 @@ void CellPicture::begin(const Scene& scene, const View& view, const Lattice& new
     begun.resize(places.size());
 }
 
-std::unique_ptr<Cells> CellPicture::make() {
+std::unique_ptr<CellPicture::InWork> CellPicture::make() {
     const std::lock_guard lock(mutex);
-    if (spare.empty()) return std::make_unique<Cells>();
-    std::unique_ptr<Cells> cells = std::move(spare.back());
+    if (spare.empty()) return std::make_unique<InWork>();
+    std::unique_ptr<InWork> tile = std::move(spare.back());
     spare.pop_back();
-    return cells;
+    return tile;
 }
 
-void CellPicture::refine(int i, int finest, const Job& job, const TraceAt& trace) {
+void CellPicture::refine(int i, int finest, const Job& job, const TraceAt& trace, const TraceLensRays& trace_lens) {
     const TilePlace& place = places[i];
     if (std::exchange(begun[i], true) && !made[i]) return;  // finished before
-    if (!made[i]) {
-        made[i] = make();
-        made[i]->begin(place.x, place.y, place.columns, place.rows, most_contrast, largest_filled, *thin);
-    }
-    Cells& cells = *made[i];
-    cells.refine(finest, [&](std::span<const Point> points, CellSample* samples) {
-        trace(place.x, place.y, points, 0, samples);
-    });
+    const bool first = !made[i];
+    if (first) made[i] = make();
+    auto& [cells, lens_pixels] = *made[i];
+    if (first && lens)
+        lens_pixels.begin(place.x, place.y, place.columns, place.rows, error, *lens);
+    else if (first)
+        cells.begin(place.x, place.y, place.columns, place.rows, most_contrast, largest_filled, *thin);
+    if (lens)
+        lens_pixels.refine(finest == 0, trace_lens);
+    else
+        cells.refine(finest, [&](std::span<const Point> points, CellSample* samples) {
+            trace(place.x, place.y, points, 0, samples);
+        });
     if (job.stopped()) return;
     // Only the part of the tile that is in the crop is handed on.
     const int left = std::max(place.x, region.x), right = std::min(place.x + place.columns, region.x + region.columns);
     const int top = std::max(place.y, region.y), bottom = std::min(place.y + place.rows, region.y + region.rows);
     const Lattice part{.x = left, .y = top, .columns = right - left, .rows = bottom - top};
-    const std::span<const double> rgb = cells.values();
+    const std::span<const double> rgb = lens ? lens_pixels.values() : cells.values();
     if (part.columns == place.columns) {
         const std::size_t first = std::size_t(3) * place.columns * (top - place.y);
         job.sink({part, rgb.subspan(first, std::size_t(3) * part.columns * part.rows)});
@@ -64,18 +74,21 @@ void CellPicture::refine(int i, int finest, const Job& job, const TraceAt& trace
         }
         job.sink({part, std::span<const double>(cut)});
     }
-    if (cells.finished()) {
-        const std::vector<std::uint32_t> counts = cells.counts();
-        MeasuredError error;
-        if (checked > 0)
-            error = measured_error({place.columns, rgb, counts}, checked / (double(region.columns) * region.rows),
-                                   static_cast<std::uint32_t>(place.y * 65536 + place.x + 1),
-                                   [&](std::span<const Point> points, double side, CellSample* samples) {
-                                       trace(place.x, place.y, points, side, samples);
-                                   });
+    if (lens ? lens_pixels.finished() : cells.finished()) {
+        const std::vector<std::uint32_t> counts = lens ? lens_pixels.counts() : cells.counts();
+        const double share = checked / (double(region.columns) * region.rows);
+        MeasuredError off;
+        if (checked > 0 && lens)
+            off = lens_pixels.measured(std::min(1., 32 * share), trace_lens);
+        else if (checked > 0)
+            off = measured_error({place.columns, rgb, counts}, share,
+                                 static_cast<std::uint32_t>(place.y * 65536 + place.x + 1),
+                                 [&](std::span<const Point> points, double side, CellSample* samples) {
+                                     trace(place.x, place.y, points, side, samples);
+                                 });
         if (job.stopped()) return;
         const std::lock_guard lock(mutex);
-        sum.add(counts), sum.measured += error;
+        sum.add(counts), sum.measured += off;
         spare.push_back(std::move(made[i]));
         ++done;
     }

@@ -1,4 +1,4 @@
-// Keeps a picture in cells between passes: its tiles and what they know.
+// Keeps an averaged picture between passes: its tiles, which are in cells or made by a lens, and what they know.
 #pragma once
 #include <algorithm>
 #include <atomic>
@@ -8,11 +8,12 @@
 #include <vector>
 
 #include "trace/cells/cells.h"
+#include "trace/cells/lens_pixels.h"
 #include "trace/world/view.h"
 
 namespace strahl {
 
-/// A picture in cells, which is refined tile by tile.
+/// An averaged picture, which is refined tile by tile.
 class CellPicture {
   public:
     CellPicture() = default;
@@ -31,6 +32,7 @@ class CellPicture {
     bool finished() const { return done == tiles(); }
 
     int tiles() const { return static_cast<int>(places.size()); }
+    bool through_lens() const { return lens.has_value(); }
     double contrast() const { return most_contrast; }
     /// Measures the error as well, see measured_error(): about `pixels` pixels are checked for each sample that pixels
     /// take on average. By default this takes at most half as many rays as the picture.
@@ -38,25 +40,32 @@ class CellPicture {
     void check() { check(std::min(96., double(region.columns) * region.rows / 256)); }
     /// Traces points of the tile whose corner is (x, y). Footprints have this side, in pixels; 0 for side_of() each.
     using TraceAt = std::function<void(int x, int y, std::span<const Point>, double side, CellSample*)>;
-    /// Refines tile i and hands it to the job's sink, unless the job is stopped: then the tile cannot go on.
-    void refine(int i, int finest, const Job& job, const TraceAt& trace);
+    /// Refines tile i and hands it to the job's sink, unless the job is stopped: then the tile cannot go on. Of a
+    /// picture through a lens the second function traces all.
+    void refine(int i, int finest, const Job& job, const TraceAt& trace, const TraceLensRays& trace_lens);
 
   private:
     struct TilePlace {
         int x, y, columns, rows;
     };
+    struct InWork {
+        Cells cells;
+        LensPixels lens;
+    };
 
-    std::unique_ptr<Cells> make();
+    std::unique_ptr<InWork> make();
 
     Lattice region;
     double most_contrast = 0;
     int largest_filled = 0;
     double checked = 0;
     std::vector<TilePlace> places;
-    std::vector<std::unique_ptr<Cells>> made, spare;  // cells in work, by tile; cells of finished tiles, to reuse
+    std::vector<std::unique_ptr<InWork>> made, spare;  // tiles in work; memory of finished tiles, to reuse
     std::vector<char> begun;
-    std::optional<ThinBodies> thin;
-    std::mutex mutex;  // of spare and sum
+    double error = 0;
+    std::optional<Camera> lens;      // the camera of a picture through a lens
+    std::optional<ThinBodies> thin;  // for pictures without a lens
+    std::mutex mutex;                // of spare and sum
     Sampled sum;
     std::atomic<int> done = 0;
 };

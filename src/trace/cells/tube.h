@@ -85,15 +85,16 @@ class CapsuleTree {
 
   private:
     struct TreeLeaf {
-        Capsule around;  // a ball around a facet
+        Capsule around;  // a ball around a facet or a piece of one
         double least;
         std::int32_t facet;  // its number, -1 for capsules
+        bool is_piece = false;
     };
     struct CapsuleNode {
         Capsule around;     // a ball around the body, or the capsule of a leaf
         double least;       // the smallest radius below, or half a facet's thickness
         std::int32_t next;  // node that follows all below this one
-        bool is_leaf;
+        bool is_leaf, is_piece;
         std::int32_t facet;
     };
     void add(std::span<TreeLeaf> leaves);

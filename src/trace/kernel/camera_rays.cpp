@@ -14,12 +14,15 @@ CameraRays<T>::CameraRays(const Scene& scene, const View& view, const BuiltWorld
     : view(view),
       built(built),
       placement(placement),
-      frame(frame_of(view.camera, static_cast<double>(view.width) / view.height)) {
-    if (!starts_apart(view.camera.projection)) return;
+      frame(frame_of(view.camera, static_cast<double>(view.width) / view.height)),
+      sharp(focal_distance(view.camera)) {
+    const double radius = view.camera.aperture;
+    if (!starts_apart(view.camera.projection) && radius == 0) return;
     const DVec3 middle = view.camera.position;
+    const double wide = radius + starts_apart(view.camera.projection) * frame.tan_x;
+    const double high = radius + starts_apart(view.camera.projection) * frame.tan_y;
     DVec3 reach;
-    for (int i = 0; i < 3; ++i)
-        reach[i] = std::abs(frame.tan_x * frame.right[i]) + std::abs(frame.tan_y * frame.down[i]);
+    for (int i = 0; i < 3; ++i) reach[i] = std::abs(wide * frame.right[i]) + std::abs(high * frame.down[i]);
     starts_in_bodies = std::ranges::any_of(scene.primitives, [&](const Primitive& body) {
         if (!transparent(scene, body)) return false;
         const Box box = world_bounds(body);
@@ -29,11 +32,16 @@ CameraRays<T>::CameraRays(const Scene& scene, const View& view, const BuiltWorld
     });
 }
 
-/// Returns the ray through a point in pixels, of which (0, 0) is the middle of the first.
+/// Returns the ray through a point in pixels, of which (0, 0) is the middle of the first, and a place on the lens.
 template <class T>
-auto CameraRays<T>::ray(Real x, Real y) const -> CameraRay<Real> {
+auto CameraRays<T>::ray(Real x, Real y, Real across, Real below) const -> CameraRay<Real> {
     CameraRay<Real> own = camera_ray(view.camera.projection, frame, (2 * (x + Real(view.shift_x)) + 1) / view.width - 1,
                                      (2 * (y + Real(view.shift_y)) + 1) / view.height - 1);
+    if (across != 0 || below != 0) {  // to the point in focus that all of the lens sees there
+        const Vec3<Real> off =
+            Real(view.camera.aperture) * (across * Vec3<Real>(frame.right) + below * Vec3<Real>(frame.down));
+        own.way = Real(sharp) * own.way - off, own.start = own.start + off;
+    }
     own.start = Real(placement.scale) * (Vec3<Real>(view.camera.position - placement.origin) + own.start);
     own.way = Real(1) / std::sqrt(dot(own.way, own.way)) * own.way;
     return own;
@@ -43,7 +51,8 @@ template <class T>
 void CameraRays<T>::make(const PixelBatch<T>& batch, Workspace<T>& workspace, RayQueue<T>& rays) const {
     for (int i = 0; i < batch.count; ++i) {
         const Real x = batch.x[i], y = batch.y[i];
-        const CameraRay<Real> own = ray(x, y);
+        const Real across = batch.lens_x ? Real(batch.lens_x[i]) : 0, below = batch.lens_y ? Real(batch.lens_y[i]) : 0;
+        const CameraRay<Real> own = ray(x, y, across, below);
         for (int c = 0; c < 3; ++c) {
             rays.origin[c][i] = static_cast<T>(own.start[c]);
             rays.direction[c][i] = static_cast<T>(own.way[c]);
@@ -61,7 +70,7 @@ void CameraRays<T>::make(const PixelBatch<T>& batch, Workspace<T>& workspace, Ra
         }
         if (!batch.footprints) continue;
         const Real side = batch.footprints->sides[i];
-        const CameraRay<Real> beside[2] = {ray(x + side, y), ray(x, y + side)};
+        const CameraRay<Real> beside[2] = {ray(x + side, y, across, below), ray(x, y + side, across, below)};
         if (rays.cone.width) {
             const DVec3 down(beside[1].start - own.start), turned(beside[1].way - own.way);
             rays.cone.width[i] = static_cast<T>(length(down)), rays.cone.spread[i] = static_cast<T>(length(turned));

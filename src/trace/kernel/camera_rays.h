@@ -1,4 +1,5 @@
-// Makes the camera rays of projections other than perspective, one at a time: they are few beside the others.
+// Makes the camera rays of lenses and of projections other than perspective, one at a time: they are few beside the
+// others.
 #pragma once
 #include "scene/camera.h"
 #include "trace/kernel/kernel.h"
@@ -18,12 +19,13 @@ class CameraRays {
 
   private:
     using Real = std::conditional_t<std::is_same_v<T, long double>, long double, double>;
-    CameraRay<Real> ray(Real x, Real y) const;
+    CameraRay<Real> ray(Real x, Real y, Real across, Real below) const;
 
     const View& view;
     const BuiltWorld<T>& built;
     const Placement& placement;
     const CameraFrame frame;
+    const double sharp;             // distance of the plane in focus
     bool starts_in_bodies = false;  // rays may start in a transparent body
 };
 

@@ -181,8 +181,9 @@ struct PixelBatch {
     PixelSum<T>* sums;
     T* past;  // most light that each pixel lacks by generations past the last
     int count;
-    Sight<T>* sights = nullptr;                 // of each pixel, if that is wanted
-    const Footprints<T>* footprints = nullptr;  // of each pixel, if that is wanted
+    Sight<T>* sights = nullptr;                    // of each pixel, if that is wanted
+    const Footprints<T>* footprints = nullptr;     // of each pixel, if that is wanted
+    const T *lens_x = nullptr, *lens_y = nullptr;  // places on the lens, see lens_place(); its middle without them
 
     /// Forgets all that the pixels have brought back.
     void clear() const {

@@ -36,6 +36,7 @@ class Workspace {
     std::vector<Sight<T>> sights;
     std::vector<T> sides;               // see Footprints
     std::vector<SeenPatterns<T>> seen;  // see Footprints
+    std::vector<T> lens_x, lens_y;      // see PixelBatch; empty if no ray needs them
     int batch = scattered_pixels;       // number of pixels that fitted last time
     /// Allocates the arrays of a policy's data of rays.
     void hold_extra();

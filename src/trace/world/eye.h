@@ -14,7 +14,7 @@ struct Eye {
     Vec3<T> position, forward, right, down;  // right and down scaled by the picture's half sizes at distance 1
     T scale_x, scale_y, bias_x, bias_y;      // u = x * scale_x + bias_x
     T medium = 0;                            // stack of bodies that the eye is in
-    const CameraRays<T>* rays = nullptr;     // of other projections than perspective (kernel/camera_rays.h)
+    const CameraRays<T>* rays = nullptr;     // of lenses and other projections (kernel/camera_rays.h)
 };
 
 }  // namespace strahl

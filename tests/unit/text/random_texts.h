@@ -232,6 +232,14 @@ class RandomScenes {
         const int digits = static_cast<int>(1000 * result.fov) % (3 * static_cast<int>(projection_words.size()));
         if (digits % 3 == 0) result.projection = static_cast<Projection>(digits / 3);
         if (angular(result.projection)) result.fov *= 4;
+        if (result.projection <= Projection::orthographic && chance(3)) {
+            result.aperture = positive();
+            if (chance(3)) result.blades = 3 + below(60);
+            if (chance(3))
+                result.focus = positive();
+            else if (chance(2))
+                result.focus_on = result.look_at;
+        }
         return degenerate(result) ? camera() : result;
     }
     Flythrough flythrough(const Camera& scene_camera) {

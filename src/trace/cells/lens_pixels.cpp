@@ -1,0 +1,154 @@
+#include "trace/cells/lens_pixels.h"
+
+#include <algorithm>
+
+#include "num/scrambled_net.h"
+
+namespace strahl {
+namespace {
+
+constexpr std::uint32_t first_points = 4, most_points = 2048;  // of each net
+constexpr int block = 8;                                       // the side of a square of pixels that look at each other
+
+/// Returns the largest standard deviation that a pixel may have, found by experiment: the RMS error over worlds with
+/// lenses is then about the one aimed at (tests/bench/lens.md).
+double allowed_deviation(double error) { return 1.5 * error; }
+
+template <class Sums>
+double variance_of(const Sums& sums, double taken) {
+    double variance = 0;
+    for (int c = 0; c < 3; ++c) {
+        double mean = 0, squares = 0;
+        for (const auto& sum : sums) mean += sum[c] / taken / LensPixels::nets;
+        for (const auto& sum : sums) squares += (sum[c] / taken - mean) * (sum[c] / taken - mean);
+        variance += squares / (LensPixels::nets * (LensPixels::nets - 1)) / 3;
+    }
+    return variance;
+}
+
+}  // namespace
+
+void LensPixels::begin(int x, int y, int own_columns, int own_rows, double error, const Camera& own_camera) {
+    left = x, top = y, columns = own_columns, rows = own_rows;
+    limit = allowed_deviation(error) * allowed_deviation(error);
+    camera = own_camera;
+    const auto count = static_cast<std::size_t>(columns) * rows;
+    pixels.assign(count, {});
+    means.assign(3 * count, 0);
+    begun = false;
+    open.resize(count);
+    for (std::size_t i = 0; i < count; ++i) open[i] = static_cast<int>(i);
+}
+
+std::uint32_t LensPixels::seed_of(int pixel) const {
+    const int x = left + pixel % columns, y = top + pixel / columns;
+    return ScrambledNet::mix(static_cast<std::uint32_t>(y) * 65536u + static_cast<std::uint32_t>(x));
+}
+
+/// Traces these parts, many rays at once.
+void LensPixels::trace_nets(std::span<const NetPart> parts, const TraceLensRays& trace, bool check) const {
+    constexpr std::size_t many = 4096;
+    std::vector<LensRay> rays;
+    std::vector<double*> to;  // of each ray
+    std::vector<std::array<double, 3>> rgb;
+    const auto flush = [&] {
+        rgb.assign(rays.size(), {});
+        trace(rays, rgb, check);
+        for (std::size_t i = 0; i < rays.size(); ++i)
+            for (int c = 0; c < 3; ++c) to[i][c] += rgb[i][c];
+        rays.clear(), to.clear();
+    };
+    for (const NetPart& part : parts) {
+        const int x = left + part.pixel % columns, y = top + part.pixel / columns;
+        for (std::uint32_t n = 0; n < nets; ++n) {
+            const ScrambledNet net(ScrambledNet::mix(part.seed + n));
+            for (std::uint32_t i = part.first; i < part.last; ++i) {
+                const auto [u, v, s, t] = net.point(i);
+                const auto [across, below] = lens_place(camera, s, t);
+                rays.push_back({x + u - .5, y + v - .5, across, below});
+                to.push_back((*part.sums)[n].data());
+            }
+            if (rays.size() >= many) flush();
+        }
+    }
+    flush();
+}
+
+void LensPixels::take(std::uint32_t points, const TraceLensRays& trace) {
+    std::vector<NetPart> parts;
+    for (const int number : open) {
+        LensPixel& pixel = pixels[number];
+        parts.push_back({number, seed_of(number), pixel.taken, std::max(points, 2 * pixel.taken), &pixel.sums});
+        pixel.taken = parts.back().last;
+    }
+    trace_nets(parts, trace, false);
+    for (const int number : open) {
+        LensPixel& pixel = pixels[number];
+        pixel.variance = variance_of(pixel.sums, pixel.taken);
+        for (int c = 0; c < 3; ++c) {
+            double sum = 0;
+            for (const auto& net : pixel.sums) sum += net[c];
+            means[std::size_t(3) * number + c] = sum / (nets * pixel.taken);
+        }
+    }
+    begun = true;
+}
+
+void LensPixels::refine(bool all, const TraceLensRays& trace) {
+    do {
+        take(first_points, trace);
+        settle();
+    } while (all && !open.empty());
+}
+
+/// Finds the pixels that need more rays. Nets of few points may all have missed what a neighbour has found.
+void LensPixels::settle() {
+    open.clear();
+    for (int y = 0; y < rows; ++y)
+        for (int x = 0; x < columns; ++x) {
+            const int number = y * columns + x;
+            if (pixels[number].taken >= most_points) continue;
+            const auto from = [](int at) { return std::max(at / block * block, at - 1); };
+            const auto to = [](int at, int end) { return std::min({at / block * block + block, at + 2, end}); };
+            double sum = 0;
+            int count = 0;
+            for (int v = from(y); v < to(y, rows); ++v)
+                for (int u = from(x); u < to(x, columns); ++u, ++count) sum += pixels[v * columns + u].variance;
+            if (std::max(pixels[number].variance, sum / count) > limit) open.push_back(number);
+        }
+}
+
+std::vector<std::uint32_t> LensPixels::counts() const {
+    std::vector<std::uint32_t> all;
+    for (const LensPixel& pixel : pixels) all.push_back(nets * pixel.taken);
+    return all;
+}
+
+MeasuredError LensPixels::measured(double chance, const TraceLensRays& trace) const {
+    std::vector<int> chosen;
+    for (int i = 0; i < columns * rows; ++i)
+        if (ScrambledNet::mix(seed_of(i) + nets) * 0x1p-32 < chance) chosen.push_back(i);
+    std::vector<std::array<Sums, 2>> sums(chosen.size());
+    std::vector<NetPart> parts;
+    for (std::size_t k = 0; k < chosen.size(); ++k)
+        for (std::uint32_t half = 0; half < 2; ++half)
+            parts.push_back({chosen[k], ScrambledNet::mix(seed_of(chosen[k]) + nets) + nets * half, 0,
+                             2 * pixels[chosen[k]].taken, &sums[k][half]});
+    trace_nets(parts, trace, true);
+    MeasuredError error{.checked = chosen.size()};
+    for (std::size_t k = 0; k < chosen.size(); ++k) {
+        double product = 0;
+        for (int c = 0; c < 3; ++c) {
+            double off[2];
+            for (int half = 0; half < 2; ++half) {
+                off[half] = -means[std::size_t(3) * chosen[k] + c];
+                for (const auto& sum : sums[k][half]) off[half] += sum[c] / (2. * nets * pixels[chosen[k]].taken);
+            }
+            product += off[0] * off[1] / 3;
+        }
+        error.squares += product / chance, error.variance += product / chance * (product / chance);
+    }
+    return error;
+}
+
+}  // namespace strahl

@@ -1,0 +1,74 @@
+// A tile of a picture that a lens makes: each pixel is the average over its square and over the lens.
+//
+// Cells cannot say where such a picture is smooth: each of its rays has four coordinates, two in the pixel and two on
+// the lens. Each pixel therefore has nets of its own (num/scrambled_net.h), eight that are independent of each other.
+// How far their means differ says how wrong the mean of all is (A. Owen, "Monte Carlo Variance of Scrambled Net
+// Quadrature", 1997). As long as that is too much, the nets are doubled.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "scene/camera.h"
+#include "trace/cells/pixel_sampling.h"
+
+namespace strahl {
+
+/// A place in the picture, in pixels that have their middles at whole numbers, and one on the lens, see lens_place().
+struct LensRay {
+    double x, y, across, below;
+};
+/// Traces rays, and writes the light that each brings. Rays of a check are not counted.
+using TraceLensRays = std::function<void(std::span<const LensRay>, std::span<std::array<double, 3>> rgb, bool check)>;
+
+/// A tile of columns x rows pixels at (x, y) in the view; one after the other in the same memory. What a pixel does
+/// depends on the square of 8x8 pixels around it alone, of those that lie side by side from the view's corner on.
+class LensPixels {
+  public:
+    static constexpr int nets = 8;
+
+    /// `error` is the RMS error aimed at.
+    void begin(int x, int y, int columns, int rows, double error, const Camera& camera);
+    /// Doubles the samples of pixels that are not good enough: once or, with `all`, until none is left.
+    void refine(bool all, const TraceLensRays& trace);
+    bool finished() const { return open.empty() && begun; }
+    /// Takes this many points of each net of the open pixels, or doubles those that were taken before.
+    void take(std::uint32_t points, const TraceLensRays& trace);
+
+    /// Returns the pixels' values and the number of their rays, row by row.
+    std::span<const double> values() const { return means; }
+    std::vector<std::uint32_t> counts() const;
+
+    /// Measures the error of the finished tile: each pixel is chosen with this chance, and traced by twice as many rays
+    /// as it had, twice. The mean of the product of both differences is the mean square of the error.
+    MeasuredError measured(double chance, const TraceLensRays& trace) const;
+
+  private:
+    using Sums = std::array<std::array<double, 3>, nets>;
+    struct LensPixel {
+        Sums sums{};
+        std::uint32_t taken = 0;  // of each net
+        double variance = 0;      // of the pixel's mean, the mean of its channels
+    };
+    /// Points `first` to `last` of the nets with this seed, of a pixel, whose light is added to `sums`.
+    struct NetPart {
+        int pixel;
+        std::uint32_t seed, first, last;
+        Sums* sums;
+    };
+    std::uint32_t seed_of(int pixel) const;
+    void trace_nets(std::span<const NetPart> parts, const TraceLensRays& trace, bool check) const;
+    void settle();
+
+    int left = 0, top = 0, columns = 0, rows = 0;
+    double limit = 0;  // of the variance
+    bool begun = false;
+    Camera camera;
+    std::vector<LensPixel> pixels;
+    std::vector<int> open;  // numbers of the pixels that need more
+    std::vector<double> means;
+};
+
+}  // namespace strahl
