@@ -12,7 +12,7 @@ constexpr int block = 8;  // the side of a square of pixels that look at each ot
 
 /// Returns the largest standard deviation of eight independent nets that a pixel may have. One net of all their points
 /// is better, by how much depends on the world; the factor was found by experiment (tests/bench/lens.md).
-double allowed_deviation(double error) { return 2.5 * error; }
+double allowed_deviation(double error) { return 2.2 * error; }
 
 template <class Sums>
 double variance_of(const Sums& sums, double taken) {
