@@ -99,7 +99,7 @@ done
 comparison=$source_folder/povref/README.md
 read -r scenes compared < <(grep -oP '^Of the \K[0-9]+ scenes .* [0-9]+(?= are compared)' "$comparison" | sed 's/ .* / /')
 (($(find "$source_folder/scenes" -name '*.rt' | wc -l) == scenes)) || fault "$comparison speaks of $scenes scenes"
-rows=$(sed -n '/results: begin/,/results: end/p' "$comparison" | grep -cE '^\| [a-z_/0-9]+ \| [0-9]')
+rows=$(grep -cE '^\| [a-z_/0-9]+ \| [0-9]+ \| [0-9]+ \| [0-9]+ \|' "$source_folder/povref/results.md")
 left_out=$(awk '!/^#/ && $3 == 1' "$source_folder/povref/allowed.txt" | wc -l)
 ((rows == compared && compared == scenes - left_out)) || fault "$comparison: $compared compared, $rows rows, $left_out left out"
 finish

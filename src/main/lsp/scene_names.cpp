@@ -1,5 +1,7 @@
 #include "main/lsp/scene_names.h"
 
+#include <utility>
+
 #include "files/utf8.h"
 #include "files/words.h"
 
@@ -96,6 +98,32 @@ std::vector<SceneName> names_in(std::string_view text) {
         }
     }
     return names;
+}
+
+std::vector<SceneBlock> blocks_in(std::string_view text) {
+    SceneTokens tokens(text);
+    std::vector<SceneBlock> blocks;
+    SceneToken before;
+    int depth = 0;
+    bool declares = false;  // the next block belongs to the last declaration
+    const auto from_to = [](std::string_view first, std::string_view last) {
+        return std::string_view(first.data(), static_cast<std::size_t>(last.data() + last.size() - first.data()));
+    };
+    for (SceneToken token; (token = tokens.next()).kind != SceneToken::none; before = token) {
+        const std::string_view word = token.text;
+        if (word == "{" && depth++ == 0) {
+            if (!std::exchange(declares, false)) blocks.push_back({before.text, before.text});
+        } else if (word == "}" && depth > 0 && --depth == 0) {
+            blocks.back().whole = from_to(blocks.back().whole, word);
+        } else if (depth == 0 && (word == "define" || word == "#declare" || word == "#local" || word == "#macro")) {
+            const SceneToken name = tokens.next();
+            declares = name.kind == SceneToken::word;
+            if (declares) blocks.push_back({name.text, from_to(word, name.text), true});
+        } else if (word == ";") {
+            declares = false;
+        }
+    }
+    return blocks;
 }
 
 }  // namespace strahl

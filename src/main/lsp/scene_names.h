@@ -32,4 +32,11 @@ struct SceneName {
 };
 std::vector<SceneName> names_in(std::string_view text);
 
+/// A block of the top level, with the word that opens it, or what a declaration of the top level names.
+struct SceneBlock {
+    std::string_view name, whole;  // `whole` reaches to the closing brace, if the block has one
+    bool declared = false;
+};
+std::vector<SceneBlock> blocks_in(std::string_view text);
+
 }  // namespace strahl

@@ -38,6 +38,12 @@ Json range_of(const Document& document, std::size_t begin, std::size_t end) {
     return {{"start", json_of(document.position(begin))}, {"end", json_of(document.position(end))}};
 }
 Json range_of(const DocumentSlice& slice) { return range_of(*slice.document, slice.at, slice.at + slice.size); }
+std::size_t offset_of(const Document& document, const Json& position) {
+    const Json &line = position.at("line"), &unit = position.at("character");
+    if (!line.is_number_unsigned() || !unit.is_number_unsigned())
+        throw Refusal{-32602, "line and character are whole numbers from 0 on"};
+    return document.offset({line, unit});
+}
 Json markdown(const std::string& text) { return {{"kind", "markdown"}, {"value", text}}; }
 
 /// Reads JSON that is not nested deeper than messages are: values are copied by recursion.
@@ -79,11 +85,14 @@ class Server {
     void change(const Json& params);
     void publish(const std::string& uri, OpenText& open);
     Json diagnostic(const Document& document, const Problem& problem) const;
+    const OpenText& open_text(const Json& params) const;
     AskedPlace place_in(const Json& params) const;
     std::shared_ptr<const Document> read(const std::string& path) const;
     Json hover(const AskedPlace& place) const;
     Json definition(const AskedPlace& place) const;
     Json completion(const AskedPlace& place) const;
+    Json outline(const Json& params) const;
+    Json fixes(const Json& params) const;
 
     std::istream& in;
     std::ostream& out;
@@ -148,7 +157,9 @@ Json Server::answer(const std::string& method, const Json& params) {
                  {{"textDocumentSync", sync},
                   {"hoverProvider", true},
                   {"definitionProvider", true},
-                  {"completionProvider", Json::object()}}},
+                  {"completionProvider", Json::object()},
+                  {"documentSymbolProvider", true},
+                  {"codeActionProvider", {{"codeActionKinds", {"quickfix"}}}}}},
                 {"serverInfo", {{"name", "strahl"}}}};
     }
     if (!initialized) throw Refusal{-32002, "'initialize' must come first"};
@@ -156,6 +167,8 @@ Json Server::answer(const std::string& method, const Json& params) {
     if (method == "textDocument/hover") return hover(place_in(params));
     if (method == "textDocument/definition") return definition(place_in(params));
     if (method == "textDocument/completion") return completion(place_in(params));
+    if (method == "textDocument/documentSymbol") return outline(params);
+    if (method == "textDocument/codeAction") return fixes(params);
     throw Refusal{-32601, "the server does not know this method"};
 }
 
@@ -230,13 +243,15 @@ Json Server::diagnostic(const Document& document, const Problem& problem) const 
     return own;
 }
 
-Server::AskedPlace Server::place_in(const Json& params) const {
+const Server::OpenText& Server::open_text(const Json& params) const {
     const auto found = texts.find(params.at("textDocument").at("uri").get<std::string>());
     if (found == texts.end()) throw Refusal{-32602, "this text is not open"};
-    const Json &line = params.at("position").at("line"), &unit = params.at("position").at("character");
-    if (!line.is_number_unsigned() || !unit.is_number_unsigned())
-        throw Refusal{-32602, "line and character are whole numbers from 0 on"};
-    return {found->second.scene, found->second.document().offset({line, unit})};
+    return found->second;
+}
+
+Server::AskedPlace Server::place_in(const Json& params) const {
+    const OpenText& open = open_text(params);
+    return {open.scene, offset_of(open.document(), params.at("position"))};
 }
 
 std::shared_ptr<const Document> Server::read(const std::string& path) const try {
@@ -275,6 +290,56 @@ Json Server::completion(const AskedPlace& place) const {
         if (!own.help.empty()) items.back()["documentation"] = markdown(own.help);
     }
     return items;
+}
+
+Json Server::outline(const Json& params) const {
+    const Document& document = open_text(params).document();
+    const auto range = [&](std::string_view slice) {
+        const auto at = static_cast<std::size_t>(slice.data() - document.text.data());
+        return range_of(document, at, at + slice.size());
+    };
+    Json symbols = Json::array();
+    for (const SceneBlock& block : blocks_in(document.text))
+        symbols.push_back({{"name", block.name},
+                           {"kind", block.declared ? 13 : 19},  // the protocol's numbers: a variable, an object
+                           {"range", range(block.whole)},
+                           {"selectionRange", range(block.declared ? block.name : block.whole)}});
+    return symbols;
+}
+
+/// Offers what a message names: the word that was meant, or the line that includes a file.
+Json Server::fixes(const Json& params) const {
+    const Document& document = open_text(params).document();
+    const auto between = [](const std::string& text, std::string_view first, std::string_view last) {
+        const std::size_t begin = text.find(first), end = text.find(last, begin + first.size());
+        if (begin == text.npos || end == text.npos) return std::string();
+        return text.substr(begin + first.size(), end - begin - first.size());
+    };
+    Json list = Json::array();
+    for (const Json& told : params.at("context").at("diagnostics")) {
+        const std::string message = told.at("message");
+        const Json& range = told.at("range");
+        std::string meant = between(message, "did you mean '", "'?"), file = between(message, "#include \"", "\"");
+        if (meant.empty()) meant = between(message, "; use '", "'");
+        if (meant.find_first_of(" {") != meant.npos) continue;  // it is more than a word
+        Json edit{{"range", range}, {"newText", meant}};
+        std::string title = "Write '" + meant + "'";
+        if (!meant.empty()) {
+            const std::size_t at = offset_of(document, range.at("start"));
+            if (at < document.text.size() && document.text[at] == '"') edit["newText"] = '"' + meant + '"';
+        } else if (!file.empty()) {
+            edit = {{"range", range_of(document, 0, 0)}, {"newText", "#include \"" + file + "\"\n"}};
+            title = "Include " + file;
+        } else {
+            continue;
+        }
+        const Json changes{{params.at("textDocument").at("uri").get<std::string>(), Json::array({edit})}};
+        list.push_back({{"title", title},
+                        {"kind", "quickfix"},
+                        {"diagnostics", Json::array({told})},
+                        {"edit", {{"changes", changes}}}});
+    }
+    return list;
 }
 
 }  // namespace

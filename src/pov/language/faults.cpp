@@ -90,6 +90,14 @@ std::string_view number_around(std::string_view text, std::size_t at) {
     return {begin, end};
 }
 
+/// Does a text end in a colour of one number, as in `color 1`?
+bool follows_colour_number(std::string_view text) {
+    text = text.substr(0, text.find_last_not_of("0123456789.") + 1);
+    text = text.substr(0, text.find_last_not_of(" \t") + 1);
+    const std::array<std::string_view, 4> words{"color", "colour", "rgb", "srgb"};
+    return std::ranges::any_of(words, [&](std::string_view word) { return text.ends_with(word); });
+}
+
 /// Is this a number with a decimal comma, as in 0,5?
 bool has_decimal_comma(std::string_view number) {
     const std::size_t comma = number.find(',');
@@ -199,8 +207,11 @@ void Interpreter::State::fail(TextPlace at, const std::string& text_of_message) 
 std::string Interpreter::State::advice_on_name(const std::string& name, const std::string& what) {
     const std::string_view before = std::string_view(files[next.place.file]->text).substr(0, next.place.at);
     if (before.ends_with('"')) return "; is a '\"' missing before it?";
-    if (before.ends_with('#')) return "; colours are written rgb <1, 0, 0>";
     const auto meant = [](std::string_view similar) { return "; did you mean " + strahl::quoted(similar) + "?"; };
+    if (before.ends_with('#')) {
+        const std::string_view similar = nearest(name, directives);
+        return similar.empty() ? "; colours are written rgb <1, 0, 0>" : meant(similar);
+    }
     std::vector<std::string_view> declared;
     for (std::uint32_t i = 0; i < names.size(); ++i)
         if (i != next.raw->index && symbols.find(i)) declared.push_back(names.text(i));
@@ -265,6 +276,8 @@ void Interpreter::State::wrong_token(const std::string& what) {
         advice = "; did you mean " + strahl::quoted(row->own) + "?";
     else if (found == '^')
         advice = "; powers are written pow(x, 2)";
+    else if (found == ',' && follows_colour_number(before))
+        advice = "; a colour is written rgb <1, 0, 0>";
     else if (found == ';' && what.starts_with("a body"))
         advice = "; ';' ends only declarations, such as #declare A = 1;";
     else if (found == '}' && blocks.empty() && closed)

@@ -63,6 +63,7 @@ struct CompiledFunction : FunctionThing {
     }
     template <class S>
     S* run(std::size_t first, std::size_t last, S* numbers, S* top, const lattice::NoiseLanes& noise) const;
+    // The functions of this thread that are being evaluated, each called by the one before, and the steps left to them.
     static inline thread_local int levels_open = 0;
     static inline thread_local long steps_left = 0;
 };

@@ -23,7 +23,7 @@ CameraThing PovReader::read_camera(Interpreter& in) {
     CameraThing camera = default_camera;
     in.begin_block();
     camera.place = in.last_place();
-    TextPlace aim = camera.place;
+    TextPlace aim = camera.place, wide = camera.place;
     if (const auto known = in.accept_thing<CameraThing>(ValueKind::camera)) camera = *known;
     while (!in.at('}')) {
         if (read_step(in, camera.steps)) continue;
@@ -50,7 +50,7 @@ CameraThing PovReader::read_camera(Interpreter& in) {
                 camera.look_at = in.read_vector(), camera.has_look_at = true;
                 break;
             case word("angle"):
-                camera.angle = in.read_number();
+                wide = in.last_place(), camera.angle = in.read_number();
                 if (in.accept(',') || in.at_expression()) camera.vertical_angle = in.read_number();
                 break;
             case word("perspective"):
@@ -97,6 +97,8 @@ CameraThing PovReader::read_camera(Interpreter& in) {
     in.end_block();
     if (camera.has_look_at && camera.look_at == camera.location)
         in.fail(aim, "the camera looks at the place where it is: 'look_at' and 'location' must differ");
+    if (camera.projection == word("perspective") && camera.angle.value_or(0) >= 180)
+        in.fail(wide, "the angle of a perspective camera must be smaller than 180 degrees");
     return camera;
 }
 

@@ -122,6 +122,14 @@ std::string advice_on_sign(std::string_view text, std::size_t at) {
         if (within && (!in_vector || text.substr(open, text.find('>', at) - open).find(", ") != text.npos))
             return "decimals have a point, as in 2.5";
     }
+    if (is_digit(at) && after_number && !directly) {  // <0,5 1 2>, but not <0,5 1>, which lacks a comma
+        const std::size_t open = text.substr(0, at).find_last_of("<>{}"),
+                          end = std::min(text.find('>', at), text.size());
+        int numbers = 0;
+        for (std::size_t i = open + 1; open != text.npos && text[open] == '<' && i < end; ++i)
+            numbers += is_digit(i) && !is_digit(i - 1) && text[i - 1] != '.';
+        if (numbers > 3) return "decimals have a point, as in 2.5";
+    }
     if (sign == '#' && at + 1 < text.size() && is_hexadecimal(text.substr(at + 1)))
         return "colours are numbers, as in rgb <1, 0, 0>";
     if (sign == '#' && (text.substr(at + 1).starts_with("declare") || text.substr(at + 1).starts_with("local")))

@@ -413,3 +413,40 @@ TEST_CASE("any bytes end in answers or in an error") {
     }
     CHECK(refused > 3);
 }
+
+TEST_CASE("lsp: an outline lists blocks and declarations of the top level") {
+    Client client;
+    client.open(uri, eye + "define gold material { rgb <1, .8, 0> }\nsphere {\n  <0, 0, 0>, 1 material gold\n}\n");
+    client.open("file:///nowhere/b.pov", "#declare R = 2;\n#macro M(A) box { A, 1 } #end\nsphere { 0, R }\ncamera {");
+    const int rt = client.ask("textDocument/documentSymbol", {{"textDocument", {{"uri", uri}}}});
+    const int pov = client.ask("textDocument/documentSymbol", {{"textDocument", {{"uri", "file:///nowhere/b.pov"}}}});
+    client.run();
+    const auto names = [](const Json& symbols) {
+        std::vector<std::string> all;
+        for (const Json& symbol : symbols) all.push_back(symbol.at("name"));
+        return all;
+    };
+    CHECK(names(client.result(rt)) == std::vector<std::string>{"camera", "light", "gold", "sphere"});
+    CHECK(client.result(rt)[2].at("selectionRange") == range(2, 7, 11));
+    CHECK(client.result(rt)[3].at("range").at("end") == Json{{"line", 5}, {"character", 1}});
+    CHECK(names(client.result(pov)) == std::vector<std::string>{"R", "M", "sphere", "camera"});
+}
+
+TEST_CASE("lsp: a quick fix writes the word that was meant") {
+    const auto fixed = [](const std::string& text, const std::string& uri) {
+        Client client;
+        client.open(uri, text);
+        const Json diagnostics = diagnostics_of(text, uri);
+        const int id = client.ask(
+            "textDocument/codeAction",
+            {{"textDocument", {{"uri", uri}}}, {"range", range(0, 0, 0)}, {"context", {{"diagnostics", diagnostics}}}});
+        client.run();
+        const Json list = client.result(id);
+        return list.empty() ? Json() : list[0].at("edit").at("changes").at(uri)[0];
+    };
+    const std::string pov = "file:///nowhere/b.pov";
+    CHECK(fixed(eye + "shpere { <0, 0, 0>, 1 }", uri) == Json{{"range", range(2, 0, 6)}, {"newText", "sphere"}});
+    CHECK(fixed(eye + "ball { <0, 0, 0>, 1 }", uri) == Json{{"range", range(2, 0, 4)}, {"newText", "sphere"}});
+    CHECK(fixed(eye + "sphere { <0, 0, 0>, 0 }", uri) == Json());
+    CHECK(fixed("sphere { 0, 1 pigmnet { rgb 1 } }", pov) == Json{{"range", range(0, 14, 21)}, {"newText", "pigment"}});
+}

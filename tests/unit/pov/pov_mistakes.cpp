@@ -82,6 +82,11 @@ TEST_CASE("POV-Ray: words of other programs, and misspelt ones") {
     check_mistake("sphere { 0, 1 pigment { rgb #ff0000 } }", "colours are written rgb <1, 0, 0>");
     check_mistake("sphere { 0, 1 rotate y 45 }", "a rotation is one vector, as in rotate 45*y");
     check_mistake("isosurface { function { x^2 } }", "powers are written pow(x, 2)");
+    check_mistake("#inlcude \"colors.inc\"",
+                  "unknown name 'inlcude'; a body, a light or a declaration expected; did you mean 'include'?");
+    check_mistake("sphere { 0, 1 pigment { color 1, 0, 0 } }",
+                  "',' does not belong here; a colour is written rgb <1, 0, 0>");
+    check_mistake("camera { angle 180 }", "2:10: the angle of a perspective camera must be smaller than 180 degrees");
     check_mistake("#include \"colours.inc\"",
                   "did you mean 'colors.inc'?\n    #include \"colours.inc\"\n             ^~~~~~~~~~~~~");
     check_mistake("text { ttf \"a.ttf \"Text\" 1, 0 }", "is a '\"' missing before it?");

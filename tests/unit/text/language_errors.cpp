@@ -102,6 +102,10 @@ TEST_CASE("signs that mean something elsewhere get advice") {
     check_fault(
         "sphere { <0,5, 0,5, 2>, 1 }",
         "2:17: '>' expected after the three numbers of a vector, but found ','; decimals have a point, as in 2.5");
+    check_fault("sphere { <0,5 1 2>, 1 }",
+                "2:15: ',' expected between the three numbers of a vector, but found '1'; decimals have a point, as in "
+                "2.5");
+    check_fault("sphere { <0,5 1>, 1 }", "2:15: ',' expected between the three numbers of a vector, but found '1'");
     check_fault("sphere { <0,5, 1, 2>, 1 }",
                 "2:17: '>' expected after the three numbers of a vector, but found ','; "
                 "decimals have a point, as in 2.5");
