@@ -228,7 +228,7 @@ class PlyReader {
     const PlyHeader& header;
     Values values;
     const PlyElement* element = nullptr;
-    std::uint64_t number = 0;  // of the element
+    std::uint64_t number = 0;  // index of the element
     MeshData mesh;
     Faces faces;
     bool smooth = false, has_faces = false;

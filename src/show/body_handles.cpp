@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "num/vec_math.h"
-#include "scene/overlap.h"
 
 namespace strahl {
 namespace {
@@ -14,13 +13,15 @@ constexpr std::array<DVec3, 3> world_axes{DVec3(1, 0, 0), DVec3(0, 1, 0), DVec3(
 
 }  // namespace
 
-const char* BodyHandles::change_mode() {
+const char* BodyHandles::change_mode(std::optional<HandleMode> newer) {
     const Light* const light = light_chosen();
     if (light && !light->spot)
         return light->direction ? "handles of parallel light turn it" : "handles of this light only move it";
-    mode = mode == HandleMode::scale ? HandleMode::move : static_cast<HandleMode>(static_cast<int>(mode) + 1);
+    const auto next =
+        mode == HandleMode::scale ? HandleMode::move : static_cast<HandleMode>(static_cast<int>(mode) + 1);
+    mode = newer.value_or(next);
     if (light && mode == HandleMode::scale) return "circles open and close the cone of light";
-    return mode == HandleMode::move   ? "handles move; with Ctrl by round distances"
+    return mode == HandleMode::move   ? "handles move; with Ctrl on a grid, with Shift on what is below"
            : mode == HandleMode::turn ? "handles turn; with Ctrl by 15 degrees"
                                       : "handles scale; with Ctrl by tenths";
 }
@@ -28,20 +29,23 @@ const char* BodyHandles::change_mode() {
 void BodyHandles::place(const Scene& seen, const View& view, double scale) {
     DVec3 centre;
     std::array<DVec3, 3> axes = world_axes;
+    bool several = false;  // bodies, whose own axes differ
     const Light* const light = light_chosen();
     if (light) {
         centre = light->direction ? view.camera.look_at : position_of(seen, *bodies.light());
     } else {
-        const Box box = world_bounds(seen.primitives[std::size_t(bodies.number())]);
+        const std::vector<int> all = bodies.bodies();
+        const Box box = bounds_of(seen, all);
         centre = box.finite() ? box.centre() : bodies.choice()->point;
-        if (mode == HandleMode::scale) axes = own_axes();
+        several = all.size() > 1;
+        if (mode == HandleMode::scale && !several) axes = own_axes();
     }
     if (light && light->spot && mode == HandleMode::scale) {
         const Light& now = seen.lights[std::size_t(bodies.number())];
         handles.emplace(now.position, *now.spot, view);
     } else {
         const HandleMode shown = !light || light->spot ? mode : light->direction ? HandleMode::turn : HandleMode::move;
-        handles.emplace(shown, centre, axes, handle_pixels * scale, view);
+        handles.emplace(shown, centre, axes, handle_pixels * scale, view, several);
     }
     find_pointed();
 }
@@ -81,19 +85,23 @@ std::string BodyHandles::hold(const glm::dvec2& point) {
     return why;
 }
 
-void BodyHandles::pull(const glm::dvec2& to, bool steps) {
+void BodyHandles::pull(const glm::dvec2& to, Snap snap) {
     pointer = to;
-    if (drag) dragged_to = DragPoint{to, steps};
+    if (drag) dragged_to = DragPoint{to, snap};
 }
 
-bool BodyHandles::change_text() {
+bool BodyHandles::change_text(const Scene& seen, const std::set<int>& hidden) {
     const auto to = std::exchange(dragged_to, std::nullopt);
     if (!drag || !to) return false;
-    const std::string text = drag->text(to->place, to->steps);
+    const bool steps = to->snap == Snap::grid;
+    const Placing placing =
+        to->snap == Snap::surface ? drag->placing_on_surface(to->place, seen, hidden) : drag->placing(to->place, steps);
+    const std::string text = drag->text(placing, steps);
     if (text == bodies.edited.text()) return false;
     const char* const what = mode == HandleMode::move ? " moved" : mode == HandleMode::turn ? " turned" : " scaled";
-    bodies.edited.change(text, {session.edits, bodies.name() + what, std::exchange(dragged, true)});
-    if (bodies.choice()) bodies.move_point(clicked + drag->moved(to->place, to->steps));
+    bodies.edited.change(text, {session.edits, bodies.names() + what, std::exchange(dragged, true)});
+    const auto* const move = std::get_if<MoveBy>(&placing);
+    if (bodies.choice()) bodies.move_point(clicked + (move ? move->by : DVec3(0)));
     return true;
 }
 

@@ -5,6 +5,7 @@
 #include <glm/vec2.hpp>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "scene/scene.h"
@@ -22,8 +23,9 @@ class BodyHandles {
     /// `bodies` knows what is chosen and holds the text that drags change.
     BodyHandles(BodyEditor& bodies, Session& session, Pace& pace) : bodies(bodies), session(session), pace(pace) {}
 
-    /// Chooses what the handles do next. Returns what to tell the user.
-    const char* change_mode();
+    /// Chooses what the handles do: this, or what comes next. Returns what to tell the user.
+    const char* change_mode(std::optional<HandleMode> newer = {});
+    HandleMode handle_mode() const { return mode; }
     /// Places the handles in a view of the scene at its moment. `scale` is that of the window: 1 at a usual pixel
     /// density.
     void place(const Scene& seen, const View& view, double scale);
@@ -34,10 +36,10 @@ class BodyHandles {
     /// Begins to drag the handle under the pointer, which is at this point. Returns why it cannot be dragged, or "".
     std::string hold(const glm::dvec2& point);
     /// Goes on to another point.
-    void pull(const glm::dvec2& to, bool steps);
-    /// Changes the text by the drag up to the last point; those that came while it was read are skipped. Returns true
-    /// if it changed.
-    bool change_text();
+    void pull(const glm::dvec2& to, Snap snap);
+    /// Changes the text by the drag up to the last point; those that came while it was read are skipped. `seen` is the
+    /// scene in the picture, and `hidden` are bodies that it lacks. Returns true if the text changed.
+    bool change_text(const Scene& seen, const std::set<int>& hidden);
     void let_go() { drag.reset(); }
     bool held() const { return drag.has_value(); }
 
@@ -69,7 +71,7 @@ class BodyHandles {
 
     struct DragPoint {
         glm::dvec2 place{0};
-        bool steps = false;
+        Snap snap = Snap::none;
     };
     std::optional<Drag> drag;
     std::optional<DragPoint> dragged_to;  // not yet applied

@@ -23,7 +23,9 @@ void BodyTools::loaded(const Loaded& scene) {
     const bool on_its_way = !scene.opened && scene.text == bodies.edited.text();
     if (scene.opened) not_shown.show_all();
     if (scene.opened)
-        bodies.open(scene.text, is_pov(scene.path) || is_model(scene.path));
+        bodies.open(scene.text, is_model(scene.path) ? BodyEditor::Source::model
+                                : is_pov(scene.path) ? BodyEditor::Source::povray
+                                                     : BodyEditor::Source::scene);
     else
         reload(scene.text);
     handles.let_go();
@@ -42,7 +44,7 @@ void BodyTools::reload(const std::string& text) {
     for (const std::string& line : yours) log_line("changed and not written, line " + line);
 }
 
-void BodyTools::click(const View& view, const glm::dvec2& point, double reach) {
+void BodyTools::click(const View& view, const glm::dvec2& point, double reach, bool adds) {
     pace.redraw(3);
     if (to_add) return add(view, point);
     // Makes the marks of this view: those drawn may be of an earlier one, or not be there yet, right after a key.
@@ -50,7 +52,7 @@ void BodyTools::click(const View& view, const glm::dvec2& point, double reach) {
     if (mark)
         bodies.choose(*mark, *session.scene);
     else
-        bodies.click(scene_seen(view), *session.scene, view, point.x, point.y, hidden());
+        bodies.click(scene_seen(view), *session.scene, view, point.x, point.y, hidden(), adds);
     log_choice();
     if (bodies.any() && view.camera.projection > Projection::orthographic)
         notes.note("handles are there in perspective and orthographic views only");
@@ -63,8 +65,20 @@ void BodyTools::log_drawn() {
 void BodyTools::log_choice() {
     if (!bodies.any()) return;
     const BodyText& text = bodies.body();
-    to_log.push_back((bodies.light() ? "chosen: light " : "chosen: body ") + std::to_string(bodies.number() + 1) +
-                     ", " + text.kind + (text.line > 0 ? ", line " + std::to_string(text.line) : ""));
+    const std::string number = std::to_string(bodies.number() + 1);
+    const std::size_t count = bodies.bodies().size();
+    to_log.push_back("chosen: " +
+                     (bodies.block()   ? bodies.name()
+                      : bodies.light() ? "light " + number
+                                       : "body " + number) +
+                     ", " + text.kind + (text.line > 0 ? ", line " + std::to_string(text.line) : "") +
+                     (count > 1 ? ", the last of " + std::to_string(count) + " bodies" : ""));
+}
+
+void BodyTools::choose_camera() {
+    bodies.choose(TopBlock::camera, *session.scene);
+    log_choice();
+    pace.redraw(3);
 }
 
 void BodyTools::apply(const BodyInput& input) {
@@ -79,15 +93,48 @@ void BodyTools::apply(const BodyInput& input) {
     if (input.own) changed = bodies.make_own(values[*input.own], session.edits);
     if (changed) show();
     if (input.track) follow_track(*input.track);
-    if (input.preset && bodies.body().material) {
-        const Box box = world_bounds(session.scene->primitives[std::size_t(bodies.number())]);
-        const double size = box.finite() ? round_length(length(box.high - box.low) / 2) : 1;
-        change_text(with_material(bodies.edited.text(), bodies.body(), *input.preset, size),
-                    bodies.name() + " of " + input.preset->name);
-    }
+    if (input.preset) give_material(*input.preset);
+    if (input.place) place(*input.place);
     if (input.free)
         change_text(without_tracks(bodies.edited.text(), values[*input.free]),
                     values[*input.free].name + " of " + bodies.name() + " follows no track");
+}
+
+/// Gives all bodies chosen a material, if they have a place for one of their own.
+void BodyTools::give_material(const MaterialPreset& preset) {
+    std::string text = bodies.edited.text();
+    const std::string before = text;
+    const std::vector<int> all = bodies.bodies();
+    // From the last to the first: what is known of those before stays right.
+    for (auto i = all.rbegin(); i != all.rend(); ++i) {
+        const BodyText body =
+            body_text(before, *session.scene, *i, *i == bodies.number() ? bodies.choice()->at.hit.leaf : 0);
+        if (!body.material) continue;
+        const Box box = world_bounds(session.scene->primitives[std::size_t(*i)]);
+        const double size = box.finite() ? round_length(length(box.high - box.low) / 2) : 1;
+        text = with_material(text, body, preset, size);
+    }
+    change_text(text, bodies.names() + " of " + preset.name);
+}
+
+/// Moves, turns or scales the bodies chosen by numbers.
+void BodyTools::place(const BodyInput::NewPlace& place) {
+    const std::vector<int> all = bodies.bodies();
+    if (!place.merged || !placed) placed = PlacedBodies::find(bodies.edited.text(), *session.scene, all);
+    if (!placed) return notes.note("the text does not say where this body is");
+    if (!place.merged) {
+        const Box box = bounds_of(*session.scene, all);
+        placed_about = box.finite() ? box.centre() : bodies.choice()->point;
+    }
+    Placing placing = place.placing;
+    if (auto* const turn = std::get_if<TurnBy>(&placing)) turn->about = placed_about;
+    if (auto* const scale = std::get_if<ScaleBy>(&placing)) scale->about = placed_about;
+    const char* const what = std::holds_alternative<MoveBy>(placing)   ? " moved"
+                             : std::holds_alternative<TurnBy>(placing) ? " turned"
+                                                                       : " scaled";
+    constexpr int decimals = 6;  // of numbers that a person types
+    if (bodies.edited.change(placed->text(placing, decimals), {session.edits, bodies.names() + what, place.merged}))
+        show();
 }
 
 /// Has a number follow a track. One without keys gets the number as its first key. False if the name cannot be one.
@@ -116,10 +163,15 @@ void BodyTools::apply(const OutlinerInput& input) {
         if (row->what == TopBlock::light) {
             if (!marks) marks.emplace();
             bodies.choose({row->number, false}, *session.scene);
-        } else {
+        } else if (row->what == TopBlock::body) {
             const Box box = world_bounds(session.scene->primitives[std::size_t(row->number)]);
             const DVec3 middle = box.finite() ? box.centre() : session.camera.look_at;
-            bodies.choose(row->number, middle, *session.scene, row->leaf);
+            if (input.adds)
+                bodies.add(row->number, middle, *session.scene);
+            else
+                bodies.choose(row->number, middle, *session.scene, row->leaf);
+        } else {
+            bodies.choose(row->what, *session.scene);
         }
         log_choice();
     }
@@ -184,7 +236,7 @@ void BodyTools::add(const View& view, const glm::dvec2& point) {
     bodies.edited.change(
         with_new_block(bodies.edited.text(), block, count, place.point, place.normal, place.size, place.decimals),
         {session.edits, std::string(block.name) + " added"});
-    awaited.next = {block.what, count, place.point};
+    awaited.next = {block.what, {count}, place.point};
     if (light && !marks) marks.emplace();
     notes.announce(std::string(block.name) + " added: drag its handles; " + notes.key(Action::write_path) +
                    " writes it into the file");
@@ -195,10 +247,11 @@ void BodyTools::add(const View& view, const glm::dvec2& point) {
 void BodyTools::choose(const NextChoice& chosen) {
     const bool light = chosen.what == TopBlock::light;
     const std::size_t count = light ? session.scene->lights.size() : session.scene->primitives.size();
-    if (std::size_t(chosen.number) >= count) return bodies.close();
-    if (!chosen.added_at) return bodies.choose_next(chosen.number, *session.scene);
-    if (light) return bodies.choose({chosen.number, false}, *session.scene);
-    bodies.choose(chosen.number, *chosen.added_at, *session.scene);
+    const int last = chosen.numbers.back();
+    if (std::size_t(last) >= count) return bodies.close();
+    if (!chosen.added_at) return bodies.choose_next(chosen.numbers, *session.scene);
+    if (light) return bodies.choose({last, false}, *session.scene);
+    bodies.choose(last, *chosen.added_at, *session.scene);
 }
 
 void BodyTools::note_editor() {
@@ -207,15 +260,15 @@ void BodyTools::note_editor() {
 
 bool BodyTools::copy() { return change_block(true); }
 bool BodyTools::remove() {
-    if (bodies.choice() && hidden().contains(bodies.number()))
-        return notes.note("this body is hidden: show it before you remove it"), true;
+    for (const int body : bodies.bodies())
+        if (hidden().contains(body)) return notes.note("this body is hidden: show it before you remove it"), true;
     return change_block(false);
 }
 
 bool BodyTools::step_back() {
     if (end_adding()) return true;
     if (bodies.any()) return bodies.close(), true;
-    if (marks) return toggle(Action::lights), true;
+    if (marks) return toggle_lights(), true;
     return false;
 }
 
@@ -223,40 +276,50 @@ bool BodyTools::step_back() {
 bool BodyTools::change_block(bool copies) {
     if (!bodies.any()) return false;
     if (awaited.scene) return awaited.later = copies, true;
+    if (bodies.block()) return notes.note("every scene has a camera and a background"), true;
     if (bodies.read_only()) return note_editor(), true;
     const bool light = bodies.light().has_value();
-    const std::string name = (light ? "light " : "body ") + std::to_string(bodies.number() + 1);
-    const std::string& before = bodies.edited.text();
+    std::vector<int> numbers = light ? std::vector{bodies.number()} : bodies.bodies();
+    const std::string name =
+        numbers.size() > 1 ? bodies.names() : (light ? "light " : "body ") + std::to_string(bodies.number() + 1);
     const TopBlock what = light ? TopBlock::light : TopBlock::body;
-    const std::string text =
-        copies ? with_copy(before, what, bodies.number()) : without_block(before, what, bodies.number());
-    if (text == before) return note_editor(), true;
+    std::string text = bodies.edited.text();
+    // From the last to the first: the numbers of those before stay.
+    for (auto i = numbers.rbegin(); i != numbers.rend(); ++i) {
+        std::string newer = copies ? with_copy(text, what, *i) : without_block(text, what, *i);
+        if (newer == text) return note_editor(), true;
+        text = std::move(newer);
+    }
     bodies.edited.change(text, {session.edits, name + (copies ? " copied" : " removed")});
     awaited.next.reset();
-    if (copies) awaited.next = {what, bodies.number() + 1};
+    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] += static_cast<int>(i) + 1;
+    if (copies) awaited.next = {what, std::move(numbers)};
     notes.announce(copies ? name + " copied; the copy is in the same place: drag its handles"
                           : name + " removed; " + notes.key(Action::undo) + " brings it back");
     show_anew();
     return true;
 }
 
-void BodyTools::toggle(Action action) {
+void BodyTools::toggle_lights() {
     pace.redraw();
-    if (action == Action::lights) {
-        if (!marks) return marks.emplace(), notes.note("lights are shown: click their marks");
-        marks.reset();
-        if (bodies.light()) bodies.close();
-        return notes.note("lights are hidden");
-    }
-    if (!bodies.any()) return notes.note("click a body first; its handles then move, turn or scale it");
+    if (!marks) return marks.emplace(), notes.note("lights are shown: click their marks");
+    marks.reset();
+    if (bodies.light()) bodies.close();
+    notes.note("lights are hidden");
+}
+
+void BodyTools::change_handles(std::optional<HandleMode> mode) {
+    pace.redraw();
+    if (!bodies.choice() && !bodies.light())
+        return notes.note("click a body first; its handles then move, turn or scale it");
     if (bodies.read_only()) return note_editor();
-    notes.note(handles.change_mode());
+    notes.note(handles.change_mode(mode));
 }
 
 void BodyTools::approach(const View& view) {
     if (!bodies.choice() || awaited.scene)
         return notes.note("click a body first; " + notes.key(Action::approach) + " then moves the camera to it");
-    const Box box = world_bounds(scene_seen(view).primitives[std::size_t(bodies.number())]);
+    const Box box = bounds_of(scene_seen(view), bodies.bodies());
     if (!std::isfinite(length(box.high - box.low))) return notes.note("this body has no end");
     notes.tell(session.steer({}, pace.now()));
     session.camera = approached(session.camera, box, double(view.width) / view.height);
@@ -314,14 +377,15 @@ void BodyTools::take_shown() {
 
 void BodyTools::follow(const View& view, double scale) {
     take_shown();
-    drag_on();
+    drag_on(view);
     if (marks) marks = light_marks(scene_seen(view), view);
     handles.hide();
-    if (bodies.any() && !bodies.read_only() && !awaited.scene) handles.place(scene_seen(view), view, scale);
+    if ((bodies.choice() || bodies.light()) && !bodies.read_only() && !awaited.scene)
+        handles.place(scene_seen(view), view, scale);
     if (!bodies.choice())
         silhouette.drop();
     else if (!pace.moving() && !awaited.scene)
-        silhouette.want(session.scene, bodies.number(), view);
+        silhouette.want(session.scene, bodies.bodies(), view);
     if (silhouette.take()) pace.redraw();
 }
 
@@ -330,15 +394,15 @@ void BodyTools::hold(const glm::dvec2& point, double reach) {
     if (const std::string why = handles.hold(point); !why.empty()) notes.note(why);
 }
 
-void BodyTools::let_go() {
-    drag_on();
+void BodyTools::let_go(const View& view) {
+    drag_on(view);
     handles.let_go();
     pace.redraw();
 }
 
 /// Shows what the drag has changed up to now.
-void BodyTools::drag_on() {
-    if (handles.change_text()) show();
+void BodyTools::drag_on(const View& view) {
+    if (handles.held() && handles.change_text(scene_seen(view), hidden())) show();
 }
 
 Overlay::Tools BodyTools::drawn() const {

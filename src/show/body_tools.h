@@ -14,6 +14,7 @@
 #include "show/keys/commands.h"
 #include "show/scene_moment.h"
 #include "show/session/body_editor.h"
+#include "show/session/drag.h"
 #include "show/session/light_marks.h"
 #include "show/session/session.h"
 #include "show/window/body_panel.h"
@@ -38,8 +39,10 @@ class BodyTools {
     /// To be called when the session has taken over a scene that was read from the file.
     void loaded(const Loaded& scene);
     /// Chooses the light whose mark is at a point of the view's picture, in pixels, no further than `reach`; else the
-    /// body there.
-    void click(const View& view, const glm::dvec2& point, double reach);
+    /// body there, with `adds` besides those chosen: see BodyEditor::click.
+    void click(const View& view, const glm::dvec2& point, double reach, bool adds = false);
+    /// Chooses the camera.
+    void choose_camera();
     /// Makes the next click put this block where it meets a surface. end_adding() stops that, and returns false if
     /// there was nothing to stop.
     void begin_adding(const NewBlock& block);
@@ -64,8 +67,12 @@ class BodyTools {
     /// Opens the line of what is chosen, or that which a message names, "FILE:LINE: ...", in the user's editor.
     void open_text();
     void open_text(const Message& message);
-    /// Chooses what handles do; or shows or hides the marks of lights.
-    void toggle(Action action);
+    /// Chooses what handles do: `mode`, or what comes next.
+    void change_handles(std::optional<HandleMode> mode);
+    HandleMode handle_mode() const { return handles.handle_mode(); }
+    /// Shows or hides the marks of lights.
+    void toggle_lights();
+    bool lights_shown() const { return marks.has_value(); }
     /// Copies what is chosen in the text and chooses the copy; or removes it, if it is seen. False if nothing is
     /// chosen.
     bool copy();
@@ -82,8 +89,8 @@ class BodyTools {
     /// Begins to drag the handle at this point of the view's picture, if one is there. Goes on to another point. Lets
     /// go of it.
     void hold(const glm::dvec2& point, double reach);
-    void pull(const glm::dvec2& to, bool steps) { handles.pull(to, steps); }
-    void let_go();
+    void pull(const glm::dvec2& to, Snap snap) { handles.pull(to, snap); }
+    void let_go(const View& view);
 
     const BodyEditor& editor() const { return bodies; }
     const std::vector<SilhouetteLine>& lines() const { return silhouette.lines(); }
@@ -99,14 +106,14 @@ class BodyTools {
     /// A body or a light to be chosen once the scene has it.
     struct NextChoice {
         TopBlock what;
-        int number;
+        std::vector<int> numbers;
         std::optional<DVec3> added_at{};  // where it was added
     };
     /// Says what follows once the scene of a text with other bodies is read; until then nothing is changed.
     struct Awaited {
-        bool scene = false;              // it is being read
+        bool scene = false;              // is the scene being read again?
         bool undone = false;             // what was chosen may be elsewhere then
-        std::optional<NextChoice> next;  // is chosen then
+        std::optional<NextChoice> next;  // what to choose once the change is shown
         std::optional<bool> later;       // what is chosen is copied (true) or removed then
     };
     const Scene& scene_seen(const View& view) { return moment.at(session.scene, view); }
@@ -120,7 +127,9 @@ class BodyTools {
     void choose(const NextChoice& chosen);
     bool change_block(bool copies);
     void take_shown();
-    void drag_on();
+    void give_material(const MaterialPreset& preset);
+    void place(const BodyInput::NewPlace& place);
+    void drag_on(const View& view);
     std::optional<ChangedBody> changed_body() const;
     void log_choice();
 
@@ -132,12 +141,14 @@ class BodyTools {
     BodyHandles handles;
     Silhouette silhouette;
     HiddenBodies not_shown;
+    std::optional<PlacedBodies> placed;  // the bodies that numbers move, as they were before
+    DVec3 placed_about{0};               // the point about which these turn them
     SceneMoment moment;
     std::string good;  // the last text that was shown
     Awaited awaited;
-    const NewBlock* to_add = nullptr;  // by the next click
+    const NewBlock* to_add = nullptr;  // block that the next click adds
     std::optional<LightMarks> marks;   // if lights are shown
-    std::vector<std::string> to_log;   // after the next drawing
+    std::vector<std::string> to_log;   // lines to log after the next drawing
 };
 
 }  // namespace strahl

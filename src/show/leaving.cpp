@@ -37,7 +37,7 @@ bool Leaving::take(Decision answer) {
 Leaving::Decision Leaving::draw(const KeyMap& keys) const {
     constexpr std::size_t most = 5;  // lines of what is not written
     Decision answer = Decision::none;
-    begin_panel("leaving", .5f, .4f, 0);
+    begin_panel("leaving", .5f, .4f, {});
     ImGui::Text("%s is not written:", name.c_str());
     ImGui::PushTextWrapPos(30 * ImGui::GetFontSize());
     for (std::size_t i = 0; i < std::min(most, list.size()); ++i) ImGui::TextDisabled("%s", list[i].c_str());

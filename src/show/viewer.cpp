@@ -70,17 +70,18 @@ Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::unique_ptr<Reload
                      const bool sound = !panels.gallery && std::filesystem::path(path).extension() == ".ogg";
                      sound ? take_sound(path) : chooser.open(std::move(path));
                  },
-             .click = [this](double x, double y) { click(x, y); },
+             .click = [this](double x, double y, bool adds) { click(x, y, adds); },
              .points_at = [this](double x, double y) { return points_at(x, y); },
              .hold = [this](double x, double y) { bodies.hold(in_picture(x, y), screen.pixels_to_reach()); },
              .pull =
-                 [this](Hold what, double x, double y, bool steps) {
+                 [this](Hold what, double x, double y, Snap snap) {
                      if (what == Hold::divider)
                          side.pull(screen.area(), x);
                      else
-                         bodies.pull(in_picture(x, y), steps);
+                         bodies.pull(in_picture(x, y), snap);
                  },
-             .let_go = [this] { bodies.let_go(); }}),
+             .let_go =
+                 [this] { bodies.let_go(session.view(std::max(screen.width(), 1), std::max(screen.height(), 1))); }}),
       picture(o.threads, notes, pace, glfwPostEmptyEvent),
       recordings(options, notes, pace, glfwPostEmptyEvent),
       file(first, error_is_final(o), std::move(reload), notes, pace, glfwPostEmptyEvent),
@@ -142,8 +143,13 @@ void Viewer::perform(Command command) {
         case Action::open_text:
             return bodies.open_text();
         case Action::handles:
+            return bodies.change_handles(command.number == 0 ? std::nullopt
+                                                             : std::optional(HandleMode(command.number - 1)));
         case Action::lights:
-            return bodies.toggle(command.action);
+            return bodies.toggle_lights();
+        case Action::edit_camera:
+            if (!file.waiting()) bodies.choose_camera();
+            return;
         case Action::add_block:
             if (!bodies.end_adding()) panels.toggle(command.action);
             return;
@@ -151,7 +157,7 @@ void Viewer::perform(Command command) {
             if (!bodies.copy()) notes.note("click a body first; " + notes.key(Action::copy_body) + " then copies it");
             return;
         case Action::delete_key:
-            if (!panels.quiet && bodies.remove()) return;
+            if (panels.delete_clicked_key() || (!panels.quiet && bodies.remove())) return;
             if (panels.timeline_shown()) return notes.tell(session.perform(command, pace.now()));
             return notes.note("nothing is chosen: click a body, or a key on the timeline");
         case Action::approach:
@@ -173,6 +179,7 @@ void Viewer::perform(Command command) {
         case Action::quiet:
         case Action::timeline:
         case Action::outline:
+        case Action::toolbar:
             return panels.toggle(command.action);
         default:
             notes.tell(session.perform(command, pace.now()));
@@ -285,7 +292,7 @@ void Viewer::apply(const TimelineInput& done) {
     if (done.path) session.change_path(done.path->path, done.path->what, done.path->merged, pace.now());
     if (!done.command && !done.go_to && !done.change && !done.path) return;
     if (done.command && done.command->action == Action::delete_key)
-        notes.tell(session.perform(*done.command, pace.now()));  // and no body
+        notes.tell(session.perform(*done.command, pace.now()));  // it deletes a key of the timeline, not the body
     else if (done.command)
         perform(*done.command);
     if (done.go_to) session.go_to(*done.go_to, pace.now());
@@ -300,17 +307,18 @@ void Viewer::apply(const BodyInput& done) {
 }
 
 void Viewer::apply(const OutlinerInput& done) {
-    if (done.command) perform(*done.command);
     if (done.message) bodies.open_text(*done.message);
+    if (done.choose) panels.forget_key();
     bodies.apply(done);
 }
 
-/// Chooses the body at a point of the window.
-void Viewer::click(double x, double y) {
+/// Chooses the body at a point of the window; with `adds` besides the others.
+void Viewer::click(double x, double y, bool adds) {
     const ScreenArea area = screen.area();
     const bool on_picture = x >= area.x && y >= area.y && x < area.x + area.width && y < area.y + area.height;
     if (file.waiting() || screen.width() == 0 || !on_picture || in_other_view(x)) return;
-    bodies.click(session.view(screen.width(), screen.height()), in_picture(x, y), 2 * screen.pixels_to_reach());
+    panels.forget_key();
+    bodies.click(session.view(screen.width(), screen.height()), in_picture(x, y), 2 * screen.pixels_to_reach(), adds);
 }
 
 /// Is another view than that of the picture seen in this column of the window?
@@ -371,6 +379,7 @@ void Viewer::draw() {
     TimelineInput done;
     BodyInput on_body;
     const NewBlock* added = nullptr;
+    std::optional<Command> on_toolbar;
     OutlinerInput on_outline;
     std::optional<GalleryItem> from_gallery;
     Leaving::Decision answered = Leaving::Decision::none;
@@ -379,6 +388,7 @@ void Viewer::draw() {
         if (leaving.asking()) answered = leaving.draw(keys.keys);
         if (panels.help_shown()) return draw_help(keys.keys, panels.sought());
         if (panels.gallery) return void(from_gallery = chooser.draw_gallery(keys.keys));
+        on_toolbar = panels.draw_toolbar(keys.keys, toolbar());
         done = panels.draw_timeline(session, playback.sound.peaks(), !bodies.editor().read_only(),
                                     side.divider().other_view());
         on_body = panels.draw_body(bodies.editor(), bodies.file_name());
@@ -396,6 +406,7 @@ void Viewer::draw() {
     }
     if (state.number > 0) playback.picture_shown();
     apply(done), apply(on_body), apply(on_outline);
+    if (on_toolbar) perform(*on_toolbar);
     if (added) bodies.begin_adding(*added);
     if (from_gallery && !leaving.asking()) chooser.take(*from_gallery);
     if (answered != Leaving::Decision::none) answer(answered);
@@ -463,6 +474,16 @@ std::string Viewer::work_under_way() const {
     return "building the scene, " + whole_seconds(seconds);
 }
 
+ToolbarView Viewer::toolbar() const {
+    const BodyEditor& editor = bodies.editor();
+    return {.handles = editor.choice() || editor.light() ? std::optional(bodies.handle_mode()) : std::nullopt,
+            .lights = bodies.lights_shown(),
+            .camera = editor.block() == TopBlock::camera,
+            .playing = session.flight.under_way(),
+            .recording = session.recording(),
+            .unsaved = unsaved()};
+}
+
 Overlay Viewer::overlay() const {
     const Refinement& state = picture.state();
     const StabilityCheck& check = picture.marks();
@@ -475,7 +496,7 @@ Overlay Viewer::overlay() const {
     if (!work.empty() && (!panels.quiet || state.number == 0)) overlay.notes.push_back({work});
     if (panels.quiet) return overlay;
     overlay.reserved = panels.reserved(), overlay.reserved_left = panels.reserved_left();
-    overlay.reserved_right = panels.reserved_right();
+    overlay.reserved_right = panels.reserved_right(), overlay.reserved_top = panels.reserved_top();
     if (!pace.moving()) overlay.silhouette = bodies.lines();
     overlay.tools = bodies.drawn();
     if (panels.timeline_shown() && !session.bound() && screen.width() > 0)

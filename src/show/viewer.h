@@ -53,7 +53,7 @@ class Viewer {
     void apply(const TimelineInput& input);
     void apply(const BodyInput& input);
     void apply(const OutlinerInput& input);
-    void click(double x, double y);
+    void click(double x, double y, bool adds);
     Hold points_at(double x, double y);
     bool in_other_view(double x) const;
     glm::dvec2 in_picture(double x, double y) const;
@@ -67,6 +67,7 @@ class Viewer {
     void take_scene();
 
     std::string work_under_way() const;
+    ToolbarView toolbar() const;
     Overlay overlay() const;
     void quit();
     void save_editors_tracks();

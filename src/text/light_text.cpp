@@ -1,14 +1,19 @@
 #include "text/light_text.h"
 
+#include <algorithm>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "files/words.h"
 #include "text/blocks/blocks.h"
+#include "text/text_changes.h"
 #include "text/text_items.h"
 
 namespace strahl {
 namespace {
+
+constexpr const char* from_file = "from the file";
 
 /// Adds the numbers of the parameters that a block has or could have.
 template <class Parameters>
@@ -37,6 +42,18 @@ void add_values(const std::string& text, const TextItem& block, const Parameters
     }
 }
 
+/// A value that the text does not have.
+BodyValue fixed_value(const char* name, std::vector<double> numbers, bool color, const char* why) {
+    return {.name = name, .help = "", .color = color, .numbers = std::move(numbers), .fixed = why};
+}
+std::vector<double> numbers_of(const DVec3& v) { return {v.x, v.y, v.z}; }
+
+/// Says where the block stands in the text.
+void put_place(BodyText& result, const std::string& text, const TextItem& block) {
+    result.at = slice_of(text, block.word).begin;
+    result.line = static_cast<int>(line_number(text, result.at));
+}
+
 }  // namespace
 
 BodyText light_text(const std::string& text, const Scene& scene, int light) {
@@ -45,21 +62,59 @@ BodyText light_text(const std::string& text, const Scene& scene, int light) {
     result.kind = own.direction ? "parallel light" : own.area ? "rectangular light" : own.spot ? "spotlight" : "light";
     const TextItem item = item_of_light(text, light);
     if (item.word.empty()) {
-        const auto add = [&](const char* name, const DVec3& v, bool color) {
-            result.values.push_back(
-                {.name = name, .help = "", .color = color, .numbers = {v.x, v.y, v.z}, .fixed = "from the file"});
-        };
-        add("position", own.position, false), add("color", own.color, true);
+        result.values = {fixed_value("position", numbers_of(own.position), false, from_file),
+                         fixed_value("color", numbers_of(own.color), true, from_file)};
         return result;
     }
-    result.at = std::size_t(item.word.data() - text.data());
-    result.line = static_cast<int>(line_number(text, result.at));
+    put_place(result, text, item);
     Light usual;
     add_values(text, item, light_parameters(usual), "", result.values);
     if (const TextItem* const spot = item.item("spot")) {
         Spot usual_spot;
         add_values(text, *spot, spot_parameters(usual_spot), " of spot", result.values);
     }
+    return result;
+}
+
+BodyText camera_values(const std::string& text, const Scene& scene) {
+    const Camera& own = scene.camera;
+    BodyText result;
+    result.kind = projection_words[static_cast<std::size_t>(own.projection)];
+    const TextItem block = item_of_block(text, "camera");
+    if (block.word.empty()) {
+        result.values = {fixed_value("position", numbers_of(own.position), false, from_file),
+                         fixed_value("look_at", numbers_of(own.look_at), false, from_file),
+                         fixed_value("angle", {2 * own.fov}, false, from_file)};
+        return result;
+    }
+    put_place(result, text, block);
+    CameraText usual;
+    add_values(text, block, camera_parameters(usual), "", result.values);
+    for (BodyValue& value : result.values) value.follows &= value.name != "aspectratio";
+    return result;
+}
+
+BodyText background_values(const std::string& text, const Scene& scene) {
+    BodyText result;
+    result.kind = "of rays that hit nothing";
+    const TextItem block = item_of_block(text, "background");
+    Pigment usual{Color(0)};
+    const Parameter parameter = background_parameters(usual)[0];
+    BodyValue color = fixed_value("color", numbers_of(scene.background.color), true, from_file);
+    color.help = parameter.help, color.range = parameter.range;
+    if (!block.word.empty()) {
+        put_place(result, text, block);
+        const TextItem* const given = block.item(parameter.name);
+        if (given && given->numbers.size() == 3)
+            return add_values(text, block, std::array{parameter}, "", result.values), result;
+        color.fixed = "a pattern";
+    } else if (const TextItem camera = item_of_block(text, "camera"); !camera.end.empty()) {
+        // A block of its own, in the line behind the camera's.
+        color.fixed.clear(), color.source = no_source, color.follows = true;
+        color.own_at = rest_of_line(text, slice_of(text, camera.end).end);
+        color.before = "\nbackground { color ", color.after = " }";
+    }
+    result.values = {std::move(color)};
     return result;
 }
 

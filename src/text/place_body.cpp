@@ -136,10 +136,14 @@ std::optional<PlacedBody> PlacedBody::find(std::string text, const Scene& scene,
 
 Axes PlacedBody::axes() const { return axes_of(last.rotate.value); }
 
-std::string PlacedBody::text(const Placing& placing, int decimals) const {
+std::vector<TextChange> PlacedBody::changes(const Placing& placing, int decimals) const {
     std::vector<TextChange> changes;
     if (!place_arguments(placing, decimals, changes)) place_steps(placing, decimals, changes);
-    return with_changes(original, std::move(changes));
+    return changes;
+}
+
+std::string PlacedBody::text(const Placing& placing, int decimals) const {
+    return with_changes(original, changes(placing, decimals));
 }
 
 /// Gives the body other arguments. False if that would not do.

@@ -43,10 +43,12 @@ class PlacedBody {
     /// Finds a body in a text, or returns nothing if it has no such body. `scene` is that of the text.
     static std::optional<PlacedBody> find(std::string text, const Scene& scene, int body);
 
-    /// Returns the text in which the body is placed so. A body without transformations gets other points and lengths
-    /// where these say the same, unless its material has a pattern, which must move with it. Else `scale`, `rotate` and
-    /// `translate` at the end of its block change, or are added there. Numbers that change are rounded to this many
-    /// decimals.
+    /// Returns the changes of the text by which the body is placed so. A body without transformations gets other points
+    /// and lengths where these say the same, unless its material has a pattern, which must move with it. Else `scale`,
+    /// `rotate` and `translate` at the end of its block change, or are added there. Numbers that change are rounded to
+    /// this many decimals.
+    std::vector<TextChange> changes(const Placing& placing, int decimals) const;
+    /// Returns the text with these changes.
     std::string text(const Placing& placing, int decimals) const;
     /// Returns the body's own axes in the world, as the last `rotate` turned them.
     std::array<DVec3, 3> axes() const;
@@ -61,7 +63,7 @@ class PlacedBody {
     struct LastStep {
         const char* word;
         DVec3 value;
-        std::size_t at = 0;                // of its word, if it is written
+        std::size_t at = 0;                // position of the parameter's word, if it is written
         std::vector<TextSlice> numbers{};  // one or three; none if it is not written
     };
     /// The last transformations; what comes before them stays as it is.
@@ -78,11 +80,11 @@ class PlacedBody {
     std::vector<TextSlice> slices;          // of the numbers of all arguments
     std::vector<double> numbers;
     LastSteps last;
-    std::size_t end = 0;  // of its block: the closing brace
+    std::size_t end = 0;  // position of the block's closing brace
 };
 
-/// A block of the top level that can be copied and removed.
-enum class TopBlock { body, light };
+/// A block of the top level. There is one camera and one background; the others are copied and removed.
+enum class TopBlock { body, light, camera, background };
 /// Returns the text with a copy of this block behind it, which has the next number; or without this block, and without
 /// its lines if nothing else but a comment behind it stands there. Both return the text as it is if there is no such
 /// block.

@@ -62,9 +62,7 @@ cmp -s <(convert part.png rgb:-) <(convert first.png -crop 40x100+30+0 +repage r
     fault "left of the divider is not Strahl's picture"
 
 echo "-- another view ends POV-Ray; a view that was seen before is kept"
-xdotool keydown w
-sleep 0.3
-xdotool keyup w
+xdotool key w
 await 'rest after'
 xdotool key r
 await "the scene's camera"
@@ -78,8 +76,9 @@ echo "-- what was shown in motion, and what the camera of the flight sees"
 xdotool key shift+g g
 await 'at the right: in motion'
 for ((i = 0; i < 20; ++i)); do # until a picture in motion is seen before it is finished
+    import -window "$id" before.png
     xdotool keydown w
-    sleep 0.3
+    shows_other before.png
     xdotool keyup w
     await 'second picture: in motion, '
     [[ ${line#*motion, } == [1-9]*' pixels'* ]] && break
@@ -121,9 +120,7 @@ printf '%s\n' '#version 3.7; global_settings { assumed_gamma 1 }' 'camera { loca
     'sphere { <.5, 1, 1>, 1 pigment { rgb <.9, .2, .1> } }' >scene.pov
 start scene.pov --size 160x120
 await 'finished'
-xdotool keydown d
-sleep 0.2
-xdotool keyup d
+xdotool key d
 await 'rest after'
 xdotool key g
 await 'second picture: POV-Ray, '

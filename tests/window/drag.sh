@@ -11,8 +11,8 @@ own_display 640x400 "import convert" "$@"
 
 # drag X Y DX DY: drags from there, in two steps.
 drag() {
-    xdotool mousemove --window "$id" "$1" "$2" sleep 0.1 mousedown 1 sleep 0.1
-    xdotool mousemove_relative -- "$3" "$4" sleep 0.1 mousemove_relative -- "$3" "$4" sleep 0.1 mouseup 1
+    xdotool mousemove --window "$id" "$1" "$2" mousedown 1
+    xdotool mousemove_relative -- "$3" "$4" mousemove_relative -- "$3" "$4" mouseup 1
 }
 # writes PATTERN: F2 writes a file with a line that matches.
 writes() {
@@ -103,8 +103,8 @@ writes '^light { position <-[12]\.[0-9]*, -[0-9.]*, [0-9.]*>  color <.2, 0, .2> 
 
 echo "-- a cone is chosen from a list and added where a click meets the floor; undone at once"
 cp scene.rt before.rt
-xdotool key ctrl+a sleep 0.3 mousemove --window "$id" 50 188 sleep 0.2 click 1
-xdotool sleep 0.3 mousemove --window "$id" 300 320 click 1
+xdotool key ctrl+a mousemove --window "$id" 50 188 click 1
+xdotool mousemove --window "$id" 300 320 click 1
 await 'cone added'
 writes '^cone { <0, 0, -[0-9.]*>, [0-9.]*, <0, 0, [0-9.]*>, 0  material { rgb <.8, .8, .8> .* }  translate <[-0-9., ]*> }$'
 [[ $(diff before.rt scene.rt | grep -c '^[<>]') == 1 ]] || fault "more than a line: $(diff before.rt scene.rt)"
@@ -114,10 +114,9 @@ writes '^sphere'
 cmp before.rt scene.rt || fault "undone is not the file as it was"
 
 echo "-- the outline chooses a body, and hides another one, so that clicks meet what is behind"
-xdotool key o sleep 0.5 mousemove --window "$id" 95 107 sleep 0.2 click 1
+xdotool key o mousemove --window "$id" 150 120 click 1
 await 'chosen: body 2, box, line 5'
-xdotool mousemove --window "$id" 25 92 sleep 0.2 click 1 sleep 0.3 key o \
-    sleep 0.3 mousemove --window "$id" 186 160 sleep 0.2 click 1
+xdotool mousemove --window "$id" 30 106 click 1 key o mousemove --window "$id" 186 160 click 1
 await 'chosen: body 3, plane, line 7'
 quit
 
@@ -144,7 +143,7 @@ cp ball.pov before.pov
 start ball.pov --size 640x400
 xdotool mousemove --window "$id" 250 200 click 1
 await 'chosen: body 1, sphere, line 3'
-xdotool sleep 0.3 mousemove --window "$id" 480 183 sleep 0.1 click --repeat 2 1 type .75
+xdotool mousemove --window "$id" 480 183 click --repeat 2 1 type .75
 xdotool key Return
 await 'the changed text is shown'
 xdotool mousemove --window "$id" 100 300 key F2

@@ -56,9 +56,9 @@ drag() {
     xdotool keyup Control_L
     await 'the changed text is shown'
 }
-# hold KEY SECONDS
-hold() {
-    xdotool keydown "$1" sleep "$2" keyup "$1"
+# turn: turns the view by 0.4 radians around what is seen.
+turn() {
+    xdotool mousemove --window "$id" 300 20 mousedown 2 mousemove_relative 220 0 mousemove_relative 220 0 mouseup 2
     await 'rest after'
 }
 # follow X Y NAME BUTTON: the value with the button there follows a track of this name, by the button in the list that
@@ -108,14 +108,13 @@ shot 4
 
 echo "-- a flight around it, on the timeline"
 point 480 20
-xdotool key l Tab p
+xdotool key l p
 await 'key 1 added'
-hold a 0.4
+turn
 xdotool key p
 await 'key 2 added'
-hold a 0.4
-hold w 0.3
-xdotool key p t
+turn
+xdotool click 4 click 4 key p t
 await 'key 3 added'
 shot 5
 

@@ -65,10 +65,10 @@ await 'look_at <0, 0, 0>'
 xdotool key F11
 await 'finished 320x240'
 
-echo "-- the wheel while the path is flown"
+echo "-- the wheel with Ctrl while the path is flown"
 xdotool key f
 await 'flying from 0 s'
-xdotool mousemove --window "$id" 100 100 click 4
+xdotool mousemove --window "$id" 100 100 keydown Control_L click 4 keyup Control_L
 await 'flight at 1.25 times its speed'
 xdotool key x
 await 'rounding is checked in a picture at rest: Space pauses'

@@ -21,14 +21,14 @@ put "$camera" "$world" 'sphere { <0, 0, 0>, 1  translate <0, 0, track "height" 1
 printf 'track "height" {\n  0 1 linear\n  4 2 smooth\n}\n' >scene.tracks
 cp scene.rt first.rt && cp scene.tracks first.tracks
 start scene.rt --size 640x400 --depth 2
+await 'finished'
 xdotool key t F2
 await 'nothing to write'
 cmp first.rt scene.rt && cmp first.tracks scene.tracks || fault "F2 without a change has written"
 [[ ! -e scene.rt~ && ! -e scene.tracks~ ]] || fault "F2 without a change has made a copy"
 
 echo "-- a key of the path is written with the tracks as they are; the picture goes on"
-xdotool key p keydown a sleep 0.2 keyup a key p
-await 'rest after'
+xdotool key p KP_3 p
 await 'finished'
 finished=$(grep -c finished log)
 xdotool key F2
@@ -57,7 +57,7 @@ has 'key \{ time 6' scene.rt
 
 echo "-- a file that is gone is written again; where nothing can be written, it is saved elsewhere, and watched there"
 rm other.rt
-xdotool key p keydown a sleep 0.2 keyup a key p F2
+xdotool key p KP_3 p F2
 await 'other.rt, which was gone'
 has 'key \{ time 3' other.rt
 printf '#!/bin/sh\necho mine.rt\n' >bin/zenity
@@ -79,7 +79,7 @@ echo "-- a scene of the program stays as it is, and a copy of it becomes the use
 scenes=$(readlink -f -- "$here/../../scenes")
 cp "$scenes/beat.rt" beat.before
 start "$scenes/beat.rt" --size 64x48 --depth 2
-xdotool key p keydown a sleep 0.2 keyup a key p
+xdotool key p KP_3 p
 await 'key 2 added'
 xdotool key F2
 await 'this scene belongs to the program'

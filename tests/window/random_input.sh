@@ -35,7 +35,7 @@ id=$(xdotool search --pid "$pid" | tail -n 1)
 RANDOM=$seed
 keys=(m m l o o ctrl+a ctrl+a ctrl+d ctrl+d ctrl+z w a s d q e f space p r c h i Tab comma period bracketleft bracketright 1 2 3 shift+1 shift+2 shift+3 F11 F12 ctrl+s
     shift+w shift+c n v t t x F2 Home End Left Right Prior Next Insert Delete ctrl+z ctrl+y ctrl+n shift+Right Return F4
-    g g shift+g ctrl+shift+s plus minus 0 BackSpace F1 Down Up b KP_1 KP_3 KP_7 KP_9 shift+t)
+    ctrl+r ctrl+r ctrl+t o g g shift+g ctrl+shift+s plus minus 0 BackSpace F1 Down Up b KP_1 KP_3 KP_7 KP_9 shift+t)
 change_file() {
     case $((RANDOM % 8)) in
         0) cp broken.rt new && mv new scene.rt ;;
@@ -57,7 +57,13 @@ act() {
         1) xdotool mousemove --window "$id" $((RANDOM % width)) $((RANDOM % height)) mousedown $((RANDOM % 3 ? 1 : 2)) ;;
         2) xdotool mousemove_relative -- $((RANDOM % 60 - 30)) $((RANDOM % 60 - 30)) ;;
         3) xdotool mouseup 1 mouseup 2 mousemove --window "$id" $((width / 2)) $((height / 2)) ;;
-        4) xdotool click $((RANDOM % 2 + 4)) ;;
+        4)
+            if ((RANDOM % 3)); then
+                xdotool click $((RANDOM % 2 + 4))
+            else # chooses one more body, drags onto a surface, or moves across the view
+                xdotool keydown Shift_L click $((RANDOM % 2 + 1)) mousedown 1 mousemove_relative 7 -9 mouseup 1 keyup Shift_L
+            fi
+            ;;
         5) xdotool keydown "$key" && sleep 0.$((RANDOM % 4)) && xdotool keyup "$key" ;;
         6) change_file ;;
         *) xdotool key "$key" ;;

@@ -24,9 +24,7 @@ used=$(($(ticks) - before))
 ((used <= 3)) || fault "the window used $used hundredths of a second in two idle seconds"
 
 echo "-- flying by hand; the camera can be copied"
-xdotool keydown w
-sleep 0.5
-xdotool keyup w
+xdotool key w
 await 'rest after'
 await 'finished'
 shows_other first.png
@@ -64,12 +62,15 @@ pause() {
     seconds=${line##*paused at }
     seconds=${seconds% s}
 }
-# Flies for a moment and waits until the paused picture is finished.
+# Flies, pauses, goes on by a second, and waits until that picture is finished; sets `seconds`.
 fly_and_pause() {
     xdotool key f
     await 'flying from'
-    sleep 0.5
     pause
+    xdotool key shift+Right
+    await '// at '
+    seconds=${line##*at }
+    seconds=${seconds% s}
     await 'finished'
 }
 
@@ -112,7 +113,6 @@ await 'scene.rt:6:1'
 shows_other paused.png
 xdotool key n space
 await 'flight continues'
-sleep 0.3 # the flight goes on meanwhile
 pause
 put "$camera" "$world" "sphere { <-3, 0, 1>, 1 }" "$path"
 await 'read again'
@@ -181,9 +181,7 @@ fly_and_pause
 still moved.png --size 320x240 --time "$seconds"
 shows moved.png
 (($(different_pixels moving.png moved.png) > 0)) || fault "nothing moved in $seconds s"
-xdotool keydown w
-sleep 0.3
-xdotool keyup w
+xdotool key w
 await 'rest after'
 shows_other moved.png
 xdotool key space
@@ -198,8 +196,10 @@ quit
 
 echo "-- so small that every picture is complete while the camera still moves"
 start scene.rt --size 64x48
+await 'finished'
+import -window "$id" before.png
 xdotool keydown w
-sleep 1
+shows_other before.png
 xdotool keyup w
 await 'rest after'
 await 'finished'

@@ -14,7 +14,7 @@ cp scene.rt first.rt
 start scene.rt --size 640x400 --depth 2
 
 echo "-- two keys, written into the file"
-xdotool key t p keydown w sleep 0.2 keyup w key p
+xdotool key t p KP_3 p
 await 'key 2 added at 3 s'
 xdotool key F2
 await 'the file as it was is scene.rt~'
@@ -22,18 +22,31 @@ cmp first.rt scene.rt~ || fault "the copy is not the file as it was"
 [[ $(diff first.rt scene.rt | grep -c '^<') == 0 ]] || fault "more than a block was added: $(diff first.rt scene.rt)"
 cp scene.rt second.rt
 
+# find COLOR LINE: waits for this colour in the lower part of the window, and puts the first ('1') or the rightmost
+# place ('$') that has it into x and y.
+find() {
+    local i
+    x=
+    for ((i = 0; i < 60; ++i)); do
+        import -window "$id" shot.png
+        read -r x y < <(convert shot.png -crop 640x170+0+230 +repage txt:- |
+            sed -n "s/^\([0-9]*\),\([0-9]*\):.*#$1.*/\1 \2/p" | if [[ $2 == 1 ]]; then cat; else sort -n; fi | sed -n "$2p")
+        [[ -n ${x-} ]] && y=$((y + 230)) && return
+        sleep 0.1
+    done
+    fault "nothing on the timeline has the colour $1"
+}
 # find_key: puts the place of the second key's right corner into x and y.
 find_key() {
-    # At the start of the flight this key is the only thing of this colour.
-    xdotool key Home sleep 0.5
-    import -window "$id" shot.png
-    read -r x y < <(convert shot.png -crop 640x170+0+230 +repage txt:- | sed -n 's/^\([0-9]*\),\([0-9]*\):.*#8CCCFF.*/\1 \2/p' | sort -n | sed -n '$p')
-    [[ -n ${x-} ]] || fault "there is no key on the timeline"
+    xdotool key Home
+    await '// at 0 s'
+    find FFBE5A 1 # the first key is that of this moment now
+    find 8CCCFF '$'
 }
 echo "-- a key is dragged on the timeline, and written"
 find_key
-xdotool mousemove --window "$id" $((x - 3)) $((y + 230)) sleep 0.2 mousedown 1 sleep 0.2
-xdotool mousemove_relative 40 0 sleep 0.2 mousemove_relative 60 0 sleep 0.2 mouseup 1 sleep 0.2 key F2
+xdotool mousemove --window "$id" $((x - 3)) "$y" mousedown 1
+xdotool mousemove_relative 40 0 mousemove_relative 60 0 mouseup 1 key F2
 await 'path written into'
 time=$(sed -n 's/.*key { time \([0-9.]*\) .*/\1/p' scene.rt | tail -n 1)
 awk -v t="$time" 'BEGIN { exit !(t > 4 && t < 6) }' || fault "the key was dragged to $time s"
@@ -48,12 +61,10 @@ cmp second.rt scene.rt || fault "undone is not what was written before"
 
 echo "-- the ease of a key is typed after a double click on the slider in its menu, and written; undone"
 find_key
-xdotool mousemove --window "$id" $((x - 3)) $((y + 230)) sleep 0.2 click 3 sleep 0.5
-import -window "$id" shot.png
-read -r x y < <(convert shot.png txt:- | sed -n 's/^\([0-9]*\),\([0-9]*\):.*#3D85E0.*/\1 \2/p' | sed -n '1p')
-[[ -n ${x-} ]] || fault "there is no slider on the timeline"
-xdotool mousemove --window "$id" $((x + 30)) $((y + 4)) sleep 0.2 click --repeat 2 1 type .5
-xdotool key Return sleep 0.2 mousemove --window "$id" 300 100 key F2
+xdotool mousemove --window "$id" $((x - 3)) "$y" click 3
+find 3D85E0 1 # the slider's grip
+xdotool mousemove --window "$id" $((x + 30)) $((y + 4)) click --repeat 2 1 type .5
+xdotool key Return mousemove --window "$id" 300 100 key F2
 await 'path written into'
 [[ $(diff second.rt scene.rt | grep -c '^>') == 1 && $(<scene.rt) == *'  ease 0.5 }'* ]] ||
     fault "the ease: $(diff second.rt scene.rt)"
@@ -62,10 +73,12 @@ await 'path written into'
 cmp second.rt scene.rt || fault "undone is not what was written before"
 
 echo "-- a body is chosen, its radius dragged and written in place; undone"
-xdotool key t key r sleep 0.2 mousemove --window "$id" 320 160 click 1
+xdotool key t key r
+await "the scene's camera"
+xdotool mousemove --window "$id" 320 160 click 1
 await 'chosen: body 1, sphere, line 4'
-xdotool sleep 0.3 mousemove --window "$id" 507 147 sleep 0.2 mousedown 1 sleep 0.2
-xdotool mousemove_relative 20 0 sleep 0.2 mousemove_relative 20 0 sleep 0.2 mouseup 1 key F2
+xdotool mousemove --window "$id" 507 147 mousedown 1
+xdotool mousemove_relative 20 0 mousemove_relative 20 0 mouseup 1 key F2
 await 'changes written into'
 [[ $(<scene.rt) =~ 'sphere { <0, 0, 2>, 2.'[0-9]*'  material' ]] || fault "the radius: $(sed -n 4p scene.rt)"
 [[ $(diff second.rt scene.rt | grep -c '^<') == 1 ]] || fault "more than a line has changed: $(diff second.rt scene.rt)"
@@ -81,8 +94,8 @@ cp scene.rt first.rt
 start scene.rt --size 640x400 --depth 2
 xdotool key t
 find_key
-xdotool mousemove --window "$id" $((x - 3)) $((y + 230)) sleep 0.2 mousedown 1 sleep 0.2
-xdotool mousemove_relative -- -40 0 sleep 0.2 mousemove_relative -- -60 0 sleep 0.2 mouseup 1
+xdotool mousemove --window "$id" $((x - 3)) "$y" mousedown 1
+xdotool mousemove_relative -- -40 0 mousemove_relative -- -60 0 mouseup 1
 await 'the changed text is shown'
 xdotool mousemove --window "$id" 300 100 key F2
 await 'changes written into'

@@ -32,6 +32,7 @@ enum class Action {
     change_style,
     reset,
     keep_view,
+    edit_camera,
     turn_view,
     full_screen,
     fill,
@@ -56,6 +57,7 @@ enum class Action {
     copy_body,
     add_block,
     outline,
+    toolbar,
     gallery,
 };
 /// The keys that move the camera, identified by their place.
@@ -64,7 +66,7 @@ struct Command {
     Action action = Action::quit;
     /// Says which Push; which camera, 1 to 9; how many 1/25 s or keys to step, backwards if negative; 1 if a still is a
     /// .png; by how many half stops to expose more, 0 for no exposure; from which side to look, see seen_from(); or
-    /// which SecondKind, 0 for the next one.
+    /// which SecondKind or, plus 1, which HandleMode, 0 for the next one.
     int number = 0;
     bool operator==(const Command&) const = default;
 };
@@ -86,10 +88,12 @@ inline constexpr std::array command_helps{
     CommandHelp{"", "with Shift", "faster"},
     CommandHelp{"", "mouse drag", "look around"},
     CommandHelp{"", "middle drag", "turn around what is seen"},
+    CommandHelp{"", "Shift+middle drag", "move across the view"},
     CommandHelp{"", "wheel", "nearer; Ctrl+wheel: speed"},
     CommandHelp{"orbit", "Tab", "fly, or orbit around what is seen", {Action::change_style}},
     CommandHelp{"reset", "R", "back to the scene's camera", {Action::reset}},
     CommandHelp{"scene-camera", "Shift+R", "this view: the scene's camera", {Action::keep_view}},
+    CommandHelp{"camera", "Ctrl+R", "the numbers of that camera", {Action::edit_camera}},
     CommandHelp{"approach", "B", "to the body that is chosen", {Action::approach}},
     CommandHelp{"front", "Num1", "look from the front", {Action::turn_view, 1}},
     CommandHelp{"right-side", "Num3", "from the right", {Action::turn_view, 3}},
@@ -121,7 +125,9 @@ inline constexpr std::array command_helps{
     CommandHelp{"outline", "O", "list all: find, choose, hide", {Action::outline}},
     CommandHelp{"add", "Ctrl+A", "add a body or a light", {Action::add_block}},
     CommandHelp{"handles", "M", "handles move, turn, scale", {Action::handles}},
-    CommandHelp{"", "Ctrl+drag", "in steps"},
+    CommandHelp{"", "Shift+click", "choose one more, or one less"},
+    CommandHelp{"", "Ctrl+drag", "on a grid, in steps"},
+    CommandHelp{"", "Shift+drag", "onto the surface of others"},
     CommandHelp{"copy", "Ctrl+D", "copy what is chosen", {Action::copy_body}},
     CommandHelp{"delete", "Delete", "remove it, or the timeline's key", {Action::delete_key}},
     CommandHelp{"lights", "L", "show lights, to be dragged", {Action::lights}},
@@ -152,6 +158,7 @@ inline constexpr std::array command_helps{
     CommandHelp{"difference", "Shift+G", "show the difference, 16 times", {Action::difference}},
     CommandHelp{"rounding", "X", "check rounding, at rest", {Action::stability}},
     CommandHelp{"info", "I", "information", {Action::info}},
+    CommandHelp{"toolbar", "Ctrl+T", "show or hide the toolbar", {Action::toolbar}},
     CommandHelp{"quiet", "N", "hide all text", {Action::quiet}},
     CommandHelp{"help", "H F1", "this help", {Action::help}},
     CommandHelp{"", "gamepad", "sticks move; A pauses; X adds a key"},

@@ -6,6 +6,7 @@
 
 #include "num/vec_math.h"
 #include "pov/literals.h"
+#include "scene/overlap.h"
 #include "show/session/handles.h"
 #include "text/light_text.h"
 
@@ -61,8 +62,13 @@ StandingPlace standing_place(const Scene& scene, const View& view, double x, dou
 }
 
 void BodyEditor::click(const Scene& now, const Scene& scene, const View& view, double x, double y,
-                       const std::set<int>& hidden) {
+                       const std::set<int>& hidden, bool adds) {
     const Ray<double> ray = ray_at(view, x, y), beside = ray_at(view, x + 1, y);
+    if (adds) {
+        const std::vector<BodyHit> met = seen_along(now, ray, hidden);
+        if (!met.empty()) add(met[0].body, ray.origin + met[0].hit.t * ray.direction, scene);
+        return;
+    }
     const auto same_point = [&](DVec3 Ray<double>::*part) {
         return length(*clicked.*part - ray.*part) <= 3 * length(beside.*part - ray.*part);
     };
@@ -89,9 +95,43 @@ void BodyEditor::choose(int body, const DVec3& point, const Scene& scene, int le
     look(scene);
 }
 
-void BodyEditor::choose_next(int number, const Scene& scene) {
-    if (chosen) chosen->at.body = number;
-    if (chosen_light) chosen_light->light = number;
+void BodyEditor::choose(TopBlock block, const Scene& scene) {
+    close(), clicked.reset(), allowed.clear(), description = {};
+    chosen_block = block;
+    look(scene);
+}
+
+void BodyEditor::add(int body, const DVec3& point, const Scene& scene) {
+    std::vector<int> before = bodies();
+    if (std::erase(before, body) == 0) {
+        choose(body, point, scene);
+        others = std::move(before);
+    } else if (before.empty()) {
+        close();
+    } else {
+        const int last = before.back();
+        const Box box = world_bounds(scene.primitives[std::size_t(last)]);
+        choose(last, box.finite() ? box.centre() : point, scene);
+        before.pop_back();
+        others = std::move(before);
+    }
+}
+
+std::vector<int> BodyEditor::bodies() const {
+    std::vector<int> all = others;
+    if (chosen) all.push_back(chosen->at.body);
+    std::ranges::sort(all);
+    return all;
+}
+
+void BodyEditor::choose_next(std::vector<int> numbers, const Scene& scene) {
+    if (chosen) {
+        chosen->at.body = numbers.back();
+        numbers.pop_back();
+        others = std::move(numbers);
+    } else if (chosen_light) {
+        chosen_light->light = numbers.back();
+    }
     description = {};
     look(scene);
 }
@@ -106,15 +146,18 @@ void BodyEditor::find_point(const Scene& scene) {
 void BodyEditor::look(const Scene& scene) {
     other_file.clear();
     static const std::string none;
-    const std::string& text = povray ? none : edited.text();
+    const std::string& text = povray || model ? none : edited.text();
     if (chosen_light) {
         if (chosen_light->light >= std::ssize(scene.lights)) return close();
         chosen_light->target &= scene.lights[std::size_t(chosen_light->light)].spot.has_value();
         description = light_text(text, scene, chosen_light->light);
         look_at_literals(lines.lights, chosen_light->light);
     }
+    if (chosen_block)
+        description = *chosen_block == TopBlock::camera ? camera_values(text, scene) : background_values(text, scene);
     if (!chosen) return;
     if (chosen->at.body >= std::ssize(scene.primitives)) return close();
+    std::erase_if(others, [&](int body) { return body >= std::ssize(scene.primitives); });
     const std::string before = description.kind;
     description = body_text(text, scene, chosen->at.body, chosen->at.hit.leaf);
     look_at_literals(lines.bodies, chosen->at.body);
@@ -149,8 +192,21 @@ bool BodyEditor::open_to_change(const BodyValue& value) const {
     return value.slices.empty() ? value.own_at > 0 : value.source.empty() || allowed.contains(value.source);
 }
 
+const char* BodyEditor::why_read_only() const {
+    const bool open = std::ranges::any_of(description.values, [](const BodyValue& v) { return v.fixed.empty(); });
+    return model                   ? "read only: a model is changed by the program that made it"
+           : edited.text().empty() ? "read only: this text is changed in an editor"
+           : open                  ? "numbers that stand in the text are changed here"
+                                   : "read only: the text computes these numbers";
+}
+
 std::string BodyEditor::name() const {
+    if (chosen_block) return *chosen_block == TopBlock::camera ? "the camera" : "the background";
     return description.kind.substr(0, description.kind.find_first_of(" ,(")) + " " + std::to_string(number() + 1);
+}
+
+std::string BodyEditor::names() const {
+    return others.empty() ? name() : std::to_string(others.size() + 1) + " bodies";
 }
 
 bool BodyEditor::change(const BodyValue& value, std::span<const double> numbers, EditOrder& order, bool merged) {

@@ -1,5 +1,7 @@
 // Flying and orbiting: functions from camera to camera.
 #pragma once
+#include <glm/vec2.hpp>
+
 #include "scene/camera.h"
 
 namespace strahl {
@@ -9,8 +11,12 @@ struct CameraInput {
     DVec3 push{0};                  // to the right of the picture, up, and into it
     double right = 0, upwards = 0;  // turns in radians
     bool around = false;            // look_at, in any style
+    glm::dvec2 pan{0};              // what is seen at look_at, to the right and down, in widths of the picture
     bool operator==(const CameraInput&) const = default;
 };
+
+/// Moves position and look_at together, so that what is seen at look_at follows the drag `pan`.
+Camera pan(const Camera& camera, const glm::dvec2& pan);
 
 /// Moves position and look_at together. `push` is in units of the scene; turns to the right are about `up`. The view is
 /// never steeper than 89 degrees (or than it was).

@@ -3,13 +3,59 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <string_view>
 #include <utility>
 
+#include "num/vec_math.h"
+#include "scene/overlap.h"
+#include "scene/ray_hits.h"
 #include "text/light_text.h"
 
 namespace strahl {
+
+std::optional<PlacedBodies> PlacedBodies::find(const std::string& text, const Scene& scene,
+                                               std::span<const int> numbers) {
+    PlacedBodies found;
+    found.original = text;
+    for (const int number : numbers) {
+        auto body = PlacedBody::find(text, scene, number);
+        if (!body) return std::nullopt;
+        found.bodies.push_back(*std::move(body));
+    }
+    return found;
+}
+
+std::string PlacedBodies::text(const Placing& placing, int decimals) const {
+    std::vector<TextChange> all;
+    for (const PlacedBody& body : bodies) std::ranges::move(body.changes(placing, decimals), std::back_inserter(all));
+    return with_changes(original, std::move(all));
+}
+
+Box bounds_of(const Scene& scene, std::span<const int> bodies) {
+    Box box;
+    for (const int body : bodies) box.add(world_bounds(scene.primitives[std::size_t(body)]));
+    return box;
+}
+
+std::optional<DVec3> way_onto(const Scene& scene, std::span<const Primitive> bodies, const std::set<int>& passed,
+                              const Ray<double>& ray, const std::optional<DVec3>& up) {
+    const std::vector<BodyHit> met = bodies_along(scene, ray);
+    const auto surface = std::ranges::find_if(met, [&](const BodyHit& hit) { return !passed.contains(hit.body); });
+    if (surface == met.end()) return std::nullopt;
+    const double side = dot_product(surface->hit.normal, ray.direction) > 0 ? -1 : 1;
+    const DVec3 w = up ? *up : side * surface->hit.normal;
+    const DVec3 u = normalize(cross_product(w, std::abs(w.x) < .9 ? DVec3(1, 0, 0) : DVec3(0, 1, 0)));
+    const DVec3 v = cross_product(w, u), point = ray.origin + surface->hit.t * ray.direction;
+    // The bodies' box in a world with these axes: its lowest side is the one to stand on.
+    const glm::dmat4 turn = glm::transpose(glm::dmat4({u, 0}, {v, 0}, {w, 0}, {0, 0, 0, 1}));
+    Box box;
+    for (const Primitive& body : bodies) box.add(transformed_bounds(body, turn));
+    if (!box.finite()) return std::nullopt;
+    const DVec3 foot(box.centre().x, box.centre().y, box.low.z);
+    return point - (foot.x * u + foot.y * v + foot.z * w);
+}
 
 std::optional<Drag> Drag::begin(const BodyEditor& editor, const Scene& scene, const Handles& handles, Handle handle,
                                 const glm::dvec2& from, std::string& why) {
@@ -36,14 +82,37 @@ std::optional<Drag> Drag::begin(const BodyEditor& editor, const Scene& scene, co
         what.value = *value;
         return Drag(handles, handle, from, std::move(what));
     }
-    auto body = PlacedBody::find(text, scene, editor.choice()->at.body);
-    if (!body) return why = "the text does not say where this body is", std::nullopt;
-    return Drag(handles, handle, from, *std::move(body));
+    std::vector<int> numbers = editor.bodies();
+    auto bodies = PlacedBodies::find(text, scene, numbers);
+    if (!bodies) return why = "the text does not say where this body is", std::nullopt;
+    Drag drag(handles, handle, from, *std::move(bodies));
+    for (const int number : numbers) drag.primitives.push_back(scene.primitives[std::size_t(number)]);
+    drag.numbers = std::move(numbers);
+    return drag;
 }
 
-std::string Drag::text(const glm::dvec2& to, bool steps) const {
-    const Placing placing = handles.drag(held, from, to, steps);
-    if (const auto* const body = std::get_if<PlacedBody>(&what)) return body->text(placing, handles.decimals());
+Placing Drag::placing_on_surface(const glm::dvec2& to, const Scene& seen, std::set<int> hidden) const {
+    const Placing free = placing(to, false);
+    const auto* const move = std::get_if<MoveBy>(&free);
+    if (!move || primitives.empty()) return free;
+    hidden.insert(numbers.begin(), numbers.end());
+    if (held == Handle::all) {
+        const auto way = way_onto(seen, primitives, hidden, handles.ray(to));
+        return way ? MoveBy{*way} : free;
+    }
+    Box box;
+    for (const Primitive& body : primitives) box.add(world_bounds(body));
+    if (!box.finite()) return free;
+    // From the top of the bodies downwards, in the direction that is down in the scene's pictures.
+    const DVec3 down = normalize(seen.camera.up), size = box.size();
+    const double half = (std::abs(down.x) * size.x + std::abs(down.y) * size.y + std::abs(down.z) * size.z) / 2;
+    const Ray<double> ray{box.centre() + move->by - half * down, down, -1};
+    const auto way = way_onto(seen, primitives, hidden, ray, DVec3(0) - down);
+    return way ? MoveBy{*way} : free;
+}
+
+std::string Drag::text(const Placing& placing, bool steps) const {
+    if (const auto* const bodies = std::get_if<PlacedBodies>(&what)) return bodies->text(placing, handles.decimals());
     const auto& [text, value, least, most] = std::get<LightNumbers>(what);
     if (const auto* const scale = std::get_if<ScaleBy>(&placing)) {
         constexpr double degree = std::numbers::pi / 180;
@@ -52,18 +121,13 @@ std::string Drag::text(const glm::dvec2& to, bool steps) const {
         return value.slices.empty() ? with_own_value(text, value, {&angle, 1}) : with_numbers(text, value, {&angle, 1});
     }
     const DVec3 before(value.numbers[0], value.numbers[1], value.numbers[2]);
-    DVec3 after = before + moved(to, steps);
+    DVec3 after = before;
+    if (const auto* const move = std::get_if<MoveBy>(&placing)) after += move->by;
     if (const auto* const turn = std::get_if<TurnBy>(&placing))
         after = value.name == "direction" ? turned(before, *turn) : turn->about + turned(before - turn->about, *turn);
     for (int i = 0; i < 3; ++i) after[i] = std::clamp(after[i], value.range.low, value.range.high);
     after = rounded(after, before, value.name == "direction" ? 3 : handles.decimals());
     return with_numbers(text, value, std::array{after.x, after.y, after.z});
-}
-
-DVec3 Drag::moved(const glm::dvec2& to, bool steps) const {
-    const Placing placing = handles.drag(held, from, to, steps);
-    const auto* const move = std::get_if<MoveBy>(&placing);
-    return move ? move->by : DVec3(0);
 }
 
 }  // namespace strahl

@@ -71,7 +71,7 @@ std::vector<DVec3> cone_circle(const DVec3& light, const Spot& spot, double angl
 }
 
 Handles::Handles(HandleMode mode, const DVec3& centre, const std::array<DVec3, 3>& axes, double pixels,
-                 const View& view)
+                 const View& view, bool only_even)
     : mode(mode), centre(centre), axes(axes), view(view) {
     const CameraFrame frame = frame_of(view.camera, double(view.width) / view.height);
     right = frame.right, down = frame.down, forward = frame.forward;
@@ -96,6 +96,7 @@ Handles::Handles(HandleMode mode, const DVec3& centre, const std::array<DVec3, 3
         if (points.size() > 1) add_line(handle, points);
     };
     for (const Handle handle : {Handle::x, Handle::y, Handle::z}) {
+        if (only_even && mode == HandleMode::scale) break;
         const DVec3 along = axis(handle);
         if (mode == HandleMode::turn) {
             const auto i = static_cast<std::size_t>(handle);
@@ -206,12 +207,15 @@ Placing Handles::drag(Handle handle, const glm::dvec2& from, const glm::dvec2& t
     const double step = round_length(20 * pixel);
     if (mode == HandleMode::move && handle == Handle::all) {
         DVec3 by = in_plane(to) - in_plane(from);
-        for (int i = 0; i < 3 && steps; ++i) by[i] = in_steps(by[i], step);
+        for (int i = 0; i < 3 && steps; ++i) by[i] = in_steps(centre[i] + by[i], step) - centre[i];
         return MoveBy{by};
     }
     const double way = handle == Handle::all ? ((to.x - from.x) - (to.y - from.y)) * pixel
                                              : along_axis(handle, to) - along_axis(handle, from);
-    if (mode == HandleMode::move) return MoveBy{(steps ? in_steps(way, step) : way) * axis(handle)};
+    if (mode == HandleMode::move) {
+        const double at = dot_product(centre, axis(handle));
+        return MoveBy{(steps ? in_steps(at + way, step) - at : way) * axis(handle)};
+    }
     double factor = 1 + way / reach;
     if (steps) factor = in_steps(factor, .1);
     factor = std::max(factor, steps ? .1 : least_factor);
@@ -220,6 +224,8 @@ Placing Handles::drag(Handle handle, const glm::dvec2& from, const glm::dvec2& t
         if (handle == Handle::all || i == static_cast<int>(handle)) scale.factors[i] = factor;
     return scale;
 }
+
+Ray<double> Handles::ray(const glm::dvec2& point) const { return ray_at(view, point.x, point.y); }
 
 int Handles::decimals() const { return decimals_of(pixel); }
 

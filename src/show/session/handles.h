@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "num/ray.h"
 #include "num/vec.h"
 #include "scene/scene.h"
 #include "text/place_body.h"
@@ -31,11 +32,15 @@ enum class HandleMode { move, turn, scale };
 /// evenly.
 enum class Handle { x, y, z, all };
 
+/// What a drag snaps to: round distances, angles and factors, or surfaces of other bodies.
+enum class Snap { none, grid, surface };
+
 class Handles {
   public:
     /// Places handles around a point of the world, along these axes, which reach as far as this many pixels in the
-    /// view.
-    Handles(HandleMode mode, const DVec3& centre, const std::array<DVec3, 3>& axes, double pixels, const View& view);
+    /// view. With `only_even` there is none to scale along a single axis.
+    Handles(HandleMode mode, const DVec3& centre, const std::array<DVec3, 3>& axes, double pixels, const View& view,
+            bool only_even = false);
 
     /// Places two circles around a spotlight's target, which open and close its cone: `all` where its light ends, `y`
     /// where it begins to fade.
@@ -51,10 +56,12 @@ class Handles {
     /// Returns the handle at a point of the picture, if one is no further than this.
     std::optional<Handle> at(const glm::dvec2& point, double reach) const;
 
-    /// Returns what a drag of a handle from one point to another does. With `steps` it moves by round distances, turns
-    /// by 15 degrees, and scales by tenths. Circles of a cone scale evenly.
+    /// Returns what a drag of a handle from one point to another does. With `steps` it moves the centre to a grid of
+    /// round coordinates, turns by 15 degrees, and scales by tenths. Circles of a cone scale evenly.
     Placing drag(Handle handle, const glm::dvec2& from, const glm::dvec2& to, bool steps) const;
     HandleMode handle_mode() const { return mode; }
+    /// Returns the ray through a point of the view.
+    Ray<double> ray(const glm::dvec2& point) const;
     /// Returns how many decimals of coordinates can be seen here.
     int decimals() const;
 

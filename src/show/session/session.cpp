@@ -390,7 +390,9 @@ Answer Session::steer(const CameraInput& input, double now) {
     // In orbit a push turns by a radian per second.
     const bool around = orbiting || input.around;
     scaled.push *= around ? DVec3(speed / default_speed(scene->camera)) : DVec3(speed);
+    scaled.pan = glm::dvec2(0);
     camera = around ? orbit(camera, scaled) : fly(camera, scaled);
+    if (input.pan != glm::dvec2(0)) camera = pan(camera, input.pan);
     return {note, ""};
 }
 
@@ -408,9 +410,10 @@ Answer Session::change_speed(double factor, double now) {
 }
 
 Answer Session::turn_wheel(double notches, bool faster, double now) {
-    if (faster || bound()) return change_speed(std::pow(1.25, notches), now);
+    if (faster) return change_speed(std::pow(1.25, notches), now);
+    const Answer ended = steer({}, now);
     camera = orbit(camera, {.push = {0, 0, .15 * notches}});
-    return {};
+    return ended;
 }
 
 Camera Session::flight_camera() const {

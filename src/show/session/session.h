@@ -50,8 +50,8 @@ class Session {
     Answer steer(const CameraInput& input, double now);
     /// Multiplies the speed of the flight, if that determines the camera, or else that of the camera.
     Answer change_speed(double factor, double now);
-    /// Follows the mouse's wheel, upwards by so many notches: the camera comes nearer to what it looks at, or, if
-    /// `faster` or while a flight determines it, gets faster.
+    /// Follows the mouse's wheel, upwards by so many notches: the camera comes nearer to what it looks at, which ends a
+    /// flight, or, if `faster`, it or the flight gets faster.
     Answer turn_wheel(double notches, bool faster, double now);
     /// Adds the camera to the recording of a flight by hand, if one is under way. To be called before and after each
     /// step of the camera. If the recording has become too long, ends it and returns an answer.
@@ -99,7 +99,7 @@ class Session {
     /// If not null, instead of the scene's.
     std::shared_ptr<const std::vector<Track>> tracks;
     TrackKeys track_keys;
-    KeyMap keys;                   // that messages name
+    KeyMap keys;                   // keys that messages name
     bool keys_elsewhere = false;   // an editor of tracks has the keys, and they cannot be changed here
     double speed = 1;              // units of the scene per second
     int finest = sharpened_level;  // level in motion

@@ -45,6 +45,13 @@ TimelineInput Timeline::draw(const TimelineView& view) {
     values(view, input);
     lanes.draw_values(view, input);
     music(view, input);
+    if (std::exchange(delete_asked, false)) {
+        if (lanes.key_clicked())
+            lanes.remove_clicked(view, input);
+        else
+            input.command = {Action::delete_key};
+        forget_click();
+    }
     tall = ImGui::GetWindowHeight() + edge;
     ImGui::End();
     return input;
@@ -130,6 +137,7 @@ void Timeline::bar(const TimelineView& view, TimelineInput& input) {
             has_path && mouse.y > middle && std::abs(mouse.x - scale.x_of(view.editor.path().duration)) < font / 2;
         dragged = end_dragged ? std::nullopt : near, drag_began = false;
         if (dragged) input.go_to = keys[*dragged].time;
+        lanes.forget_click(), path_key_clicked = dragged.has_value();
     }
     if (held && end_dragged && has_path && ImGui::IsMouseDragging(0, 3)) {
         Flythrough path = lasting(view.editor.path(), std::round(100 * std::clamp(pointed, 0., scale.last())) / 100);

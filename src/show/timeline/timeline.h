@@ -15,6 +15,11 @@ class Timeline {
   public:
     /// To be called while ImGui makes a frame.
     TimelineInput draw(const TimelineView& view);
+    /// Was a key clicked here last? forget_click() makes that false, and delete_clicked() has the next drawing ask for
+    /// the end of that key.
+    bool key_clicked() const { return path_key_clicked || lanes.key_clicked(); }
+    void forget_click() { path_key_clicked = false, lanes.forget_click(); }
+    void delete_clicked() { delete_asked = true; }
     /// Its height in pixels, with the space below it.
     float height() const { return tall; }
 
@@ -31,6 +36,7 @@ class Timeline {
     NumberFields fields;
     std::optional<std::size_t> dragged;  // number of a key of the path
     bool end_dragged = false;            // the end of the path
+    bool path_key_clicked = false, delete_asked = false;
     bool drag_began = false;             // a key has been moved
     bool value_held = false;             // a value has been changed since the mouse button is down
     Keyframe draft;                      // the key as it is being typed

@@ -87,6 +87,7 @@ void TrackLanes::motion_lane(const TimelineView& view, TimeScale& scale, const S
     const bool on_key = distance(near) < grip;
     if (ImGui::IsItemActivated()) {
         dragged = on_key ? std::optional(near) : std::nullopt, drag_began = false;
+        clicked = on_key ? ClickedKey::motion : ClickedKey::none, clicked_motion = motion, clicked_number = near;
         input.go_to = on_key ? motion.times[near] : seconds;
         if (!on_key && view.text_open && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
             input.motion = {Change::add, motion, 0, seconds, false};
@@ -143,11 +144,12 @@ void TrackLanes::track_lane(const TimelineView& view, TimeScale& scale, const Tr
     if (ImGui::IsItemActivated()) {
         chosen = track.name, chosen_row = near ? near->row : row;
         key_dragged = near != nullptr, drag_began = false, low = least, high = most;
+        clicked = near ? ClickedKey::track : ClickedKey::none;
         input.go_to = music.time_of(chosen_row);
         if (!near && view.keys_open && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
             set_key(changed,
                     {row, std::clamp(pointed_value, coordinates.low, coordinates.high), Interpolation::linear});
-            input.track = {changed, false}, key_dragged = true;
+            input.track = {changed, false}, key_dragged = true, clicked = ClickedKey::track;
         }
     }
     const auto at = std::ranges::find(keys, chosen_row, &TrackKey::row);
@@ -185,6 +187,18 @@ void TrackLanes::track_lane(const TimelineView& view, TimeScale& scale, const Tr
     scale.draw_moment(view, corner.y, corner.y + height);
     ImGui::PopClipRect();
     draw_name(corner, scale, track.name);
+}
+
+void TrackLanes::remove_clicked(const TimelineView& view, TimelineInput& input) {
+    const auto track = std::ranges::find(view.tracks, chosen, &Track::name);
+    if (clicked == ClickedKey::track && view.keys_open && track != view.tracks.end()) {
+        Track changed = *track;
+        delete_key(changed, chosen_row);
+        input.track = {changed, false};
+    }
+    if (clicked == ClickedKey::motion && view.text_open)
+        input.motion = {TimelineInput::MotionChange::remove, clicked_motion, clicked_number, 0, false};
+    forget_click();
 }
 
 void TrackLanes::draw_values(const TimelineView& view, TimelineInput& input) {

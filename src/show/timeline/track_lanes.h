@@ -21,6 +21,11 @@ class TrackLanes {
     void draw(const TimelineView& view, TimeScale& scale, TimelineInput& input);
     /// Draws the values of the key of a track that is chosen.
     void draw_values(const TimelineView& view, TimelineInput& input);
+    /// Was a key of a lane clicked last? forget_click() makes that false.
+    bool key_clicked() const { return clicked != ClickedKey::none; }
+    void forget_click() { clicked = ClickedKey::none; }
+    /// Removes that key.
+    void remove_clicked(const TimelineView& view, TimelineInput& input);
 
   private:
     void track_lane(const TimelineView& view, TimeScale& scale, const Track& track, TimelineInput& input);
@@ -30,9 +35,12 @@ class TrackLanes {
     std::vector<std::string> followed;   // names of tracks
     std::vector<SceneMotion> motions;
     NumberFields fields;
-    std::string chosen;    // one of the tracks
-    int chosen_row = 0;    // of its key, if it has one there
-    bool scrolls = false;  // to the one chosen
+    std::string chosen;  // one of the tracks
+    int chosen_row = 0;  // row of the track's key, if it has one there
+    enum class ClickedKey { none, track, motion } clicked = ClickedKey::none;
+    SceneMotion clicked_motion;      // the motion that has the clicked key
+    std::size_t clicked_number = 0;  // and the key's number there
+    bool scrolls = false;            // should the lanes scroll to the chosen one?
     bool key_dragged = false;
     double low = 0, high = 1;            // the values that its lane shows; constant during a drag
     bool value_held = false;             // a value has been changed since the mouse button is down

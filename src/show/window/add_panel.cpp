@@ -4,9 +4,9 @@
 
 namespace strahl {
 
-const NewBlock* AddPanel::draw(float reserved, float left) {
+const NewBlock* AddPanel::draw(const Margins& margins) {
     const NewBlock* chosen = nullptr;
-    begin_panel("add", 0, .5f, reserved, left);
+    begin_panel("add", 0, .5f, margins);
     ImGui::TextUnformatted("Add");
     const float width = 8 * ImGui::GetFontSize();
     for (const NewBlock& block : new_blocks)

@@ -8,9 +8,8 @@ namespace strahl {
 
 class AddPanel {
   public:
-    /// To be called while ImGui makes a frame. Returns what the user has clicked, or null. Leaves free so many pixels
-    /// at the bottom and at the left of the window.
-    const NewBlock* draw(float reserved, float left);
+    /// To be called while ImGui makes a frame. Returns what the user has clicked, or null.
+    const NewBlock* draw(const Margins& margins);
     const CoveredArea& area() const { return own; }
 
   private:

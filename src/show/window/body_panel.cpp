@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <span>
 #include <utility>
 
 namespace strahl {
@@ -69,13 +70,16 @@ std::string numbers_text(const std::vector<double>& numbers) {
 
 }  // namespace
 
-BodyInput BodyPanel::draw(const BodyEditor& editor, const std::string& file, float reserved) {
+BodyInput BodyPanel::draw(const BodyEditor& editor, const std::string& file, const Margins& margins) {
     BodyInput input;
-    begin_panel("body", 1, 0, reserved);
+    begin_panel("body", 1, 0, margins);
     const BodyText& body = editor.body();
-    const auto& light = editor.light();
-    ImGui::Text("%s %d: %s", light ? "light" : "body", 1 + (light ? light->light : editor.choice()->at.body),
-                body.kind.c_str());
+    if (const auto& block = editor.block())
+        ImGui::Text("%s: %s", *block == TopBlock::camera ? "camera" : "background", body.kind.c_str());
+    else
+        ImGui::Text("%s %d: %s", editor.light() ? "light" : "body", 1 + editor.number(), body.kind.c_str());
+    const std::size_t count = editor.bodies().size();
+    if (count > 1) dim_text("the last of " + std::to_string(count) + " bodies chosen");
     if (body.line > 0) dim_text(file + ", line " + std::to_string(body.line));
     if (const auto& chosen = editor.choice(); chosen && chosen->at.hit.t > 0) {
         // Lines of their own: a wider panel would move the fields below with each click.
@@ -89,9 +93,7 @@ BodyInput BodyPanel::draw(const BodyEditor& editor, const std::string& file, flo
         line("at <%.4g, %.4g, %.4g>", chosen->point.x, chosen->point.y, chosen->point.z);
         line("normal <%.3g, %.3g, %.3g>", hit.normal.x, hit.normal.y, hit.normal.z);
     }
-    if (editor.read_only())
-        dim_text(editor.edited.text().empty() ? "read only: this text is changed in an editor"
-                                              : "numbers that stand in the text are changed here");
+    if (editor.read_only()) dim_text(editor.why_read_only());
     // Buttons keep their places: those that do nothing now are grey.
     const auto button = [](const char* label, bool open) {
         ImGui::BeginDisabled(!open);
@@ -104,6 +106,11 @@ BodyInput BodyPanel::draw(const BodyEditor& editor, const std::string& file, flo
     if (button("write", editor.edited.changed())) input.command = {Action::write_path};
     if (button("close", true)) input.close = true;
     ImGui::NewLine();
+    if (editor.block() == TopBlock::camera) {
+        if (button("use this view", !editor.read_only())) input.command = {Action::keep_view};
+        if (button("go there", true)) input.command = {Action::reset};
+        ImGui::NewLine();
+    }
     ImGui::Separator();
     fields.begin();
     const std::vector<BodyValue>& values = body.values;
@@ -121,6 +128,7 @@ BodyInput BodyPanel::draw(const BodyEditor& editor, const std::string& file, flo
         else
             draw_value(editor, i, source, input);
     }
+    if (editor.choice() && !editor.read_only()) draw_placing(editor, input);
     if (!more.empty() && ImGui::TreeNode("more")) {
         for (const std::size_t i : more) draw_value(editor, i, source, input);
         ImGui::TreePop();
@@ -129,6 +137,42 @@ BodyInput BodyPanel::draw(const BodyEditor& editor, const std::string& file, flo
     own = end_panel();
     wide = own.right - own.left + ImGui::GetFontSize() * .8f;
     return input;
+}
+
+/// Draws fields that move, turn and scale what is chosen by numbers, folded away.
+void BodyPanel::draw_placing(const BodyEditor& editor, BodyInput& input) {
+    if (!ImGui::IsAnyItemActive()) moves = turns = {}, scales = {1, 1, 1}, scales_all = 1;
+    if (!ImGui::TreeNode("move, turn, scale by numbers")) return;
+    const auto row = [&](const char* name, std::span<double> numbers, const NumberRange& range, const char* help,
+                         const auto& placing) {
+        const std::vector<double> before(numbers.begin(), numbers.end());
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted(name);
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", help);
+        ImGui::SameLine(7 * ImGui::GetFontSize());
+        const auto change = fields.draw(name, numbers, range, 12 * ImGui::GetFontSize());
+        if (!fields.reason().empty() && input.refused.empty()) input.refused = name + (" " + fields.reason());
+        if (change == NumberFields::FieldEdit::none) return;
+        const auto changed = std::ranges::mismatch(numbers, before).in1 - numbers.begin();
+        const bool typed = change == NumberFields::FieldEdit::typed;
+        if (typed) held = false;
+        input.place = {placing(static_cast<int>(changed)), std::exchange(held, !typed)};
+        if (typed) std::ranges::copy(before, numbers.begin());  // the next one begins anew
+    };
+    row("move by", moves, coordinates, "along the axes of the world",
+        [&](int) { return MoveBy{DVec3(moves[0], moves[1], moves[2])}; });
+    row("turn by", turns, anything, "degrees about the axes of the world, through its middle", [&](int i) {
+        DVec3 axis(0);
+        axis[i] = 1;
+        return TurnBy{axis, turns[std::size_t(i)]};
+    });
+    constexpr NumberRange factors{1e-3, 1e3, "from 0.001 to 1000"};
+    row("scale by", {&scales_all, 1}, factors, "the factor of its size",
+        [&](int) { return ScaleBy{DVec3(scales_all)}; });
+    if (editor.bodies().size() == 1)
+        row("... along", scales, factors, "factors along its own axes",
+            [&](int) { return ScaleBy{DVec3(scales[0], scales[1], scales[2])}; });
+    ImGui::TreePop();
 }
 
 /// `source` is that of the value above, and becomes this one's.
@@ -181,8 +225,11 @@ void BodyPanel::draw_track(const BodyEditor& editor, std::size_t number, BodyInp
     if (!value.tracks.empty() && button_beside("free", "follows no track any more")) input.free = number;
     if ((count == 1 && !value.tracks.empty()) || count == 2) return;
     if (button_beside("~", "follows a track, whose keys are on the timeline")) {
-        const int what = 1 + (editor.light() ? editor.light()->light : editor.choice()->at.body);
-        const std::string name = body.kind.substr(0, body.kind.find(' ')) + std::to_string(what) + ":" + value.name;
+        const std::string what = editor.block() == TopBlock::camera ? "camera"
+                                 : editor.block()
+                                     ? "background"
+                                     : body.kind.substr(0, body.kind.find(' ')) + std::to_string(1 + editor.number());
+        const std::string name = what + ":" + value.name;
         std::snprintf(track_name.data(), track_name.size(), "%s", name.c_str());
         ImGui::OpenPopup("track");
     }

@@ -1,5 +1,4 @@
-// The panel of the body that was clicked: what it is, where it stands in the file, and its numbers, which the user
-// changes there.
+// The panel of what is chosen: what it is, where it stands in the file, and its numbers, which the user changes there.
 #pragma once
 #include <array>
 #include <optional>
@@ -11,6 +10,7 @@
 #include "show/timeline/number_fields.h"
 #include "show/window/covered_area.h"
 #include "text/new_block.h"
+#include "text/place_body.h"
 
 namespace strahl {
 
@@ -30,6 +30,11 @@ struct BodyInput {
         std::string name;
     };
     std::optional<NewTrack> track;           // which a number follows from now on
+    struct NewPlace {
+        Placing placing;  // about the middle of what is chosen
+        bool merged;      // belongs to the same drag as the one before, and takes its place
+    };
+    std::optional<NewPlace> place;           // is moved, turned or scaled
     std::optional<std::size_t> free;         // follows no tracks from now on
     std::optional<std::size_t> own;          // gets a value of the body's own
     std::optional<std::string> allow;        // changes values in this block
@@ -39,13 +44,14 @@ struct BodyInput {
 
 class BodyPanel {
   public:
-    /// To be called while ImGui makes a frame. Leaves free so many pixels at the bottom of the window.
-    BodyInput draw(const BodyEditor& editor, const std::string& file, float reserved);
+    /// To be called while ImGui makes a frame.
+    BodyInput draw(const BodyEditor& editor, const std::string& file, const Margins& margins);
     /// Its width in pixels, with the space beside it.
     float width() const { return wide; }
     const CoveredArea& area() const { return own; }
 
   private:
+    void draw_placing(const BodyEditor& editor, BodyInput& input);
     void draw_value(const BodyEditor& editor, std::size_t number, std::string& source, BodyInput& input);
     void draw_track(const BodyEditor& editor, std::size_t number, BodyInput& input);
 
@@ -53,6 +59,8 @@ class BodyPanel {
     CoveredArea own;
     NumberFields fields;
     bool held = false;                  // a value has been changed since the mouse button is down
+    std::array<double, 3> moves{}, turns{}, scales{1, 1, 1};  // by which it is placed while a field is used
+    double scales_all = 1;
     std::array<char, 64> track_name{};  // that is being typed
 };
 

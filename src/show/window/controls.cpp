@@ -23,6 +23,8 @@ void Controls::drag(double by_right, double by_upwards, bool around, double now)
     right += by_right, upwards += by_upwards, dragged = now, turns_around = around;
 }
 
+void Controls::pan(const glm::dvec2& way, double now) { panned += way, dragged = now; }
+
 void Controls::tilt(const DVec3& push, double by_right, double by_upwards) {
     // Sticks do not return to their middle exactly. Squares make small turns finer.
     const auto beyond = [](double v) {
@@ -43,7 +45,8 @@ CameraInput Controls::take(double seconds) {
     CameraInput input{{push(Push::right, Push::left), push(Push::up, Push::down), push(Push::forward, Push::back)},
                       std::exchange(right, 0) + seconds * tilted.right,
                       std::exchange(upwards, 0) + seconds * tilted.upwards,
-                      std::exchange(turns_around, false)};
+                      std::exchange(turns_around, false),
+                      std::exchange(panned, glm::dvec2(0))};
     input.push += tilted.push;
     input.push *= seconds * (faster ? fast : 1);
     for (KeyState& h : held) h.fresh = false;

@@ -16,6 +16,8 @@ class Controls {
     void release(Push key);
     /// `around`: around what the camera looks at, in any style.
     void drag(double right, double upwards, bool around, double now);
+    /// Moves the picture by these shares of its width, to the right and down.
+    void pan(const glm::dvec2& way, double now);
     /// Takes the position of a gamepad's sticks, -1 to 1 in each direction: they push like keys, and turn to the right
     /// and upwards. Near their middle they count as at rest.
     void tilt(const DVec3& push, double right, double upwards);
@@ -34,19 +36,23 @@ class Controls {
     std::array<KeyState, 6> held;
     double right = 0, upwards = 0, dragged = -1;
     bool turns_around = false;  // the drag does
+    glm::dvec2 panned{0};
     CameraInput tilted;         // per second
 };
 
 /// Distinguishes drags from clicks. All in pixels of the window.
 class Pointer {
   public:
+    enum Drag { look, turn, pan };
     /// Begins a drag where the pointer moved last. When events have waited it may be elsewhere by now, at `now`, which
     /// counts only if it has not moved in this window.
-    void press(const glm::dvec2& now, bool with_middle = false) {
-        held = true, dragging = false, middle = with_middle, last = at.value_or(now);
+    void press(const glm::dvec2& now, Drag what = look) {
+        held = true, dragging = false, kind = what, last = at.value_or(now);
     }
+    /// Returns what is dragged: with the left button the view, else also what is seen.
+    Drag drag() const { return kind; }
     /// Is the middle button down in place of the left one?
-    bool middle_held() const { return held && middle; }
+    bool middle_held() const { return held && kind != look; }
     /// Returns where it moved last, if it has moved in this window.
     const std::optional<glm::dvec2>& place() const { return at; }
     /// Returns whether that was a click.
@@ -57,7 +63,8 @@ class Pointer {
     std::optional<glm::dvec2> move(double x, double y);
 
   private:
-    bool held = false, dragging = false, middle = false;
+    bool held = false, dragging = false;
+    Drag kind = look;
     std::optional<glm::dvec2> at;
     glm::dvec2 last{0};  // up to where the drag was reported
 };

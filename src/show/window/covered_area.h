@@ -9,10 +9,15 @@ struct CoveredArea {
     bool has(double x, double y) const { return x >= left && y >= top && x < right && y < bottom; }
 };
 
+/// What other panels take at the edges of the window, in pixels.
+struct Margins {
+    float left = 0, top = 0, bottom = 0;
+};
+
 /// Begins a panel of ImGui that takes input, with its corner at (x, y), where (0, 0) is the top left corner of the
-/// window and (1, 1) the bottom right one. Leaves free so many pixels at the bottom and at the left of
-/// the window.
-void begin_panel(const char* name, float x, float y, float reserved, float left = 0);
+/// window within the margins and (1, 1) the bottom right one.
+/// Without `scrolls` its content has to fit.
+void begin_panel(const char* name, float x, float y, const Margins& margins, bool scrolls = true);
 /// Ends it. Returns what it covers.
 CoveredArea end_panel();
 

@@ -56,7 +56,7 @@ void Input::settle() {
     screen.pointer = pointer.place();
     const int before = ImGui::GetFrameCount();
     for (int i = 0; i < to_settle && ImGui::GetFrameCount() < settled; ++i) handlers.draw();
-    if (ImGui::GetFrameCount() != before) pace.redraw(1);  // these show what was known before the command
+    if (ImGui::GetFrameCount() != before) pace.redraw(1);  // the panels still show what was known before the command
     screen.pointer.reset();
 }
 
@@ -107,8 +107,7 @@ void Input::on_key(int key, int scancode, int action, int modifiers) {
         if (command && command->action == Action::step) handlers.perform(*command);
         return;
     }
-    const auto down = [&](int a, int b) { return glfwGetKey(window, a) || glfwGetKey(window, b); };
-    controls.faster = down(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
+    controls.faster = with_shift();
     if (action == GLFW_RELEASE) {
         if (push) controls.release(*push);
         return;
@@ -146,7 +145,8 @@ void Input::on_button(int button, int action, int modifiers) {
     double x = 0, y = 0;
     glfwGetCursorPos(screen.window(), &x, &y);
     if (button == GLFW_MOUSE_BUTTON_MIDDLE && held == Hold::nothing) {
-        if (action == GLFW_PRESS && !on_panel()) pointer.press({x, y}, true);
+        if (action == GLFW_PRESS && !on_panel())
+            pointer.press({x, y}, modifiers & GLFW_MOD_SHIFT ? Pointer::pan : Pointer::turn);
         if (action == GLFW_RELEASE && pointer.middle_held()) pointer.release();
     }
     if (button != GLFW_MOUSE_BUTTON_LEFT || pointer.middle_held()) return;
@@ -158,7 +158,8 @@ void Input::on_button(int button, int action, int modifiers) {
     } else {
         let_go();
         // A handle that was not dragged does not keep the user from choosing what is behind it.
-        if (pointer.release() && !fixed) unsettle(to_settle), handlers.click(pointed().x, pointed().y);
+        if (pointer.release() && !fixed)
+            unsettle(to_settle), handlers.click(pointed().x, pointed().y, modifiers & GLFW_MOD_SHIFT);
     }
 }
 
@@ -167,9 +168,11 @@ void Input::let_go() {
     if (std::exchange(held, Hold::nothing) == Hold::handle) handlers.let_go();
 }
 
-/// Is Ctrl down?
-bool Input::steps() const {
+bool Input::with_control() const {
     return glfwGetKey(screen.window(), GLFW_KEY_LEFT_CONTROL) || glfwGetKey(screen.window(), GLFW_KEY_RIGHT_CONTROL);
+}
+bool Input::with_shift() const {
+    return glfwGetKey(screen.window(), GLFW_KEY_LEFT_SHIFT) || glfwGetKey(screen.window(), GLFW_KEY_RIGHT_SHIFT);
 }
 
 glm::dvec2 Input::pointed() const {
@@ -203,11 +206,15 @@ void Input::on_cursor(double x, double y) {
     if (panels.take_input()) pace.redraw();
     show_hold();
     if (held == Hold::divider || (held == Hold::handle && way))
-        return handlers.pull(held, pointed().x, pointed().y, steps());
+        return handlers.pull(held, pointed().x, pointed().y,
+                             with_control() ? Snap::grid
+                             : with_shift() ? Snap::surface
+                                            : Snap::none);
     if (!way || fixed || held != Hold::nothing) return;
-    // The view turns by the angle that the pointer crosses in the picture.
     int width = 1;
     glfwGetWindowSize(screen.window(), &width, nullptr);
+    if (pointer.drag() == Pointer::pan) return controls.pan(*way / double(std::max(width, 1)), pace.now());
+    // The view turns by the angle that the pointer crosses in the picture.
     const double angle = 2 * session.camera.fov * std::numbers::pi / 180 / std::max(width, 1);
     controls.drag(way->x * angle, -way->y * angle, pointer.middle_held(), pace.now());
 }
@@ -216,7 +223,7 @@ void Input::on_wheel(double notches) {
     if (ImGui::GetFrameCount() + 1 < settled) settle();  // notches add up until the next drawing
     if (panels.take_input())
         ImGui_ImplGlfw_ScrollCallback(screen.window(), 0, notches), pace.redraw(after_input), unsettle(1);
-    if (!fixed && !on_panel()) handlers.turn_wheel(notches, steps());
+    if (!fixed && !on_panel()) handlers.turn_wheel(notches, with_control());
 }
 
 void Input::read_gamepad() {

@@ -33,6 +33,15 @@ std::string in_small_letters(std::string_view text) {
     return small;
 }
 
+/// Is this row chosen?
+bool chosen(const OutlineRow& row, const BodyEditor& editor) {
+    if (row.what == TopBlock::light) return editor.light() && editor.light()->light == row.number;
+    if (row.what != TopBlock::body) return editor.block() == row.what;
+    const auto& last = editor.choice();
+    if (row.depth > 0) return last && last->at.body == row.number && last->at.hit.leaf == row.leaf;
+    return std::ranges::count(editor.bodies(), row.number) > 0;
+}
+
 /// Draws a small button of a fixed width. Returns whether it was pressed.
 bool small_button(const char* label, const char* help) {
     const bool pressed = ImGui::SmallButton(label);
@@ -44,7 +53,8 @@ bool small_button(const char* label, const char* help) {
 }  // namespace
 
 std::vector<OutlineRow> outline_of(const Scene& scene) {
-    std::vector<OutlineRow> rows;
+    std::vector<OutlineRow> rows{{.what = TopBlock::camera, .name = "camera"},
+                                 {.what = TopBlock::background, .name = "background"}};
     for (int i = 0; i < std::ssize(scene.lights); ++i) {
         const Light& light = scene.lights[std::size_t(i)];
         const char* const name = light.direction ? "parallel light"
@@ -80,23 +90,19 @@ std::vector<std::size_t> rows_shown(const std::vector<OutlineRow>& rows, std::st
 }
 
 OutlinerInput Outliner::draw(const std::shared_ptr<const Scene>& scene, const BodyEditor& editor,
-                             const std::set<int>& hidden, const std::vector<Message>& notes, float reserved) {
+                             const std::set<int>& hidden, const std::vector<Message>& notes, const Margins& margins) {
     OutlinerInput input;
     if (known != scene) rows = outline_of(*scene), warnings = scene_warnings(*scene), known = scene;
     const float font = ImGui::GetFontSize(), width = 17 * font;
-    begin_panel("outline", 0, 0, reserved);
+    begin_panel("outline", 0, 0, margins);
     ImGui::SetNextItemWidth(width - 4.5f * font);
     ImGui::InputTextWithHint("##sought", "search", sought.data(), sought.size());
     ImGui::SameLine();
     if (ImGui::SmallButton("show all")) input.show_all = true;
-    if (ImGui::SmallButton("camera")) input.command = {Action::reset};
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("back to the scene's camera");
-    ImGui::SameLine();
-    if (ImGui::SmallButton("from this view")) input.command = {Action::keep_view};
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("makes this view the scene's camera");
 
     const std::vector<std::size_t> shown = rows_shown(rows, sought.data(), open);
-    const float line = ImGui::GetTextLineHeightWithSpacing(), all = ImGui::GetIO().DisplaySize.y - reserved;
+    const float line = ImGui::GetTextLineHeightWithSpacing(),
+                all = ImGui::GetIO().DisplaySize.y - margins.top - margins.bottom;
     const float height = std::min(float(shown.size()) * line + font, std::max(.55f * all, 4 * line));
     ImGui::BeginChild("rows", {width, height});
     ImGuiListClipper clipper;
@@ -128,23 +134,21 @@ OutlinerInput Outliner::draw(const std::shared_ptr<const Scene>& scene, const Bo
 
 void Outliner::draw_row(const OutlineRow& row, const BodyEditor& editor, const std::set<int>& hidden,
                         OutlinerInput& input) {
-    const bool light = row.what == TopBlock::light, top = row.depth == 0, shows = light || !hidden.contains(row.number);
+    const bool body = row.what == TopBlock::body, top = row.depth == 0, shows = !body || !hidden.contains(row.number);
     const float font = ImGui::GetFontSize();
-    if (top && !light) {
-        if (small_button(shows ? "o" : "-", "hides it in the picture, or shows it again")) input.hide = row;
-        if (small_button("1", "shows nothing else in the picture, or all again")) input.alone = row;
+    if (top && body) {
+        if (small_button(shows ? "hide" : "show", "hides it in the picture, or shows it again")) input.hide = row;
+        if (small_button("only", "shows nothing else in the picture, or all again")) input.alone = row;
         const auto next = &row + 1;
         const bool composite = next < rows.data() + rows.size() && next->depth > 0;
         if (composite && small_button(open.contains(row.number) ? "v" : ">", "shows its parts") &&
             !open.erase(row.number))
             open.insert(row.number);
     }
-    ImGui::SetCursorPosX(float(row.depth + (light ? 0 : 6)) * font);
-    const auto& body = editor.choice();
-    const bool chosen = light ? editor.light() && editor.light()->light == row.number
-                              : body && body->at.body == row.number && (top || body->at.hit.leaf == row.leaf);
+    ImGui::SetCursorPosX(float(row.depth + (body ? 9 : 0)) * font);
     ImGui::PushStyleColor(ImGuiCol_Text, {1, 1, 1, shows ? 1 : .45f});
-    if (ImGui::Selectable(row.name.c_str(), chosen)) input.choose = row;
+    if (ImGui::Selectable(row.name.c_str(), chosen(row, editor)))
+        input.choose = row, input.adds = ImGui::GetIO().KeyShift;
     ImGui::PopStyleColor();
 }
 

@@ -1,4 +1,5 @@
-// The list of what is in the scene: camera, lights, bodies and the parts of composites, to be found, chosen and hidden.
+// The list of what is in the scene: camera, background, lights, bodies and the parts of composites, to be found, chosen
+// and hidden.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -17,15 +18,15 @@
 
 namespace strahl {
 
-/// A line of the outline: a light, a body, or a part of a composite.
+/// A line of the outline: the camera, the background, a light, a body, or a part of a composite.
 struct OutlineRow {
     TopBlock what = TopBlock::body;
     int number = 0;      // of the light or the body
-    int leaf = 0;        // of the body, the first that belongs to a part
-    int depth = 0;       // 0 for lights and bodies, 1 for the parts of a composite, 2 for theirs
+    int leaf = 0;        // first leaf of the body that belongs to the part
+    int depth = 0;       // 0 for blocks of the top level, 1 for the parts of a composite, 2 for their parts
     std::string name{};  // "sphere 3"
 };
-/// Returns the outline of a scene: its lights, and its bodies with their parts.
+/// Returns the outline of a scene: its camera, its background, its lights, and its bodies with their parts.
 std::vector<OutlineRow> outline_of(const Scene& scene);
 /// Returns the numbers of the rows to be shown: those whose names have these words in them, in capitals or not, and the
 /// bodies around them. Without words, all lights and bodies, and the parts of the bodies that are open.
@@ -34,9 +35,9 @@ std::vector<std::size_t> rows_shown(const std::vector<OutlineRow>& rows, std::st
 
 /// The user's actions on the outline since the last picture.
 struct OutlinerInput {
-    std::optional<Command> command{};
     /// A row to choose; a body to hide, or to show again; a body to show alone, or to end that.
     std::optional<OutlineRow> choose{}, hide{}, alone{};
+    bool adds = false;  // to what is chosen
     bool show_all = false;
     std::optional<Message> message{};  // a message of `check` whose line is to be opened
 };
@@ -44,9 +45,9 @@ struct OutlinerInput {
 class Outliner {
   public:
     /// To be called while ImGui makes a frame. `hidden` are the bodies that the picture lacks, and `notes` what was
-    /// said when the scene was opened. Leaves free so many pixels at the bottom of the window.
+    /// said when the scene was opened.
     OutlinerInput draw(const std::shared_ptr<const Scene>& scene, const BodyEditor& editor, const std::set<int>& hidden,
-                       const std::vector<Message>& notes, float reserved);
+                       const std::vector<Message>& notes, const Margins& margins);
     /// Its width in pixels, with the space beside it.
     float width() const { return wide; }
     const CoveredArea& area() const { return own; }

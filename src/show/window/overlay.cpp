@@ -248,7 +248,7 @@ void draw_overlay(const Overlay& overlay) {
     draw_handles(overlay);
     if (other_view) list.PopClipRect();
     const ImVec2 all = ImGui::GetIO().DisplaySize;
-    FreeArea free{gap() + overlay.reserved_left, gap(), all.x - overlay.reserved_right - gap(),
+    FreeArea free{gap() + overlay.reserved_left, gap() + overlay.reserved_top, all.x - overlay.reserved_right - gap(),
                   all.y - overlay.reserved - gap()};
     if (overlay.sides) draw_divider(*overlay.sides, overlay.area, free.bottom + gap());
     const bool info = !overlay.info.empty();

@@ -45,8 +45,8 @@ struct Overlay {
     };
     Tools tools;
     PathMarks path;  // in the same pixels
-    // Pixels at the bottom, at the left and at the right of the window that panels must leave free.
-    float reserved = 0, reserved_left = 0, reserved_right = 0;
+    // Pixels at the edges of the window that panels must leave free.
+    float reserved = 0, reserved_left = 0, reserved_right = 0, reserved_top = 0;
 };
 
 /// To be called while ImGui makes a frame.

@@ -11,6 +11,7 @@ void Panels::toggle(Action action) {
     panel = !panel;
     if (action == Action::help) typed.clear();
     if (action != Action::quiet) quiet = false;
+    if (action == Action::toolbar) hide_toolbar(!toolbar_open);
 }
 
 /// Is the panel shown that the action names?
@@ -20,6 +21,7 @@ bool& Panels::shown(Action action) {
            : action == Action::timeline  ? timeline_open
            : action == Action::add_block ? add_open
            : action == Action::outline   ? outline_open
+           : action == Action::toolbar   ? toolbar_open
            : action == Action::gallery   ? gallery
                                          : quiet;
 }
@@ -64,20 +66,33 @@ TimelineInput Panels::draw_timeline(const Session& session, const std::vector<fl
                           .keys_changed = session.track_keys.changed()});
 }
 
+bool Panels::delete_clicked_key() {
+    if (!timeline_shown() || !timeline.key_clicked()) return false;
+    timeline.delete_clicked();
+    pace.redraw(3);
+    return true;
+}
+
 const NewBlock* Panels::draw_add() {
-    const NewBlock* const chosen = add_shown() ? add.draw(reserved(), reserved_left()) : nullptr;
+    const NewBlock* const chosen = add_shown() ? add.draw({reserved_left(), reserved_top(), reserved()}) : nullptr;
     if (chosen) add_open = false;
     return chosen;
 }
 
 OutlinerInput Panels::draw_outline(const Session& session, const BodyEditor& editor, const std::set<int>& hidden,
                                    const std::vector<Message>& notes) {
-    return outline_shown() ? outliner.draw(session.scene, editor, hidden, notes, reserved()) : OutlinerInput{};
+    return outline_shown() ? outliner.draw(session.scene, editor, hidden, notes, margins()) : OutlinerInput{};
 }
 
 BodyInput Panels::draw_body(const BodyEditor& editor, const std::string& file) {
     body_shown = editor.any() && !quiet && !help;  // the help needs the room
-    return body_shown ? body.draw(editor, file, reserved()) : BodyInput{};
+    return body_shown ? body.draw(editor, file, margins()) : BodyInput{};
+}
+
+std::optional<Command> Panels::draw_toolbar(const KeyMap& keys, ToolbarView view) {
+    if (!toolbar_shown()) return std::nullopt;
+    view.adding = add_open;
+    return toolbar.draw(keys, view);
 }
 
 }  // namespace strahl

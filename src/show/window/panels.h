@@ -1,11 +1,13 @@
 // Which panels lie over the picture.
 #pragma once
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "show/session/session.h"
 #include "show/timeline/timeline.h"
+#include "show/welcome/toolbar.h"
 #include "show/window/add_panel.h"
 #include "show/window/body_panel.h"
 #include "show/window/outliner.h"
@@ -18,23 +20,29 @@ class Panels {
     /// `no_text`: no panel is shown until the user asks for one. `gallery`: that is shown.
     Panels(Pace& pace, bool no_text, bool gallery) : quiet(no_text), gallery(gallery), pace(pace) {}
 
-    /// Shows or hides what the action names: help, info, timeline, the list of what can be added, the outline, or
-    /// all text (Action::quiet); or the gallery, which covers the window.
+    /// Shows or hides what the action names: help, info, timeline, the list of what can be added, the outline, the
+    /// toolbar, or all text (Action::quiet); or the gallery, which covers the window.
     void toggle(Action action);
 
-    /// Draws the timeline, if it is shown, and returns what the user did on it. To be called while ImGui makes a frame.
+    // These draw a panel, if it is shown, and return what the user did on it. Call them while ImGui makes a frame.
+
+    /// Draws the timeline.
     /// `peaks` are those of the sound, `text_open` says whether the scene's text can be changed here, and `both`
     /// whether the flight is seen beside the view.
     TimelineInput draw_timeline(const Session& session, const std::vector<float>& peaks, bool text_open, bool both);
-    /// Draws the panel of the body that is chosen, if any, and returns what the user did on it. Likewise. `file` is the
-    /// name of the scene.
+    /// Has the timeline remove the key that was clicked there last, if that was after the last call of forget_key().
+    /// Returns false if there is none.
+    bool delete_clicked_key();
+    void forget_key() { timeline.forget_click(); }
+    /// Draws the panel of the body that is chosen, if any. `file` is the name of the scene.
     BodyInput draw_body(const BodyEditor& editor, const std::string& file);
-    /// Draws the list of what can be added, if it is shown, and returns what the user has clicked in it, or null.
-    /// Likewise.
+    /// Draws the list of what can be added. Returns what the user has clicked in it, or null.
     const NewBlock* draw_add();
-    /// Draws the outline, if it is shown, and returns what the user did in it. Likewise; see Outliner::draw.
+    /// Draws the outline, see Outliner::draw.
     OutlinerInput draw_outline(const Session& session, const BodyEditor& editor, const std::set<int>& hidden,
                                const std::vector<Message>& notes);
+    /// Draws the toolbar, unless the user has hidden it.
+    std::optional<Command> draw_toolbar(const KeyMap& keys, ToolbarView view);
     bool timeline_shown() const { return timeline_open && !quiet; }
     /// Is the help shown? It covers the window.
     bool help_shown() const { return help && !quiet; }
@@ -44,16 +52,21 @@ class Panels {
     /// Does one of these panels cover this point of the window?
     bool cover(double x, double y) const {
         return gallery || asking || help_shown() || (body_shown && body.area().has(x, y)) ||
-               (add_shown() && add.area().has(x, y)) || (outline_shown() && outliner.area().has(x, y));
+               (add_shown() && add.area().has(x, y)) || (outline_shown() && outliner.area().has(x, y)) ||
+               (toolbar_shown() && toolbar.area().has(x, y));
     }
     /// The width in pixels that it takes at the right of the window.
     float reserved_right() const { return body_shown ? body.width() : 0; }
     /// The width in pixels that the outline takes at the left.
     float reserved_left() const { return outline_shown() ? outliner.width() : 0; }
+    /// The height in pixels of the toolbar at the top.
+    float reserved_top() const { return toolbar_shown() ? toolbar.height() : 0; }
     /// The height in pixels of what lies at the bottom of the window.
     float reserved() const { return timeline_shown() ? timeline.height() : 0; }
     /// Is there a panel that takes input, even if all text is hidden?
-    bool take_input() const { return gallery || asking || timeline_open || body_shown || add_open || outline_open; }
+    bool take_input() const {
+        return gallery || asking || timeline_open || body_shown || add_open || outline_open || toolbar_shown();
+    }
 
     bool help = false, info = false, quiet, gallery;
     bool asking = false;  // a question covers the window, see Leaving
@@ -66,6 +79,8 @@ class Panels {
     bool& shown(Action action);
     bool add_shown() const { return add_open && !quiet; }
     bool outline_shown() const { return outline_open && !quiet; }
+    bool toolbar_shown() const { return toolbar_open && !quiet && !gallery && !help; }
+    Margins margins() const { return {0, reserved_top(), reserved()}; }
 
     Pace& pace;
     std::string typed;
@@ -77,6 +92,8 @@ class Panels {
     AddPanel add;
     bool outline_open = false;
     Outliner outliner;
+    bool toolbar_open = !toolbar_hidden();
+    Toolbar toolbar;
 };
 
 }  // namespace strahl

@@ -13,18 +13,16 @@ namespace {
 
 constexpr std::size_t most_lines = 4000;  // as many are drawn without delay
 
-/// The scene with nothing but one body, which shines evenly.
-Scene alone(const Scene& scene, int body) {
+/// The scene with nothing but these bodies, which shine evenly.
+Scene alone(const Scene& scene, const std::vector<int>& bodies) {
     Scene own;
     own.camera = scene.camera, own.flythrough = scene.flythrough, own.music = scene.music, own.tracks = scene.tracks;
     own.materials = {Material{.rgb = {1, 1, 1}, .reflection = 0, .diffuse = 0, .ambient = 1, .specular = 0}};
-    Primitive primitive = scene.primitives[std::size_t(body)];
     const auto paint = [](const auto& self, Primitive& part) -> void {
         part.material = 0;
         change_parts(part, [&](Primitive& inner) { self(self, inner); });
     };
-    paint(paint, primitive);
-    own.primitives = {std::move(primitive)};
+    for (const int body : bodies) paint(paint, own.primitives.emplace_back(scene.primitives[std::size_t(body)]));
     return own;
 }
 
@@ -70,16 +68,16 @@ std::vector<SilhouetteLine> lines_around(const std::vector<bool>& inside, int wi
     return lines;
 }
 
-void Silhouette::want(std::shared_ptr<const Scene> scene, int body, const View& view) {
+void Silhouette::want(std::shared_ptr<const Scene> scene, std::vector<int> bodies, const View& view) {
     const View& last = wanted.view;
-    if (wanted.scene == scene && wanted.body == body && last.camera == view.camera && last.width == view.width &&
+    if (wanted.scene == scene && wanted.bodies == bodies && last.camera == view.camera && last.width == view.width &&
         last.height == view.height && last.time == view.time && last.tracks == view.tracks)
         return;
-    wanted = {std::move(scene), body, view};
+    wanted = {std::move(scene), std::move(bodies), view};
     // The one under way is finished first, or none would be seen while the camera moves.
     worker.replace(
         [subject = wanted](const std::atomic<bool>& stop) {
-            return traced_lines(alone(*subject.scene, subject.body), subject.view, stop);
+            return traced_lines(alone(*subject.scene, subject.bodies), subject.view, stop);
         },
         false);
 }

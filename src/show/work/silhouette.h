@@ -1,4 +1,4 @@
-// Finds the silhouette of a body in the picture, in the background: by tracing it alone.
+// Finds the silhouette of bodies in the picture, in the background: by tracing them alone.
 #pragma once
 #include <functional>
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace strahl {
 
-/// A line between pixels that show the body and pixels that do not, in pixels from the picture's top left corner.
+/// A line between pixels that show a body and pixels that do not, in pixels from the picture's top left corner.
 struct SilhouetteLine {
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
     bool operator==(const SilhouetteLine&) const = default;
@@ -24,9 +24,9 @@ class Silhouette {
     /// `notify` is called from another thread when there is something to take.
     explicit Silhouette(std::function<void()> notify) : worker(std::move(notify)) {}
 
-    /// Asks for the silhouette of a body. Nothing is done if it is the one that was asked for last.
-    void want(std::shared_ptr<const Scene> scene, int body, const View& view);
-    /// Forgets the body.
+    /// Asks for the silhouette of bodies. Nothing is done if it is the one that was asked for last.
+    void want(std::shared_ptr<const Scene> scene, std::vector<int> bodies, const View& view);
+    /// Forgets the bodies.
     void drop();
     /// To be called regularly. Returns true when the lines have changed.
     bool take();
@@ -35,7 +35,7 @@ class Silhouette {
   private:
     struct Subject {
         std::shared_ptr<const Scene> scene;
-        int body = 0;
+        std::vector<int> bodies;
         View view;
     };
 

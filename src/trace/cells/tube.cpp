@@ -327,7 +327,7 @@ bool CapsuleTree::meets(const Tube& tube, const RayBundle& bundle, double least,
                         std::span<const DVec3> own) const {
     const glm::dmat3 to_own = facets.empty() ? glm::dmat3(1) : bundle.coordinates();
     constexpr unsigned all = 15;
-    double largest[all + 1] = {};  // share of the facets that these corners meet
+    double largest[all + 1] = {};  // largest share of the facets that a set of corners meets
     const bool found = any_thin(tube, bundle, to_own, [&](const CapsuleNode& node, double radius) {
         if (node.facet >= 0) {
             const auto [share, corners, sides] = bundle.met(facets[node.facet].corners, to_own);

@@ -43,7 +43,7 @@ inline QuadBox grown(const QuadBox& box, double margin) {
     return {low - (grow + maximum(low, -low) * units), high + (grow + maximum(high, -high) * units)};
 }
 
-inline constexpr float item_cost = .2f;  // of that of a binary node
+inline constexpr float item_cost = .2f;  // relative to the cost of a binary node
 
 /// A box around a range of boxes, and one around their centres.
 struct Extents {

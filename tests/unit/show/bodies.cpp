@@ -91,7 +91,7 @@ TEST_CASE("a new body stands where a surface is seen, or as far away as the came
     // 24 degrees of view, at a distance of 25, are 120 pixels: a twelfth of these is .7 long.
     CHECK(on_ball.size == .5);
     CHECK(on_ball.decimals == 2);
-    // A surface that is seen from behind carries bodies on this side.
+    // A surface that is seen from below carries new bodies on its lower side.
     Camera below = view.camera;
     below.position.z = -18;
     CHECK(standing_place(*scene, {.camera = below, .width = 160, .height = 120}, 80, 60).normal == DVec3(0, 0, -1));
@@ -290,7 +290,7 @@ TEST_CASE("the lines around a body are those between its pixels and others") {
     const auto scene = shown_scene();
     std::atomic<bool> told = false;
     Silhouette silhouette([&] { told = true, told.notify_all(); });
-    silhouette.want(scene, 0, shown_view(*scene));
+    silhouette.want(scene, {0}, shown_view(*scene));
     told.wait(false);
     REQUIRE(silhouette.take());
     CHECK(silhouette.lines().size() > 20);
@@ -311,7 +311,7 @@ TEST_CASE("a body of a scene of POV-Ray stands in a line of a text; those of oth
         "// é\nBall(<0, 0, 0>) union { box { <-9, -9, 8>, <9, 9, 9> }\n sphere { 9, 1 } }";
     const OpenedScene opened = open_scene(text, folder / "scene.pov", {}, {});
     BodyEditor editor;
-    editor.open(text, true);
+    editor.open(text, BodyEditor::Source::povray);
     editor.take_lines(opened.lines, text);
     const View view = shown_view(opened.scene);
     editor.click(opened.scene, opened.scene, view, 80, 60);
@@ -335,7 +335,7 @@ TEST_CASE("numbers that stand in a text for POV-Ray are changed there; of severa
     const auto open = [&](const std::string& now) { return open_scene(now, folder / "scene.pov", {}, {}); };
     const OpenedScene opened = open(text);
     BodyEditor editor;
-    editor.open(text, true);
+    editor.open(text, BodyEditor::Source::povray);
     editor.take_lines(opened.lines, text);
     editor.choose(0, {}, opened.scene);
     const auto value = [&](const std::string& name) {

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "num/vec_math.h"
 #include "show/session/framing.h"
+#include "show/session/handles.h"
 #include "show/window/controls.h"
 #include "tests/unit/show/flight_scene.h"
 
@@ -180,6 +182,37 @@ TEST_CASE("a turn of the mouse is taken once") {
     CHECK(controls.take(0.02) == CameraInput{.right = 0.2, .upwards = -0.2, .around = true});
     CHECK(controls.take(0.02) == CameraInput{});
     CHECK(!controls.active(1.2));
+}
+
+TEST_CASE(
+    "a drag with Shift and the middle button carries what is seen along; the wheel ends a flight, but not with Ctrl") {
+    Controls controls;
+    controls.pan({.25, .125}, 1);
+    const CameraInput input = controls.take(.02);
+    CHECK(input == CameraInput{.pan = {.25, .125}});
+    CHECK(controls.take(.02) == CameraInput{});
+    for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
+        View before{.camera = camera, .width = 400, .height = 400};
+        before.camera.aspectratio.reset(), before.camera.projection = projection;
+        View after = before;
+        after.camera = pan(before.camera, input.pan);
+        const auto place = place_in(after, before.camera.look_at);
+        REQUIRE(place);
+        CHECK(place->x == doctest::Approx(300));
+        CHECK(place->y == doctest::Approx(250));
+        CHECK(length(after.camera.look_at - after.camera.position) ==
+              doctest::Approx(length(before.camera.look_at - before.camera.position)));
+    }
+    Session session(
+        scene_of("flythrough { duration 9 key { time 0 position <1,2,3> look_at <4,9,5> }"
+                 " key { time 9 position <2,2,3> look_at <4,9,5> } }"));
+    session.perform({Action::play}, 0);
+    CHECK(session.turn_wheel(1, true, 1).note.find("1.25 times its speed") != std::string::npos);
+    CHECK(session.flight.under_way());
+    const double distance = length(session.camera.look_at - session.camera.position);
+    session.turn_wheel(1, false, 2);
+    CHECK(!session.flight.under_way());
+    CHECK(length(session.camera.look_at - session.camera.position) < distance);
 }
 
 TEST_CASE("cameras are stored, recalled and copied") {

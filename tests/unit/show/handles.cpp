@@ -152,7 +152,7 @@ TEST_CASE("a body follows the pointer, and undo takes back the whole drag") {
     glm::dvec2 to = on_ball;
     for (int i = 1; i <= 20; ++i) {
         to = on_ball + glm::dvec2(4 * i, 3 * i);
-        editor.edited.change(drag->text(to, false), {order, "drag", i > 1});
+        editor.edited.change(drag->text(drag->placing(to, false), false), {order, "drag", i > 1});
         editor.look(*scene);
     }
     const Scene moved = parse_scene(editor.edited.text(), "test");
@@ -196,7 +196,7 @@ TEST_CASE("lights have marks that can be chosen and dragged; those that move or 
     };
     const auto drag = drag_of(target);
     REQUIRE(drag);
-    const Scene moved = parse_scene(drag->text(place + glm::dvec2(50, 20), false), "test");
+    const Scene moved = parse_scene(drag->text(drag->placing(place + glm::dvec2(50, 20), false), false), "test");
     CHECK(pixels_between(*place_in(view, moved.lights[1].spot->look_at), place + glm::dvec2(50, 20)) < 1);
     CHECK(moved.lights[1].position == DVec3(2, 0, 3));
     // Circles turn the spotlight about the end of its axis that is chosen.
@@ -207,7 +207,8 @@ TEST_CASE("lights have marks that can be chosen and dragged; those that move or 
         const glm::dvec2 middle = *place_in(view, position_of(*scene, point));
         const auto turn = Drag::begin(editor, *scene, circles, Handle::all, middle + glm::dvec2(90, 0), why);
         REQUIRE(turn);
-        const Light spot = parse_scene(turn->text(middle + glm::dvec2(0, -90), true), "test").lights[1];
+        const Light spot =
+            parse_scene(turn->text(turn->placing(middle + glm::dvec2(0, -90), true), true), "test").lights[1];
         const DVec3 stays = by_target ? spot.spot->look_at : spot.position;
         CHECK(stays == position_of(*scene, point));
         CHECK(length(spot.position - spot.spot->look_at) == doctest::Approx(std::sqrt(13.)).epsilon(.01));
@@ -224,7 +225,9 @@ TEST_CASE("lights have marks that can be chosen and dragged; those that move or 
         const auto open = Drag::begin(editor, *scene, cone, handle, from, why);
         REQUIRE(open);
         const auto at_factor = [&](double factor) {
-            return *parse_scene(open->text(place + factor * (from - place), false), "test").lights[1].spot;
+            return *parse_scene(open->text(open->placing(place + factor * (from - place), false), false), "test")
+                        .lights[1]
+                        .spot;
         };
         const Spot wider = at_factor(1.2), narrower = at_factor(.8);
         const bool outer = handle == Handle::all;
@@ -238,7 +241,8 @@ TEST_CASE("lights have marks that can be chosen and dragged; those that move or 
     const Handles circles(HandleMode::turn, {0, 0, 0}, world, 80, view);
     const auto turn = Drag::begin(editor, *scene, circles, Handle::all, place + glm::dvec2(90, 0), why);
     REQUIRE(turn);
-    const DVec3 direction = *parse_scene(turn->text(place + glm::dvec2(0, -90), true), "test").lights[2].direction;
+    const DVec3 direction =
+        *parse_scene(turn->text(turn->placing(place + glm::dvec2(0, -90), true), true), "test").lights[2].direction;
     CHECK(length(direction) == doctest::Approx(1).epsilon(.001));
     CHECK(std::abs(dot_product(direction, DVec3(0, 0, -1))) < .5);
     CHECK(!drag_of({3, false}));
