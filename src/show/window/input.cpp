@@ -53,11 +53,11 @@ Input::Input(Screen& screen, const Session& session, Panels& panels, Pace& pace,
 /// Draws until panels have reacted to what came before. They look at the pointer and at keys only while they are drawn:
 /// if drawing is slow, what is typed right after a click would be commands, or a click would meet another place.
 void Input::settle() {
-    screen.pointer = pointer.place();
+    screen.pointer = pointer.place(), screen.left_down = left_down;
     const int before = ImGui::GetFrameCount();
     for (int i = 0; i < to_settle && ImGui::GetFrameCount() < settled; ++i) handlers.draw();
     if (ImGui::GetFrameCount() != before) pace.redraw(1);  // these show what was known before the command
-    screen.pointer.reset();
+    screen.pointer.reset(), screen.left_down.reset();
 }
 
 /// Makes the next event wait for so many drawings.
@@ -137,9 +137,10 @@ void Input::on_character(unsigned character) {
 }
 
 void Input::on_button(int button, int action, int modifiers) {
-    // Only a drawing finds out on what panel the pointer is.
-    if (panels.take_input() && action == GLFW_PRESS) unsettle(1);
+    // Only a drawing finds out on what panel the pointer is, and how far it has dragged something there.
+    if (panels.take_input()) unsettle(1);
     settle();
+    if (button == GLFW_MOUSE_BUTTON_LEFT) left_down = action == GLFW_PRESS;
     ImGui_ImplGlfw_MouseButtonCallback(screen.window(), button, action, modifiers);
     if (panels.take_input()) pace.redraw(after_input), unsettle(to_settle);
     double x = 0, y = 0;

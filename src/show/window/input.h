@@ -91,6 +91,7 @@ class Input {
         std::vector<ReleasedKey> released;  // before panels could see that they were pressed
     };
     PanelKeys for_panels;
+    bool left_down = false;          // by the events that were processed
     bool used = false;               // the key whose character follows
     int settled = 0;                 // the number of the drawing by which panels have reacted to the last event
     std::array<bool, 15> buttons{};  // of the gamepad, which are down
