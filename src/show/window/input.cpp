@@ -57,11 +57,21 @@ void Input::settle() {
     const int before = ImGui::GetFrameCount();
     for (int i = 0; i < to_settle && ImGui::GetFrameCount() < settled; ++i) handlers.draw();
     if (ImGui::GetFrameCount() != before) pace.redraw(1);  // these show what was known before the command
-    screen.pointer.reset(), screen.left_down.reset();
+    show_events();
 }
 
 /// Makes the next event wait for so many drawings.
-void Input::unsettle(int drawings) { settled = std::max(settled, ImGui::GetFrameCount() + drawings); }
+void Input::unsettle(int drawings) {
+    settled = std::max(settled, ImGui::GetFrameCount() + drawings);
+    show_events();
+}
+
+/// Until panels have reacted they see the pointer where it was at the last event, wherever it is by now.
+void Input::show_events() {
+    const bool reacting = ImGui::GetFrameCount() < settled;
+    screen.pointer = reacting ? pointer.place() : std::nullopt;
+    screen.left_down = reacting ? std::optional(left_down) : std::nullopt;
+}
 
 /// Takes a key for the help, if that is shown. Returns false if it is none for that.
 bool Input::for_help(int key, int scancode, int modifiers) {
@@ -120,6 +130,7 @@ void Input::on_key(int key, int scancode, int action, int modifiers) {
 }
 
 void Input::release_keys() {
+    show_events();
     for (const auto& [key, scancode, modifiers] : std::exchange(for_panels.released, {}))
         ImGui_ImplGlfw_KeyCallback(screen.window(), key, scancode, GLFW_RELEASE, modifiers);
 }
@@ -204,6 +215,7 @@ void Input::on_cursor(double x, double y) {
     settle();
     look.move(pace.now());
     const auto way = pointer.move(x, y);
+    show_events();
     if (panels.take_input()) pace.redraw();
     show_hold();
     if (held == Hold::divider || (held == Hold::handle && way))

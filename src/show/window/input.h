@@ -58,6 +58,7 @@ class Input {
   private:
     void settle();
     void unsettle(int drawings);
+    void show_events();
     void on_key(int key, int scancode, int action, int modifiers);
     void on_character(unsigned character);
     void on_button(int button, int action, int modifiers);
