@@ -17,9 +17,9 @@ struct Verdict {
     std::size_t pixels = 0;
     int worst_off_edges = 0;                   // the largest difference there
     std::size_t beyond_off_edges = 0;          // pixels that differ by more than one step
-    std::size_t beyond_on_edges = 0;           // the same on edges
-    std::size_t in_areas = 0;                  // those off the edges in areas that are full of edges
-    std::size_t unsure = 0;                    // the same off the edges, where POV-Ray's rounding decides
+    std::size_t beyond_on_edges = 0;           // pixels on edges beyond one step
+    std::size_t in_areas = 0;                  // pixels that count as off the edges, in areas full of edges
+    std::size_t unsure = 0;                    // such pixels where POV-Ray's rounding decides
     int x = -1, y = -1;                        // of the worst pixel off the edges, if it is beyond one step
     std::vector<std::array<int, 2>> places{};  // x and y of all pixels that beyond_off_edges counts
 };

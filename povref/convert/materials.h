@@ -16,7 +16,7 @@ struct PovMaterial {
     bool transparent = false;
     bool own_shadow = false;           // needs that copy
     std::vector<std::string> hides{};  // the words for where the body is not shown
-    std::string ior{};                 // of a transparent one, and how light fades in it
+    std::string ior{};                 // ior of a transparent material, and how light fades in it
     std::string weight{};      // of the finish keyword `refraction`, about which POV-Ray warns; empty if it is not used
     bool layered = false;      // has two layers of texture
     bool patterned = false;    // has a pattern, which moves with the body

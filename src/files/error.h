@@ -15,7 +15,7 @@ struct Message {
     std::size_t line = 0, column = 0, length = 0;
     std::string excerpt{};   // the line of the file, with a caret under the place
     std::string calls{};     // lines that say from where the file or a macro was reached
-    std::size_t caller = 0;  // of these the line of the scene, or 0
+    std::size_t caller = 0;  // line of the scene itself among these calls, or 0
 
     /// Returns it as people read it: "scene.rt:13:1: unknown word", and below it the excerpt and the calls.
     std::string told() const;

@@ -16,7 +16,7 @@ namespace {
 constexpr bool little_endian = std::endian::native == std::endian::little;
 constexpr int most_pixels = 1 << 20;  // along a side
 
-/// How the values of a picture stand in its file.
+/// Describes how a file stores the values of a picture.
 struct ValueLayout {
     int channels = 0, width = 0, height = 0, bits = 0;
     int most = 255;  // of whole numbers: what 1 is

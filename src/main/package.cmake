@@ -26,7 +26,8 @@ install(FILES LICENSE DESTINATION share/doc/strahl)
 # The pages for users, without their pictures. Links lead to each other; those to other files are left out. Commands are
 # written as for the installed program, and paths of scenes as from the folder of the pages.
 set(user_pages src/text/README:language src/main/README:films src/main/commands:commands src/main/lsp/README:editors
-    src/import/README:import src/pov/README:povray src/show/README:window scenes/tutorial/README:tutorial assets/FAQ:questions)
+    src/import/README:import src/pov/README:povray src/show/README:window src/show/keys:keys
+    scenes/tutorial/README:tutorial assets/FAQ:questions src/main/notebook:notebook)
 set(pages ${CMAKE_BINARY_DIR}/pages)
 foreach(page ${user_pages})
   string(REGEX MATCH "(.*):(.*)" page ${page})

@@ -29,6 +29,8 @@ void append(std::vector<MeshData::Corners>& numbers, std::size_t before, const s
 
 }  // namespace
 
+bool Faces::all_directions() const { return std::ranges::all_of(mesh.normals, is_direction); }
+
 bool Faces::has_normals(const Face& face, const Source::Where& where) const {
     if (std::ranges::count(face.normals, Face::none) == std::ssize(face.normals)) return false;
     if (std::ranges::count(face.normals, Face::none) > 0) {

@@ -28,6 +28,8 @@ class Faces {
     /// face stands, as in "in line 7"; it is called for warnings only. Throws FileError by `fail`, which gets the rest
     /// of a sentence about the face, if it cannot be split.
     void add(const Face& face, const Source::Where& where, const std::function<void(const std::string&)>& fail);
+    /// Can all normals of the mesh be used?
+    bool all_directions() const;
     /// Gives faces without normals the normal of their plane and those without places the origin, if others have some.
     void finish();
 

@@ -33,6 +33,7 @@ class TextValues {
         if (!read_number(word, value)) words.fail(quoted(word) + " is not a number");
         return true;
     }
+    static bool read_triangle(const PlyProperty&, std::size_t, MeshData::Corners&) { return false; }
     std::string where(const std::string&) const { return words.line(); }
     /// How many more values the text has room for. Each has a blank before it.
     std::uint64_t room(PlyType) const { return words.left() / 2; }
@@ -76,6 +77,18 @@ class BinaryValues {
             default:
                 return get<double>(value);
         }
+    }
+    /// Reads a list of three numbers from 0 to below `limit`, in the form that nearly all files have. Reads nothing and
+    /// returns false if something else comes next.
+    bool read_triangle(const PlyProperty& list, std::size_t limit, MeshData::Corners& corners) {
+        const bool usual =
+            !swapped && list.count == PlyType::uint8 && (list.type == PlyType::int32 || list.type == PlyType::uint32);
+        if (!usual || static_cast<std::size_t>(end - place) < 1 + sizeof corners || *place != 3) return false;
+        std::memcpy(corners.data(), place + 1, sizeof corners);
+        for (const std::int32_t corner : corners)
+            if (static_cast<std::uint32_t>(corner) >= limit) return false;
+        place += 1 + sizeof corners;
+        return true;
     }
     static std::string where(const std::string& here) { return here; }
     std::uint64_t room(PlyType type) const { return static_cast<std::uint64_t>(end - place) / size_of(type); }
@@ -208,13 +221,14 @@ class PlyReader {
     void add_places();
     void add_strips();
     void add_face();
+    bool add_triangle();
     std::optional<PlyColors> find_colors() const;
 
     const Source& source;
     const PlyHeader& header;
     Values values;
     const PlyElement* element = nullptr;
-    std::uint64_t number = 0;  // of the element
+    std::uint64_t number = 0;  // index of the element
     MeshData mesh;
     Faces faces;
     bool smooth = false, has_faces = false;
@@ -307,7 +321,9 @@ void PlyReader<Values>::read_faces() {
         mesh.triangles.reserve(element->count);
         if (smooth) mesh.corner_normals.reserve(element->count);
     }
+    const bool alone = !strips && properties.size() == 1 && !gaps && (!smooth || faces.all_directions());
     for (; number < element->count; end_element()) {
+        if (alone && add_triangle()) continue;
         face.clear(), face_places.clear();
         for (const PlyProperty& property : properties)
             if (is_corners(property))
@@ -373,6 +389,16 @@ void PlyReader<Values>::add_face() {
     if (smooth) face.normals = face.points;
     faces.add(
         face, [&] { return values.where(here()); }, [&](const std::string& message) { values.fail(here() + message); });
+}
+
+/// Adds the next face if it is a triangle whose corners are all that has to be read of it.
+template <class Values>
+bool PlyReader<Values>::add_triangle() {
+    MeshData::Corners corners;
+    if (!values.read_triangle(element->properties[0], mesh.points.size(), corners)) return false;
+    mesh.triangles.push_back(corners);
+    if (smooth) mesh.corner_normals.push_back(corners);
+    return true;
 }
 
 /// Adds the triangles of strips: each three points in a row, of which every second triangle is turned.

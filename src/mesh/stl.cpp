@@ -64,7 +64,7 @@ MeshData read_binary(const Source& source) {
             {"ignored the colours of ", "triangle", ""}, [] { return std::string("by 'COLOR=' at its start"); }, count);
     source.check_triangles(count);
     MeshData mesh;
-    PointJoiner points;
+    PointJoiner points(count / 2);  // as many as a closed surface has
     mesh.triangles.resize(count);
     if (colored && source.look) read_colors(source, count);
     for (std::uint64_t i = 0; i < count; ++i) {

@@ -183,7 +183,7 @@ void BlockNumbers::read_block(std::size_t begin, const std::string& source, int 
     std::vector<std::string> blocks;  // from the outermost, without the body's
     if (!body) blocks.push_back(word_at(begin));
     std::string last;
-    bool argument = body;   // no word has come yet
+    bool argument = body;   // before the first word, numbers are the body's arguments
     std::size_t count = 0;  // of the body's arguments
     int parts = 0;
     const auto name = [&] {

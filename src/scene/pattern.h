@@ -24,7 +24,7 @@ struct ColorStop {
     double at = 0;
     Color color{0};
     double filter = 0, transmit = 0;
-    std::shared_ptr<const Pattern> pattern{};  // has these in their place; in the space of the pattern with this stop
+    std::shared_ptr<const Pattern> pattern{};  // replaces the colour, in the space of the outer pattern
     bool operator==(const ColorStop& other) const;
 };
 

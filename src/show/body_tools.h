@@ -111,9 +111,9 @@ class BodyTools {
     };
     /// Says what follows once the scene of a text with other bodies is read; until then nothing is changed.
     struct Awaited {
-        bool scene = false;              // it is being read
+        bool scene = false;              // is the scene being read again?
         bool undone = false;             // what was chosen may be elsewhere then
-        std::optional<NextChoice> next;  // is chosen then
+        std::optional<NextChoice> next;  // what to choose once the change is shown
         std::optional<bool> later;       // what is chosen is copied (true) or removed then
     };
     const Scene& scene_seen(const View& view) { return moment.at(session.scene, view); }
@@ -146,9 +146,9 @@ class BodyTools {
     SceneMoment moment;
     std::string good;  // the last text that was shown
     Awaited awaited;
-    const NewBlock* to_add = nullptr;  // by the next click
+    const NewBlock* to_add = nullptr;  // block that the next click adds
     std::optional<LightMarks> marks;   // if lights are shown
-    std::vector<std::string> to_log;   // after the next drawing
+    std::vector<std::string> to_log;   // lines to log after the next drawing
 };
 
 }  // namespace strahl

@@ -27,7 +27,7 @@ class Leaving {
 
   private:
     std::string name;
-    std::vector<std::string> list;  // of what is not written
+    std::vector<std::string> list;  // names of what is not written
     std::function<void()> go;       // null if nothing is asked
     bool writes = false;            // the answer was to write
 };

@@ -55,7 +55,7 @@ class SideBySide {
     double began = 0;                                // when the picture under way was asked for
     std::shared_ptr<const SecondPicture> of_flight;  // the last one
     std::shared_ptr<SecondPicture> first;            // the first picture as it was shown first
-    std::uint64_t first_number = 0;                  // of its order
+    std::uint64_t first_number = 0;                  // number of the order of the first picture
     int first_level = 0;
 };
 

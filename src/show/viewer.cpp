@@ -292,7 +292,7 @@ void Viewer::apply(const TimelineInput& done) {
     if (done.path) session.change_path(done.path->path, done.path->what, done.path->merged, pace.now());
     if (!done.command && !done.go_to && !done.change && !done.path) return;
     if (done.command && done.command->action == Action::delete_key)
-        notes.tell(session.perform(*done.command, pace.now()));  // and no body
+        notes.tell(session.perform(*done.command, pace.now()));  // it deletes a key of the timeline, not the body
     else if (done.command)
         perform(*done.command);
     if (done.go_to) session.go_to(*done.go_to, pace.now());

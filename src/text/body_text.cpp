@@ -121,7 +121,7 @@ void ValueFinder::add_transformations(std::vector<BodyValue>& values) const {
     bool moved = false;
     for (std::size_t i = chain.size(); i-- > 0;) {
         Level level = chain[i];
-        std::vector<Level> blocks{level};  // of the body itself last
+        std::vector<Level> blocks{level};  // nested blocks around the numbers, the body's own last
         while (const TextItem* const named = definition(level.item->word))
             blocks.insert(blocks.begin(), level = {&named->items[0], named->name});
         for (const auto& [item, define] : blocks)

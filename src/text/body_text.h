@@ -41,7 +41,7 @@ void take_tracks(BodyValue& value, const std::string& text, const TextItem& item
 struct BodyText {
     std::string kind;    // "sphere", or "sphere in difference"
     std::size_t at = 0;  // where its first word stands in the text
-    int line = 0;        // of that, counted from 1; 0 if there is no text of it
+    int line = 0;        // line of the body, counted from 1; 0 if it has no text
     std::vector<BodyValue> values;
     /// The material of its own in the text, or the empty slice where one would stand; none if other bodies share it.
     std::optional<TextSlice> material{};

@@ -26,7 +26,7 @@ std::optional<PathSlices> find_path(const std::string& text) {
     Lexer lexer(text, diagnostics);
     std::optional<PathSlices> slices;
     const auto begin = [&](std::string_view slice) { return std::size_t(slice.data() - text.data()); };
-    bool inside = false;  // of the block
+    bool inside = false;  // is the token in the block of the flythrough?
     std::size_t music_begin = 0;
     std::string music;
     for (int depth = 0; !lexer.at_end();) {

@@ -13,7 +13,7 @@ namespace strahl {
 struct SceneMotion {
     TopBlock what = TopBlock::body;
     int number = 0;               // of the body or the light
-    int from_last = 0;            // of several motions of a body: how many follow
+    int from_last = 0;            // number of motions of the body that follow this one
     std::string name{};           // "sphere 3"
     std::vector<double> times{};  // of its keys, in seconds
 };

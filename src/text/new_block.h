@@ -23,8 +23,8 @@ extern const std::array<NewBlock, 9> new_blocks;
 std::string with_new_block(const std::string& text, const NewBlock& added, int count, const DVec3& point,
                            const DVec3& normal, double size, int decimals);
 
-/// A material: its name for the user, and its values as scene text. `color` is a colour, as text, which some keep;
-/// `size` is the length of a pattern's largest features, as text.
+/// A material: its name for the user, and its values as scene text. Some take the body's `color`; `size` is the length
+/// of a pattern's largest features. Both are scene text.
 struct MaterialPreset {
     const char* name;
     std::string (*values)(const std::string& color, const std::string& size);

@@ -63,7 +63,7 @@ class PlacedBody {
     struct LastStep {
         const char* word;
         DVec3 value;
-        std::size_t at = 0;                // of its word, if it is written
+        std::size_t at = 0;                // position of the parameter's word, if it is written
         std::vector<TextSlice> numbers{};  // one or three; none if it is not written
     };
     /// The last transformations; what comes before them stays as it is.
@@ -80,7 +80,7 @@ class PlacedBody {
     std::vector<TextSlice> slices;          // of the numbers of all arguments
     std::vector<double> numbers;
     LastSteps last;
-    std::size_t end = 0;  // of its block: the closing brace
+    std::size_t end = 0;  // position of the block's closing brace
 };
 
 /// A block of the top level. There is one camera and one background; the others are copied and removed.

@@ -105,7 +105,7 @@ class TracerOf : public AnyTracer {
     template <class Piece>
     using Work = std::function<void(Batches<T>&, const Piece&, int)>;
     /// What pieces are made of: rays through single places, cells, or rays all over a lens.
-    enum class Samples { single, cells, lens };
+    enum class RayPlaces { single, cells, lens };
 
     Counts traced(const Job& job, const Lattice& lattice) { return each_pixel(job, lattice, 0); }
     Counts each_pixel(const Job& job, const Lattice& lattice, double footprint) {
@@ -173,7 +173,7 @@ class TracerOf : public AnyTracer {
                 [&](Batches<T>& batches, const Lattice& tile, int) {
                     batches.trace_lens_grid(tile, sampled.sampling.grid, job.view.camera, job.sink);
                 },
-                0, Samples::lens);
+                0, RayPlaces::lens);
         if (sampling.grid > 0)
             return each_tile(job, region, lattice_tile, 0, [&](Batches<T>& batches, const Lattice& tile, int) {
                 batches.trace_grid(tile, sampled.sampling, job.sink);
@@ -197,13 +197,13 @@ class TracerOf : public AnyTracer {
                     if (check) batches.counts = before;
                 });
         };
-        const auto way = pass.picture.through_lens() ? Samples::lens : Samples::cells;
+        const auto way = pass.picture.through_lens() ? RayPlaces::lens : RayPlaces::cells;
         return each(job, pass.picture.tiles(), pass.picture.contrast(), refine, 0, way);
     }
 
     /// Calls work(batches, tile, thread) for the tiles of a lattice, on all threads. Footprints have this side.
     Counts each_tile(const Job& job, const Lattice& lattice, int side, double noticed, const Work<Lattice>& work,
-                     double footprint = 0, Samples way = Samples::single) {
+                     double footprint = 0, RayPlaces way = RayPlaces::single) {
         const int columns = (lattice.columns + side - 1) / side;
         const int tiles = columns * ((lattice.rows + side - 1) / side);
         const auto each_of = [&](Batches<T>& batches, int i, int thread) {
@@ -220,8 +220,8 @@ class TracerOf : public AnyTracer {
     /// Calls work(batches, i, thread) for 0 <= i < tiles, on all threads. If footprints have a side, patterns are
     /// averaged over them roughly; for cells as well as is known, over footprints with sides of their own.
     Counts each(const Job& job, int tiles, double noticed, const Work<int>& work, double side = 0,
-                Samples way = Samples::single) {
-        const bool means = way == Samples::cells;
+                RayPlaces way = RayPlaces::single) {
+        const bool means = way == RayPlaces::cells;
         ThreadPool& pool = job.pool;
         while (static_cast<int>(workspaces.size()) < pool.size())
             workspaces.push_back(std::make_unique<Workspace<T>>());
@@ -235,7 +235,7 @@ class TracerOf : public AnyTracer {
         view.camera.position = known->eye;
         Eye<T> eye = eye_of<T>(view, placed);
         std::optional<CameraRays<T>> rays;
-        if (way == Samples::lens || view.camera.projection != Projection::perspective)
+        if (way == RayPlaces::lens || view.camera.projection != Projection::perspective)
             rays.emplace(scene(), view, *built, placed);
         if (rays) eye.rays = &*rays;
         World<T> world = built->world();

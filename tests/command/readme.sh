@@ -44,10 +44,11 @@ done < <(grep -oP '^  (-[a-z],)?\K--[a-z]+' help | grep -vx -e --help)
 statuses=$(grep -o 'Exit status: 0 done.*interrupted' "$commands")
 [[ -n $statuses && $("$strahl" --help) == *"$statuses"* ]] || fault "$commands has other exit statuses: $statuses"
 
-# The window's page has the keys of all commands.
-while read -r keys; do
-    grep -qF "| \`$keys\` |" "$source_folder/src/show/README.md" || fault "the window's page lacks the keys $keys"
-done < <(XDG_CONFIG_HOME=$work "$strahl" view --list-keys | grep -oP ' = \K.*?(?= +//)')
+# The page of keys has the keys and the help of all commands, and no others.
+own_keys() { sed -nE 's/^\| (`.*` \| .*) \|$/\1/p' "$source_folder/src/show/keys.md"; }
+known_keys() { XDG_CONFIG_HOME=$work "$strahl" view --list-keys | sed -nE 's/^[a-z-]+ = (.*[^ ]) +\/\/ (.*)$/`\1` | \2/p'; }
+difference=$(diff <(own_keys) <(known_keys)) || fault "the page of keys is not what --list-keys says: $difference"
+(($(known_keys | wc -l) > 50)) || fault "--list-keys lists few keys"
 
 # Pages list the formats of pictures that are read and written.
 endings() { grep -oE '\.[a-z]{3}\b' | sort -u | xargs; }

@@ -208,7 +208,7 @@ struct RayDifferences {
         add_eye(slack, view, placement);
         const Eye<T> eye = eye_of<T>(view, placement);
         const exact::Eye exact(view);
-        // As in the kernel.
+        // Computes u and v as the kernel does.
         const T u = fma(T(x), eye.scale_x, eye.bias_x), v = fma(T(y), eye.scale_y, eye.bias_y);
         const Vec3<T> d = fma(u, eye.right, fma(v, eye.down, eye.forward));
         const Vec3<T> direction = scale(1 / std::sqrt(dot(d, d)), d);

@@ -33,7 +33,7 @@ namespace {
 /// Counts of one set of pictures.
 struct Tally {
     std::int64_t values = 0, certain[2] = {}, lies[2] = {}, violated = 0, judged_twice = 0;
-    std::array<std::int64_t, 4096> slack{};  // bounds over errors, where the bound is small, by 32 log2
+    std::array<std::int64_t, 4096> slack{};  // histogram of 32 log2(bound / error), of small bounds
     Tally& operator+=(const Tally& more) {
         values += more.values, violated += more.violated, judged_twice += more.judged_twice;
         for (const int i : {0, 1}) certain[i] += more.certain[i], lies[i] += more.lies[i];

@@ -161,7 +161,7 @@ void GltfReader::add_mesh(const GltfValue& node, const std::vector<Transformatio
         if (triangles > MeshLimits{}.most_triangles || model.parts.size() == most_parts)
             node.fail("with it the model has more than " + std::to_string(MeshLimits{}.most_triangles) +
                       " triangles or a million bodies; simplify it");
-        // Skins are where their joints are.
+        // The joints of a skin place it, not the steps of its node.
         model.parts.push_back({name, part.mesh, part.material, skinned ? std::vector<Transformation>() : steps});
     }
 }

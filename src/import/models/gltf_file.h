@@ -85,7 +85,7 @@ class GltfFile {
     static std::string file_name(const std::string& uri, const GltfValue& where);
 
     const std::string path;
-    std::vector<std::string> files;  // that were read, this one first
+    std::vector<std::string> files;  // files that were read, this one first
 
   private:
     std::string_view buffer(std::size_t index);

@@ -12,7 +12,7 @@ namespace strahl {
 struct GltfMaterial {
     Material material;
     int places = 0;         // the number of the set of places of its pictures
-    bool pictured = false;  // it has some
+    bool pictured = false;  // does it have pictures?
 };
 
 class GltfMaterials {

@@ -33,8 +33,8 @@ class ModelStage {
     ModelStage(const Model& model, double aspect)
         : up(normalize(model.up)), front(normalize(model.front)), right(cross_product(up, front)), aspect(aspect) {
         std::size_t all = 0;
-        for (const ModelPart& part : model.parts) all += part.mesh->points.size();
-        const std::size_t step = 1 + all / 200'000;  // so many points give the same view as all
+        for (const ModelPart& part : model.parts) all += part.mesh->triangles.size();
+        const std::size_t step = 1 + all / 50'000;  // so many triangles give the same view as all
         for (const ModelPart& part : model.parts) {
             const glm::dmat4 place = matrix(part.transformations);
             box.add(Mesh{part.mesh, ""}.bounds(place));

@@ -433,7 +433,7 @@ void Interpreter::State::include_file() {
     const std::string path = find_text(name, {".inc", ".INC"});
     const auto count = static_cast<std::uint32_t>(files.size());
     auto [known, fresh] = file_numbers.emplace(path, count);
-    if (fresh || is_written(path)) {  // that may have changed
+    if (fresh || is_written(path)) {  // the file may have changed
         known->second = count;
         files.push_back(std::make_unique<TextFile>(path, load(path), names));
     }

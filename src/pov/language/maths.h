@@ -83,8 +83,8 @@ constexpr bool with_binary(std::uint16_t code, const Use& use) {
     }
 }
 
-/// Does the same for functions of two numbers that take one and more, as of the function of the first ones and the
-/// next.
+/// Does the same for functions that take any count of numbers: each next number is the second one of the function, and
+/// the value so far the first one.
 template <class Use>
 constexpr bool with_any_count(std::uint16_t code, const Use& use) {
     switch (code) {

@@ -45,13 +45,13 @@ struct Interpreter::State {
         std::uint32_t file = 0;
         const RawToken* cursor = nullptr;         // where it goes on; valid while another is read
         std::shared_ptr<const MacroThing> macro;  // null for a file
-        std::size_t controls = 0;                 // of the enclosing ones
-        TextPlace called;                         // from where
+        std::size_t controls = 0;                 // number of the enclosing directives
+        TextPlace called;                         // place of the call
     };
     /// A conditional block or a loop that is open.
     struct Control {
         enum class ControlType : std::uint8_t { condition, loop_while, loop_for, choice } type = ControlType::condition;
-        bool chosen = false;               // of a choice: is a case of it being read?
+        bool chosen = false;               // for #switch: is one of its cases being read?
         const RawToken* opener = nullptr;  // '#' of its first directive
         const RawToken* body = nullptr;    // of #for: after its parentheses
         std::uint32_t variable = 0;        // of #for

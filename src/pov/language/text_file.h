@@ -26,7 +26,7 @@ class NamePool {
 /// A token as it stands in a text.
 struct RawToken {
     std::uint16_t code = 0;
-    std::uint16_t directive = 0;  // of '#': the code of the word after it
+    std::uint16_t directive = 0;  // for '#': the code of the word after it
     std::uint32_t at = 0;         // its position in the text
     union {
         double number = 0;  // of a number

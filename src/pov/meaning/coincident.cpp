@@ -19,7 +19,7 @@ struct FlatFace {
     int axis = 0, side = 1;        // side: whether it faces up or down the axis
     double at = 0;                 // along the axis
     std::vector<DVec3*> points{};  // of the body, in its own space; one of their coordinates is the face's
-    double scale = 1, offset = 0;  // from that coordinate to `at`
+    double scale = 1, offset = 0;  // at = scale * coordinate + offset
     Box box{};                     // around the body
     bool is_round = false;         // of a cylinder or a cone
 

@@ -51,12 +51,12 @@ class SceneMaker {
         bool common = true;        // lights of no group shine on it
         bool hollow = false;       // there is fog in it
         int space = 0;             // the number of its interior, see Material::interior
-        Shared* shared = nullptr;  // of the outermost composite from which it has its texture
+        Shared* shared = nullptr;  // state of the outermost composite that gives it its texture
     };
     /// Holds the properties that an object takes over from the objects around it.
     struct Around : Looks {
         Steps after;                          // transformations of these, the innermost one's first
-        std::vector<Transformation> moves{};  // the same as the scene has them
+        std::vector<Transformation> moves{};  // the same steps as Strahl's transformations
         Steps to_owner;                       // from the space around the object into that of the texture
         bool clips = false;                   // it clips another object, and is not seen itself
         bool turned = false;                  // it is turned inside out, as what a difference takes away
@@ -116,13 +116,13 @@ class SceneMaker {
         bool no_shadow, no_image, no_reflection;
         TextPlace place;
     };
-    std::vector<Seen> shown;  // of each primitive
+    std::vector<Seen> shown;  // how each primitive is seen
     std::vector<TextPlace> kept_places, light_places;
     int light_groups = 0;   // so far
     int spaces = 0;         // interiors so far
     int surfaces_made = 0;  // meshes of bodies that functions define
     struct SurfaceUse {
-        int count = 0;  // of bodies that are this surface
+        int count = 0;  // number of bodies that are this surface
         int cells = 0;
     };
     std::map<const LevelSurface*, SurfaceUse> surface_uses;

@@ -104,7 +104,7 @@ class PovReader : public SceneLayer {
 
     std::vector<std::pair<TextPlace, std::shared_ptr<std::atomic<bool>>>> pattern_functions;  // was it called?
     std::shared_ptr<const TextureThing> default_texture = std::make_shared<TextureThing>();
-    std::shared_ptr<const TextureThing> last_texture;  // of a body, if it was plain
+    std::shared_ptr<const TextureThing> last_texture;  // texture of the last body, if it was plain
     static constexpr int most_bodies = 5'000'000, most_levels = 2000;
     int bodies = 0;
     CameraThing default_camera;

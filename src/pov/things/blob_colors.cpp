@@ -85,7 +85,7 @@ struct BlobBlend::Colors : FunctionThing {
     }
     std::shared_ptr<const Fields> fields;
     std::vector<std::shared_ptr<const FunctionThing>> colors;
-    bool some;  // textures have none here
+    bool some;  // do some parts have no colour of their own?
 };
 
 struct BlobBlend::Share : FunctionThing {

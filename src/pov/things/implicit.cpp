@@ -182,7 +182,7 @@ class SurfaceGrid {
     }
 
     const Inside& inside;
-    int blocks;  // of two cells along each axis
+    int blocks;  // number of blocks, of two cells along each axis
     std::vector<double> values;
     std::vector<char> visited;
     std::vector<std::array<int, 3>> found;

@@ -351,7 +351,7 @@ std::optional<SolidPattern> still_solid_of(const Blend& blend, bool bends, int g
     return solid_of(still, bends, generator);
 }
 
-/// Returns the entries of a map, those of a list at their values.
+/// Returns the entries of a map. Those of a list get the values at which the pattern shows them.
 std::vector<MapEntry> entries_of(const Blend& blend) {
     if (!blend.map || blend.map->entries.empty()) return usual_entries(blend);
     std::vector<MapEntry> own = blend.map->entries;
@@ -429,7 +429,7 @@ struct PigmentFunction : FunctionThing {
     }
     FilterColor color{};
     std::optional<SolidPattern> pattern;
-    std::shared_ptr<const FunctionThing> picture;  // in its place
+    std::shared_ptr<const FunctionThing> picture;  // picture that replaces the function
     Moves moves;
     std::vector<MapEntry> entries;  // their things are functions
     double total = 0;               // the sum of the weights, if the colour is a mean

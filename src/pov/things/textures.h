@@ -32,7 +32,7 @@ enum class Wave { ramp, triangle, sine, scallop, cubic, poly };
 
 /// Keeps what has been computed of a picture, for all patterns that show it.
 struct PictureFacts {
-    std::optional<Color> mean;  // of its values
+    std::optional<Color> mean;  // mean of the picture's values
     double clear = 0;           // the mean of how little opaque its pixels are, once there is the other one
     std::map<std::pair<double, double>, std::shared_ptr<const std::vector<float>>> decoded;  // by both gammas
     std::map<std::pair<double, double>, std::shared_ptr<const Pixels>> shown;                // as a scene takes them
@@ -128,7 +128,7 @@ struct Blend {
     CrackleForm crackle;
     FacetForm facets;
     std::vector<WarpEntry> warps;
-    Steps steps;  // behind all warps
+    Steps steps;  // applied after all warps
     // The values of patterns that scene text has no words for: made once, so that all uses share them.
     std::shared_ptr<const SolidFunction> values;
 

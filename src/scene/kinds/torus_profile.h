@@ -15,7 +15,7 @@ struct TorusProfile {
     using E = Element<S>;
     S x, y2, k, along, along_d, middle, major, minor;  // F' = 2 (t - middle) for R = 0
     S known_rho;                                       // rho at t = 0
-    S width, shift;               // of the ball around the torus, half; and what t lacks of the ray's own
+    S width, shift;               // half the chord in the ball around the torus; the ray's own t less t
     Mask<S> turned;               // the ray goes to the left
     Mask<S> starts_here, leaves;  // on the torus at t = 0, and from there outwards
 

@@ -38,7 +38,7 @@ class MotionLog {
   private:
     double start = 0, drawing = 0;
     int draws = 0;
-    std::size_t count = 0;  // of the pictures
+    std::size_t count = 0;  // number of pictures
     double first = 0;       // when the first one was shown
     std::vector<ShownPicture> shown;
 };
@@ -49,7 +49,7 @@ struct Benchmark {
     double median = 0, p99 = 0, worst = 0;  // times from one picture to the next, in seconds
     std::map<int, double> levels;           // share of the pictures by level
     double pixels_per_second = 0;           // traced or filled
-    std::optional<Quality> quality{};       // of some of them (see flown_pictures.h)
+    std::optional<Quality> quality{};       // quality of some pictures (see flown_pictures.h)
 };
 Benchmark benchmark_of(const std::vector<ShownPicture>& shown);
 

@@ -29,7 +29,7 @@ class QuickPictures {
 
   private:
     Resolution resolution;
-    double aspect = 1;  // of the next picture's steps
+    double aspect = 1;  // aspect ratio of the next picture's steps
     Sharpener sharpener;
     ScreenImage coarse;  // the traced pixels of a level
 };

@@ -9,7 +9,7 @@ namespace strahl {
 namespace {
 
 constexpr int least_contrast = 12;             // in steps of 1/255; what differs less is smooth
-constexpr double first_rays = 4096;            // of a picture when nothing is known yet
+constexpr double first_rays = 4096;            // rays of a picture when nothing is known yet
 constexpr float aside_x = .3f, aside_y = .2f;  // of two rays from the middle of a pixel, to opposite sides
 constexpr int block = 8;                       // pixels whose rays are neighbours in packs
 constexpr double worth = .05;                  // share of the rays for which it pays to look for edges of single pixels

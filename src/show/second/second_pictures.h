@@ -37,7 +37,7 @@ class SecondPictures {
 
   private:
     struct Result {
-        std::uint64_t number = 0;  // of the order
+        std::uint64_t number = 0;  // number of the order
         std::shared_ptr<const SecondPicture> picture{};
         std::string fault{};
     };

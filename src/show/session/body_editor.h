@@ -31,7 +31,7 @@ Camera approached(const Camera& camera, const Box& box, double aspect);
 
 /// A place where a new body can stand.
 struct StandingPlace {
-    DVec3 point{0}, normal{0, 0, 1};  // of the surface that is seen there; the normal points to the eye
+    DVec3 point{0}, normal{0, 0, 1};  // on the surface that is seen; the normal points to the eye
     double size = 1;                  // a round length, about a twelfth of the picture's height there
     int decimals = 2;                 // of coordinates, as many as can be seen there
 };
@@ -128,7 +128,7 @@ class BodyEditor {
 
     bool povray = false, model = false;
     pov::SourceLines lines;
-    std::string lines_text;  // in which these are
+    std::string lines_text;  // text that contains these lines
     std::set<std::string> allowed;
 };
 

@@ -109,7 +109,7 @@ EditedText::Change EditedText::replace(const std::string& newer) {
     struct LinePlace {
         std::size_t slot, line;
     };
-    std::vector<LinePlace> places;  // of the old lines
+    std::vector<LinePlace> places;  // new places of the old lines
     for (std::size_t i = 0; i < lines.changed.size(); ++i)
         for (std::size_t k = 0; k < lines.changed[i].size(); ++k) places.push_back({i, k});
     std::map<std::size_t, Lines> before;

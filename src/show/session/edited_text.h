@@ -15,7 +15,7 @@ using LineSlots = std::vector<std::vector<std::string>>;
 
 /// The scene's text as it was read from the file, and with the changes that are not in the file yet.
 struct ChangedText {
-    LineSlots in_file, changed;  // of the same size
+    LineSlots in_file, changed;  // both have the same size
 };
 
 /// A changed text after the file itself has become another one.

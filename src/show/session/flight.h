@@ -28,7 +28,7 @@ class FlightClock {
 class Flight {
   public:
     bool once = false;    // end a path that loops after one round
-    bool driven = false;  // by an editor of tracks: flights continue after their end
+    bool driven = false;  // does an editor of tracks set the time? Then flights do not end
 
     bool flying() const { return flown.has_value(); }
     bool paused() const { return flown && !clock.running(); }

@@ -63,8 +63,8 @@ class PathEditor {
 
   private:
     Flythrough present, saved;
-    EditSteps<Flythrough> steps;       // with the path before or after each
-    std::vector<Flythrough> replaced;  // before they were written
+    EditSteps<Flythrough> steps;       // undo and redo: the path before or after each step
+    std::vector<Flythrough> replaced;  // paths as they were before each was written
 };
 
 }  // namespace strahl

@@ -99,7 +99,7 @@ class Session {
     /// If not null, instead of the scene's.
     std::shared_ptr<const std::vector<Track>> tracks;
     TrackKeys track_keys;
-    KeyMap keys;                   // that messages name
+    KeyMap keys;                   // keys that messages name
     bool keys_elsewhere = false;   // an editor of tracks has the keys, and they cannot be changed here
     double speed = 1;              // units of the scene per second
     int finest = sharpened_level;  // level in motion

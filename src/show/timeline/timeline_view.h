@@ -52,7 +52,7 @@ struct TimelineInput {
         bool merged;
     };
     std::optional<NewMusic> music;
-    bool choose_sound = false;  // by a dialog
+    bool choose_sound = false;  // did the user ask for a dialog to choose the sound?
     std::string refused;        // why a number that was typed is not taken, or ""
     /// A key of a motion to be moved to other seconds, to be added there, or to be removed.
     struct MotionChange {

@@ -35,12 +35,12 @@ class TrackLanes {
     std::vector<std::string> followed;   // names of tracks
     std::vector<SceneMotion> motions;
     NumberFields fields;
-    std::string chosen;    // one of the tracks
-    int chosen_row = 0;    // of its key, if it has one there
+    std::string chosen;  // one of the tracks
+    int chosen_row = 0;  // row of the track's key, if it has one there
     enum class ClickedKey { none, track, motion } clicked = ClickedKey::none;
-    SceneMotion clicked_motion;      // the motion that has it
-    std::size_t clicked_number = 0;  // and its number there
-    bool scrolls = false;  // to the one chosen
+    SceneMotion clicked_motion;      // the motion that has the clicked key
+    std::size_t clicked_number = 0;  // and the key's number there
+    bool scrolls = false;            // should the lanes scroll to the chosen one?
     bool key_dragged = false;
     double low = 0, high = 1;            // the values that its lane shows; constant during a drag
     bool value_held = false;             // a value has been changed since the mouse button is down

@@ -41,7 +41,7 @@ class Welcome {
     Notes& notes;
     Pace& pace;
     const std::function<void()> notify;
-    std::optional<GalleryReader> reader;  // from the first time on
+    std::optional<GalleryReader> reader;  // made when the gallery is first shown
     std::optional<std::vector<GallerySection>> sections;
     std::string missing;  // where no installed scenes were found
     struct GalleryTile {
@@ -52,7 +52,7 @@ class Welcome {
     GalleryPlace chosen;
     int columns = 1, rows_seen = 1;
     float width = 1;                      // of an item, in pixels
-    bool taken = false, scrolls = false;  // by keys
+    bool taken = false, scrolls = false;  // did a key open the chosen scene; move the choice?
     std::vector<std::string> visible;
 };
 

@@ -18,7 +18,7 @@ ScreenImage icon(int size) {
             const double away = std::hypot(u, v);
             const DVec3 normal(u, v, std::sqrt(std::max(0., 1 - away * away)));
             const double cosine = std::max(0., dot_product(normal, light));
-            const double mirrored = std::max(0., 2 * cosine * normal.z - light.z);  // of the light, towards the eye
+            const double mirrored = std::max(0., 2 * cosine * normal.z - light.z);  // cosine: that light and the eye
             const DVec3 color = DVec3(.95, .35, .1) * (.15 + .8 * cosine) + DVec3(std::pow(mirrored, 30));
             const auto code = [](double value) { return std::uint32_t(std::lround(255 * std::clamp(value, 0., 1.))); };
             image.pixels[std::size_t(y) * size + x] =

@@ -56,7 +56,7 @@ void Input::settle() {
     screen.pointer = pointer.place(), screen.left_down = left_down;
     const int before = ImGui::GetFrameCount();
     for (int i = 0; i < to_settle && ImGui::GetFrameCount() < settled; ++i) handlers.draw();
-    if (ImGui::GetFrameCount() != before) pace.redraw(1);  // these show what was known before the command
+    if (ImGui::GetFrameCount() != before) pace.redraw(1);  // the panels still show what was known before the command
     show_events();
 }
 

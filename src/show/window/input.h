@@ -22,15 +22,15 @@ namespace strahl {
 /// Functions that are called, while events are processed, for what the user does besides moving the camera.
 struct InputHandlers {
     std::function<void(Command)> perform;
-    std::function<void()> draw;                     // draws the window at once
-    std::function<bool(int)> browse;                // takes a key for the gallery or a question, or returns false
-    std::function<void(double, bool)> turn_wheel;   // notches, up is positive; true with Ctrl
-    std::function<void(std::string)> drop;          // the path of a file that is dropped onto the window
+    std::function<void()> draw;                       // draws the window at once
+    std::function<bool(int)> browse;                  // takes a key for the gallery or a question, or returns false
+    std::function<void(double, bool)> turn_wheel;     // notches, up is positive; true with Ctrl
+    std::function<void(std::string)> drop;            // the path of a file that is dropped onto the window
     std::function<void(double, double, bool)> click;  // x and y in pixels of the window; true with Shift
-    std::function<Hold(double, double)> points_at;  // what is there to be held
-    std::function<void(double, double)> hold;       // takes hold of the handle there
+    std::function<Hold(double, double)> points_at;    // what is there to be held
+    std::function<void(double, double)> hold;         // takes hold of the handle there
     std::function<void(Hold, double, double, Snap)> pull;  // moves what is held
-    std::function<void()> let_go;                          // of the handle
+    std::function<void()> let_go;                          // called when the handle is let go
 };
 
 class Input {
@@ -88,8 +88,8 @@ class Input {
         int key, scancode, modifiers;
     };
     struct PanelKeys {
-        std::map<int, int> pressed;         // and the number of the picture that was drawn last then
-        std::vector<ReleasedKey> released;  // before panels could see that they were pressed
+        std::map<int, int> pressed;         // key, and the number of the last picture drawn before it
+        std::vector<ReleasedKey> released;  // keys let go before panels saw them pressed
     };
     PanelKeys for_panels;
     bool left_down = false;          // by the events that were processed

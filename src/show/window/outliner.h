@@ -22,8 +22,8 @@ namespace strahl {
 struct OutlineRow {
     TopBlock what = TopBlock::body;
     int number = 0;      // of the light or the body
-    int leaf = 0;        // of the body, the first that belongs to a part
-    int depth = 0;       // 0 for blocks of the top level, 1 for the parts of a composite, 2 for theirs
+    int leaf = 0;        // first leaf of the body that belongs to the part
+    int depth = 0;       // 0 for blocks of the top level, 1 for the parts of a composite, 2 for their parts
     std::string name{};  // "sphere 3"
 };
 /// Returns the outline of a scene: its camera, its background, its lights, and its bodies with their parts.

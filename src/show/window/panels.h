@@ -24,24 +24,24 @@ class Panels {
     /// toolbar, or all text (Action::quiet); or the gallery, which covers the window.
     void toggle(Action action);
 
-    /// Draws the timeline, if it is shown, and returns what the user did on it. To be called while ImGui makes a frame.
+    // These draw a panel, if it is shown, and return what the user did on it. Call them while ImGui makes a frame.
+
+    /// Draws the timeline.
     /// `peaks` are those of the sound, `text_open` says whether the scene's text can be changed here, and `both`
     /// whether the flight is seen beside the view.
     TimelineInput draw_timeline(const Session& session, const std::vector<float>& peaks, bool text_open, bool both);
     /// Has the timeline remove the key that was clicked there last, if that was after the last call of forget_key().
-    /// False if there is none.
+    /// Returns false if there is none.
     bool delete_clicked_key();
     void forget_key() { timeline.forget_click(); }
-    /// Draws the panel of the body that is chosen, if any, and returns what the user did on it. Likewise. `file` is the
-    /// name of the scene.
+    /// Draws the panel of the body that is chosen, if any. `file` is the name of the scene.
     BodyInput draw_body(const BodyEditor& editor, const std::string& file);
-    /// Draws the list of what can be added, if it is shown, and returns what the user has clicked in it, or null.
-    /// Likewise.
+    /// Draws the list of what can be added. Returns what the user has clicked in it, or null.
     const NewBlock* draw_add();
-    /// Draws the outline, if it is shown, and returns what the user did in it. Likewise; see Outliner::draw.
+    /// Draws the outline, see Outliner::draw.
     OutlinerInput draw_outline(const Session& session, const BodyEditor& editor, const std::set<int>& hidden,
                                const std::vector<Message>& notes);
-    /// Draws the toolbar, unless the user has hidden it, and returns what was clicked. Likewise.
+    /// Draws the toolbar, unless the user has hidden it.
     std::optional<Command> draw_toolbar(const KeyMap& keys, ToolbarView view);
     bool timeline_shown() const { return timeline_open && !quiet; }
     /// Is the help shown? It covers the window.

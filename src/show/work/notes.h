@@ -17,7 +17,7 @@ void log_line(const std::string& text);
 struct Note {
     std::string text;
     bool failure = false;  // something that the user asked for was not done
-    double until = 0;      // it disappears at this time
+    double until = 0;      // time at which the message disappears
 };
 
 class Notes {

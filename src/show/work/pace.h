@@ -33,7 +33,7 @@ class Pace {
     /// A movement of the camera that is due.
     struct Due {
         double now, passed;  // `passed`: since the last one, at most 0.1 s
-        bool first;          // of a motion
+        bool first;          // is it the first picture of a motion?
     };
     /// Returns the movement that is due now, if any. A motion begins when `in_motion` becomes true, and goes on until
     /// rest(). `update`: a picture is waiting to be drawn; the next one is ordered before, to be traced meanwhile.

@@ -336,7 +336,7 @@ void Reload::FileThread::show_text(const TextToShow& changed) {
     }
     if (!loaded.scene) loaded = load(path, changed.text, false);
     if (loaded.scene) loaded.picture = shown_scene = loaded.scene;
-    shown_text = loaded.text = changed.text;  // also of one with an error
+    shown_text = loaded.text = changed.text;  // also if the text has an error
     {
         std::lock_guard lock(desk->mutex);
         desk->shown = std::move(loaded);

@@ -48,14 +48,14 @@ struct Loaded {
 /// What is to be written into the scene file.
 struct ToWrite {
     std::optional<Flythrough> flythrough{};
-    bool keeps_path = false;  // that of the file stays, whatever `flythrough` is
+    bool keeps_path = false;  // keep the file's path, whatever `flythrough` is
     ChangedText changes{};
-    bool anyway = false;  // also into a file that others have changed since it was read
+    bool anyway = false;  // write even if others have changed the file
 };
 
 /// The result of writing a path into the scene file, or tracks into the file beside it.
 struct Written {
-    std::string file{};    // that was written
+    std::string file{};    // the file that was written
     std::string copy{};    // the name of a copy of the file as it was, if one was made
     bool asks = false;     // nothing was written, because others have changed the file since it was read
     std::string fault{};   // the reason if nothing was written
@@ -119,7 +119,7 @@ class Reload {
     struct Request {
         ToWrite wanted;
         std::optional<std::vector<Track>> tracks{};  // instead of these, unless there is another path
-        std::string path{}, text{};                  // of another file, or ""
+        std::string path{}, text{};                  // of another file to write instead, or ""
     };
     struct TextToShow {
         std::string text;

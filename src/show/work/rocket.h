@@ -17,8 +17,8 @@ namespace strahl {
 /// A command of the editor.
 struct RocketCommand {
     enum class Kind { set_key, delete_key, set_row, pause, save } kind;
-    std::uint32_t track = 0;  // for keys
-    TrackKey key{};           // for rows only its row
+    std::uint32_t track = 0;  // index of the track, in messages about keys
+    TrackKey key{};           // the key; messages about rows set only its row
     bool paused = false;
 };
 

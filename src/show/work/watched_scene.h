@@ -77,7 +77,7 @@ class WatchedScene {
     double error_until = Pace::forever;   // only the error of another file, which was not opened, expires
     bool changes = false, sized = false;  // see Loaded
     std::vector<Message> said;
-    ReadFor read_for;         // for what the scene was read, or was asked to be
+    ReadFor read_for;         // why the scene was read, or is to be read
     double write_until = -1;  // until then the user may confirm that a changed file is written
 };
 

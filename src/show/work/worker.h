@@ -126,7 +126,7 @@ class Worker {
         std::deque<Result> results;
         bool running = false, quit = false;
         std::atomic<bool> stop = false;  // the job under way
-        bool dropped = false;            // its result is not wanted
+        bool dropped = false;            // is its result no longer wanted?
     };
 
     const std::shared_ptr<WorkerState> shared;

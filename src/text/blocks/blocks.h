@@ -105,7 +105,7 @@ inline std::array<Parameter, 20> camera_parameters(CameraText& camera) {
           "everything is sharp"},
          {"focus", &camera.focus, lengths, "the distance from the camera of the plane that is sharp",
           "that of `look_at`", "focus_on"},
-         {"focus_on", &camera.focus_on, coordinates, "in place of `focus`: a point of that plane", "`look_at`"},
+         {"focus_on", &camera.focus_on, coordinates, "a point of that plane", "`look_at`"},
          {"blades", &camera.blades, blade_counts, "corners of a lens that is a regular polygon, one of them on top",
           "a round lens"}}};
     return joined(eye_parameters(camera.eye, required), more);

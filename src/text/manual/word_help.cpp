@@ -172,7 +172,7 @@ std::string_view word_of(const WordHelp& row) {
     return name.starts_with('`') ? name.substr(1, name.find('`', 1) - 1) : "";
 }
 
-/// Returns what `key` and other words stand for in help_on_block.
+/// Returns the block whose help a block shows: `coat` that of `material`, a `key` in a motion that of `motion`.
 std::string_view own_block(std::string_view block, std::string_view outer) {
     if (block == "key" && outer == "motion") return "motion";
     return block == "defaultmaterial" || block == "coat" ? "material" : block;

@@ -8,7 +8,7 @@ namespace strahl {
 
 /// A parameter or an argument of a block, in the manual's Markdown.
 struct WordHelp {
-    std::string name;       // of a parameter "`pow`", perhaps with what follows; of an argument "radius"
+    std::string name;       // "`pow`" of a parameter, perhaps with its value; "radius" of an argument
     std::string otherwise;  // its default in words; empty for the arguments of bodies
     std::string values, meaning;
 };

@@ -60,11 +60,11 @@ class CellPicture {
     int largest_filled = 0;
     double checked = 0;
     std::vector<TilePlace> places;
-    std::vector<std::unique_ptr<InWork>> made, spare;  // those in work, by tile; those of finished tiles
+    std::vector<std::unique_ptr<InWork>> made, spare;  // tiles in work; memory of finished tiles, to reuse
     std::vector<char> begun;
     double error = 0;
-    std::optional<Camera> lens;      // of a picture through one;
-    std::optional<ThinBodies> thin;  // of others
+    std::optional<Camera> lens;      // the camera of a picture through a lens
+    std::optional<ThinBodies> thin;  // for pictures without a lens
     std::mutex mutex;                // of spare and sum
     Sampled sum;
     std::atomic<int> done = 0;

@@ -18,10 +18,10 @@ struct CellSample {
     float reflected[3], reflection;  // direction and weight of the reflected ray
     float further;                   // the longest way that rays went from there
     bool uneven;                     // see Sight
-    bool filtered;                   // it shows means of patterns; then
-    float color[3];                  // is what its light is multiplied by,
+    bool filtered;                   // does it show means of patterns? If so,
+    float color[3];                  // its light is multiplied by this colour,
     float loose;  // this says how loose the filter is, from 0 to 1, or below 0 if nothing varies around,
-    float doubt;  // and this is the standard deviation of what that colour may be off
+    float doubt;  // whose error has this standard deviation
     bool detailed() const { return filtered && loose >= 0; }
 };
 

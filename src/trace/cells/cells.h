@@ -23,7 +23,7 @@ namespace strahl {
 /// A point of a tile, in units from its top left corner.
 struct Point {
     std::int32_t x, y;
-    static constexpr std::int32_t unit = 4096;  // in a pixel
+    static constexpr std::int32_t unit = 4096;  // number of units in a pixel
     bool operator==(const Point&) const = default;
 };
 
@@ -66,7 +66,7 @@ class Cells {
         std::int32_t x, y, size;     // in units of Point
         std::array<int, 4> corners;  // samples, around the cell
         int middle = -1;
-        int search = -1;  // of an edge's ends, or of a flat part
+        int search = -1;  // number of the search for an edge's ends or for a flat part
         Stage stage = Stage::corners;
     };
     struct Search {

@@ -70,7 +70,7 @@ class LatticeCells {
     std::vector<std::uint32_t> colors;  // of the samples
     std::vector<TilePixel> places;      // of the samples
     std::vector<TilePixel> rest;        // pixels that are traced for their colours alone
-    std::vector<std::uint32_t> traced;  // those colours
+    std::vector<std::uint32_t> traced;  // the traced colours of `rest`
     std::vector<LatticeCell> cells, parts, filled;
 };
 

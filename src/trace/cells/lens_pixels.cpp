@@ -45,8 +45,8 @@ std::uint32_t LensPixels::seed_of(int pixel) const {
     return ScrambledNet::mix(static_cast<std::uint32_t>(y) * 65536u + static_cast<std::uint32_t>(x));
 }
 
-/// Traces what is wished for, many rays at once.
-void LensPixels::trace_nets(std::span<const Wish> wishes, const TraceLensRays& trace, bool check) const {
+/// Traces these parts, many rays at once.
+void LensPixels::trace_nets(std::span<const NetPart> parts, const TraceLensRays& trace, bool check) const {
     constexpr std::size_t many = 4096;
     std::vector<LensRay> rays;
     std::vector<double*> to;  // of each ray
@@ -58,15 +58,15 @@ void LensPixels::trace_nets(std::span<const Wish> wishes, const TraceLensRays& t
             for (int c = 0; c < 3; ++c) to[i][c] += rgb[i][c];
         rays.clear(), to.clear();
     };
-    for (const Wish& wish : wishes) {
-        const int x = left + wish.pixel % columns, y = top + wish.pixel / columns;
+    for (const NetPart& part : parts) {
+        const int x = left + part.pixel % columns, y = top + part.pixel / columns;
         for (std::uint32_t n = 0; n < nets; ++n) {
-            const ScrambledNet net(ScrambledNet::mix(wish.seed + n));
-            for (std::uint32_t i = wish.first; i < wish.last; ++i) {
+            const ScrambledNet net(ScrambledNet::mix(part.seed + n));
+            for (std::uint32_t i = part.first; i < part.last; ++i) {
                 const auto [u, v, s, t] = net.point(i);
                 const auto [across, below] = lens_place(camera, s, t);
                 rays.push_back({x + u - .5, y + v - .5, across, below});
-                to.push_back((*wish.sums)[n].data());
+                to.push_back((*part.sums)[n].data());
             }
             if (rays.size() >= many) flush();
         }
@@ -75,15 +75,15 @@ void LensPixels::trace_nets(std::span<const Wish> wishes, const TraceLensRays& t
 }
 
 void LensPixels::take(std::uint32_t points, const TraceLensRays& trace) {
-    std::vector<Wish> wishes;
+    std::vector<NetPart> parts;
     for (const int number : open) {
-        Pixel& pixel = pixels[number];
-        wishes.push_back({number, seed_of(number), pixel.taken, std::max(points, 2 * pixel.taken), &pixel.sums});
-        pixel.taken = wishes.back().last;
+        LensPixel& pixel = pixels[number];
+        parts.push_back({number, seed_of(number), pixel.taken, std::max(points, 2 * pixel.taken), &pixel.sums});
+        pixel.taken = parts.back().last;
     }
-    trace_nets(wishes, trace, false);
+    trace_nets(parts, trace, false);
     for (const int number : open) {
-        Pixel& pixel = pixels[number];
+        LensPixel& pixel = pixels[number];
         pixel.variance = variance_of(pixel.sums, pixel.taken);
         for (int c = 0; c < 3; ++c) {
             double sum = 0;
@@ -120,7 +120,7 @@ void LensPixels::settle() {
 
 std::vector<std::uint32_t> LensPixels::counts() const {
     std::vector<std::uint32_t> all;
-    for (const Pixel& pixel : pixels) all.push_back(nets * pixel.taken);
+    for (const LensPixel& pixel : pixels) all.push_back(nets * pixel.taken);
     return all;
 }
 
@@ -129,12 +129,12 @@ MeasuredError LensPixels::measured(double chance, const TraceLensRays& trace) co
     for (int i = 0; i < columns * rows; ++i)
         if (ScrambledNet::mix(seed_of(i) + nets) * 0x1p-32 < chance) chosen.push_back(i);
     std::vector<std::array<Sums, 2>> sums(chosen.size());
-    std::vector<Wish> wishes;
+    std::vector<NetPart> parts;
     for (std::size_t k = 0; k < chosen.size(); ++k)
         for (std::uint32_t half = 0; half < 2; ++half)
-            wishes.push_back({chosen[k], ScrambledNet::mix(seed_of(chosen[k]) + nets) + nets * half, 0,
-                              2 * pixels[chosen[k]].taken, &sums[k][half]});
-    trace_nets(wishes, trace, true);
+            parts.push_back({chosen[k], ScrambledNet::mix(seed_of(chosen[k]) + nets) + nets * half, 0,
+                             2 * pixels[chosen[k]].taken, &sums[k][half]});
+    trace_nets(parts, trace, true);
     MeasuredError error{.checked = chosen.size()};
     for (std::size_t k = 0; k < chosen.size(); ++k) {
         double product = 0;

@@ -47,26 +47,26 @@ class LensPixels {
 
   private:
     using Sums = std::array<std::array<double, 3>, nets>;
-    struct Pixel {
+    struct LensPixel {
         Sums sums{};
         std::uint32_t taken = 0;  // of each net
         double variance = 0;      // of the pixel's mean, the mean of its channels
     };
     /// Points `first` to `last` of the nets with this seed, of a pixel, whose light is added to `sums`.
-    struct Wish {
+    struct NetPart {
         int pixel;
         std::uint32_t seed, first, last;
         Sums* sums;
     };
     std::uint32_t seed_of(int pixel) const;
-    void trace_nets(std::span<const Wish> wishes, const TraceLensRays& trace, bool check) const;
+    void trace_nets(std::span<const NetPart> parts, const TraceLensRays& trace, bool check) const;
     void settle();
 
     int left = 0, top = 0, columns = 0, rows = 0;
     double limit = 0;  // of the variance
     bool begun = false;
     Camera camera;
-    std::vector<Pixel> pixels;
+    std::vector<LensPixel> pixels;
     std::vector<int> open;  // numbers of the pixels that need more
     std::vector<double> means;
 };

@@ -20,9 +20,9 @@ inline constexpr double least_sampling_error = 1e-4;
 
 /// The errors of a picture as measured at some of its pixels.
 struct MeasuredError {
-    std::uint64_t checked = 0;  // times that pixels were
+    std::uint64_t checked = 0;  // how often a pixel was checked, all pixels together
     double squares = 0;         // the sum over all pixels of the mean square of their channels' errors; may be below 0
-    double variance = 0;        // of that sum, by chance
+    double variance = 0;        // variance of that sum
 
     MeasuredError& operator+=(const MeasuredError& other);
 };

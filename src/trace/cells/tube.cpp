@@ -72,6 +72,44 @@ class CutPolygon {
     std::size_t count = 0;
 };
 
+DVec3 longest_side(const std::vector<DVec3>& polygon) {
+    DVec3 longest(0);
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const DVec3 side = polygon[(k + 1) % polygon.size()] - polygon[k];
+        if (dot_product(side, side) > dot_product(longest, longest)) longest = side;
+    }
+    return longest;
+}
+
+/// Calls add(ball, pieces) for balls that hold a facet together. A ball around all of a long one would be met by most
+/// tubes, so it is cut across into pieces about as long as wide, but no shorter than `shortest`.
+template <class Add>
+void add_balls(const Facet& facet, double shortest, const Add& add) {
+    const std::vector<DVec3>& corners = facet.corners;
+    const DVec3 along = quick_unit(longest_side(corners));
+    double low = 0, high = 0, width = 0;  // from the first corner
+    for (const DVec3& corner : corners) {
+        const DVec3 since = corner - corners[0];
+        const double at = dot_product(since, along);
+        low = std::min(low, at), high = std::max(high, at);
+        width = std::max(width, quick_length(since - at * along));
+    }
+    const double wanted = std::ceil((high - low) / std::max(width, shortest));
+    const int pieces = wanted > 1 ? static_cast<int>(std::min(wanted, 1e3)) : 1;
+    for (int i = 0; i < pieces; ++i) {
+        CutPolygon piece;
+        for (const DVec3& corner : corners) piece.add(corner - corners[0]);
+        const auto end = [&](int n) { return low + (high - low) * n / pieces; };
+        if (i > 0) piece.cut(along, -end(i));
+        if (i + 1 < pieces) piece.cut(-along, end(i + 1));
+        if (!piece.points().empty())
+            add(ball_around([&](const auto& hold) {
+                    for (const DVec3& corner : piece.points()) hold(corners[0] + corner, 0);
+                }),
+                pieces);
+    }
+}
+
 }  // namespace
 
 glm::dmat3 RayBundle::coordinates() const { return glm::inverse(glm::dmat3(across, down, corner)); }
@@ -125,21 +163,38 @@ RayBundle::Met RayBundle::met(std::span<const DVec3> polygon, const glm::dmat3& 
     return result;
 }
 
+namespace {
+
+double slant_of(const Tube& tube) { return std::sqrt(1 + tube.growth * tube.growth); }
+
+/// Returns how far from the way the centres of balls may be, so far along it, that reach into the tube.
+double reach_at(const Tube& tube, double slant, double along, double radius) {
+    return tube.radius + tube.growth * along + radius * slant;
+}
+/// Returns a bound on the radius of the tube where it is met by balls with centres so far along the way.
+double bound_at(const Tube& tube, double along, double radius) {
+    along += tube.growth < 0 ? -radius : radius;
+    return tube.radius + tube.growth * std::clamp(along, 0., tube.length);
+}
+
+/// Returns radius_at() of a ball. It is asked for most often, and so gets the slant of the tube.
+double radius_at_ball(const Tube& tube, double slant, const DVec3& centre, double radius) {
+    const DVec3 since = centre - tube.from;
+    const double start = dot_product(since, tube.direction), reach = reach_at(tube, slant, start, radius);
+    const bool near = reach >= 0 && dot_product(since, since) - start * start <= reach * reach;
+    return near && start >= -radius && start <= tube.length + radius ? bound_at(tube, start, radius) : -1;
+}
+
+}  // namespace
+
 double radius_at(const Tube& tube, const Capsule& capsule) {
+    const double slant = slant_of(tube);
+    if (capsule.from == capsule.to) return radius_at_ball(tube, slant, capsule.from, capsule.radius);
     const DVec3 since = capsule.from - tube.from, way = capsule.to - capsule.from;
     const double start = dot_product(since, tube.direction);
     // Balls of the capsule's radius reach into the tube where their centres are no further from the way than `reach`.
-    const double slant = std::sqrt(1 + tube.growth * tube.growth);
-    const double reach = tube.radius + tube.growth * start + capsule.radius * slant;
-    const auto radius = [&](double s) {
-        s += tube.growth < 0 ? -capsule.radius : capsule.radius;
-        return tube.radius + tube.growth * std::clamp(s, 0., tube.length);
-    };
-    if (capsule.from == capsule.to) {
-        const bool between = start >= -capsule.radius && start <= tube.length + capsule.radius;
-        const bool near = reach >= 0 && dot_product(since, since) - start * start <= reach * reach;
-        return between && near ? radius(start) : -1;
-    }
+    const double reach = reach_at(tube, slant, start, capsule.radius);
+    const auto radius = [&](double along) { return bound_at(tube, along, capsule.radius); };
     const double ahead = dot_product(way, tube.direction), more = tube.growth * ahead;
     Stretch part;
     part.clip(start + capsule.radius, ahead);
@@ -166,19 +221,26 @@ double radius_at(const Tube& tube, const Capsule& capsule) {
 CapsuleTree::CapsuleTree(const Scene& scene, bool with_facets) {
     std::vector<TreeLeaf> all;
     std::int32_t body = 0;
+    Box box;
+    double lengths = 0;  // of all facets together
     for (const Primitive& primitive : scene.primitives) {
         for (const Capsule& capsule : capsules_of(primitive)) all.push_back({capsule, capsule.radius, -1});
         if (!with_facets) continue;
         for (Facet& facet : facets_of(primitive)) {
-            const Capsule around = ball_around([&](const auto& add) {
-                for (const DVec3& corner : facet.corners) add(corner, 0);
-            });
-            all.push_back({around, facet.least, static_cast<std::int32_t>(facets.size())});
+            for (const DVec3& corner : facet.corners) box.add(corner);
+            lengths += length(longest_side(facet.corners));
             facets.push_back(std::move(facet));
             bodies.push_back(body);
         }
         ++body;
     }
+    // In a CAD model of 2,710 triangles finer pieces bring no more.
+    constexpr double finest = 1. / 128, most_pieces = 1e5;
+    const double shortest = std::max(finest * length(box.size()), lengths / most_pieces);
+    for (std::size_t i = 0; i < facets.size(); ++i)
+        add_balls(facets[i], shortest, [&](const Capsule& around, int pieces) {
+            all.push_back({around, facets[i].least, static_cast<std::int32_t>(i), pieces > 1});
+        });
     if (all.empty()) return;
     nodes.reserve(2 * all.size() - 1);
     add(all);
@@ -193,7 +255,7 @@ void CapsuleTree::add(std::span<TreeLeaf> leaves) {
             add(leaf.around.from, leaf.around.radius), add(leaf.around.to, leaf.around.radius);
     });
     const double least = std::ranges::min(leaves, {}, &TreeLeaf::least).least;
-    nodes.push_back({around, least, 0, single, single ? leaves[0].facet : -1});
+    nodes.push_back({around, least, 0, single, single && leaves[0].is_piece, single ? leaves[0].facet : -1});
     if (!single) {
         const std::size_t half = leaves.size() / 2;
         halve(leaves, half, [](const TreeLeaf& leaf) { return leaf.around.from + leaf.around.to; });
@@ -203,18 +265,27 @@ void CapsuleTree::add(std::span<TreeLeaf> leaves) {
 }
 
 /// Calls visit(leaf, radius) for the leaves that reach into the tube and are thinner than it is there, with a bound on
-/// its radius, until one returns true; returns whether one did.
+/// its radius, until one returns true; returns whether one did. Facets of several pieces are visited once.
 template <class Visit>
 bool CapsuleTree::any_thin(const Tube& tube, const Visit& visit) const {
+    const double slant = slant_of(tube);
+    std::vector<std::int32_t> visited;
     for (std::size_t i = 0; i < nodes.size();) {
         const CapsuleNode& node = nodes[i];
-        const double radius = radius_at(tube, node.around);
+        const double radius = node.is_leaf && node.facet < 0
+                                  ? radius_at(tube, node.around)
+                                  : radius_at_ball(tube, slant, node.around.from, node.around.radius);
         if (!(radius >= 0 && radius >= node.least)) {
             i = std::size_t(node.next);
             continue;
         }
         ++i;
-        if (node.is_leaf && visit(node, radius)) return true;
+        if (!node.is_leaf) continue;
+        if (node.is_piece) {
+            if (std::ranges::find(visited, node.facet) != visited.end()) continue;
+            visited.push_back(node.facet);
+        }
+        if (visit(node, radius)) return true;
     }
     return false;
 }
@@ -223,7 +294,7 @@ bool CapsuleTree::meets(const Tube& tube, const RayBundle& bundle, double least,
                         std::span<const DVec3> own) const {
     const glm::dmat3 to_own = facets.empty() ? glm::dmat3(1) : bundle.coordinates();
     constexpr unsigned all = 15;
-    double largest[all + 1] = {};  // share of the facets that these corners meet
+    double largest[all + 1] = {};  // largest share of the facets that a set of corners meets
     const bool found = any_thin(tube, [&](const CapsuleNode& node, double radius) {
         if (node.facet >= 0) {
             const auto [share, corners, sides] = bundle.met(facets[node.facet].corners, to_own);

@@ -21,7 +21,7 @@ namespace strahl {
 /// All points no further from a straight way than a radius that grows or shrinks evenly along it.
 struct Tube {
     DVec3 from, direction;  // of length 1
-    double length;          // of the way; may be infinite
+    double length;          // length of the segment; may be infinite
     double radius, growth;  // at `from`, and by unit of length; not below 0 anywhere
     double area;            // of the bundle's cross section, which the tube contains, over the square of the radius
 };
@@ -53,7 +53,7 @@ struct RayBundle {
 /// The part of a bundle that one flat thin body takes.
 struct FlatPart {
     double share = 0;
-    unsigned corners = 0;              // of the bundle, that are in it
+    unsigned corners = 0;              // bit set of the bundle's corners that are in it
     std::array<glm::dvec2, 3> places;  // u and v in it: in the middle of its largest polygon, and near two ends
 };
 
@@ -85,15 +85,16 @@ class CapsuleTree {
 
   private:
     struct TreeLeaf {
-        Capsule around;  // a ball around a facet
+        Capsule around;  // a ball around a facet or a piece of one
         double least;
         std::int32_t facet;  // its number, -1 for capsules
+        bool is_piece = false;
     };
     struct CapsuleNode {
-        Capsule around;     // a ball, or that of a leaf
+        Capsule around;     // a ball around the body, or the capsule of a leaf
         double least;       // the smallest radius below, or half a facet's thickness
         std::int32_t next;  // node that follows all below this one
-        bool is_leaf;
+        bool is_leaf, is_piece;
         std::int32_t facet;
     };
     void add(std::span<TreeLeaf> leaves);
@@ -102,7 +103,7 @@ class CapsuleTree {
 
     std::vector<CapsuleNode> nodes;  // each before those below it
     std::vector<Facet> facets;
-    std::vector<std::int32_t> bodies;  // of the facets
+    std::vector<std::int32_t> bodies;  // bodies of the facets
 };
 
 }  // namespace strahl

@@ -20,7 +20,7 @@ struct SeenSurface {
 template <class S>
 struct LitSurface {
     const Vec3<S>&direction, &normal, &reflected, &l;
-    const S& cosine;  // that of the angle with the normal, without its sign
+    const S& cosine;  // absolute cosine of the angle with the normal
     bool highlights;
     Mask<S> behind;  // the light is behind the surface
 };

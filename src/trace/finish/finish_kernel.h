@@ -95,7 +95,7 @@ Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, c
         const int layers = std::min(finish.layers, most_layers);
         for (int& i = hit.count; i < layers; ++i) hit.color[i] = hit.above[i] = none, hit.opacity[i] = S(0);
         Mask<S> open = lanes;  // those whose light is followed to this layer
-        S weight(1);           // of rays that it reflects
+        S weight(1);           // weight of the rays that the layer reflects
         bool shown = true;     // is the bend of the stack's uppermost layer this one?
         const auto end = [&](const Vec3<S>& light) {
             return bailout > 0 ? select(gray_of<S>(light) > S(bailout) * factor.y, light, none) : light;

@@ -164,7 +164,7 @@ class CompositeWalk {
         }
         return top;
     }
-    /// Returns the lanes in which a leaf whose surfaces a union keeps ends at `t`, and is seen there.
+    /// Returns the lanes in which a leaf ends at `t` and its surface is seen there because a union keeps it.
     [[gnu::noinline]] Mask<S> keeps_at(const S& t) const {
         Mask<S> seen = first_lanes<S>(0);
         each_leaf([&](int i) {
@@ -178,8 +178,8 @@ class CompositeWalk {
     /// intersections are inside, and those of its unions are not, unless they keep surfaces.
     [[gnu::noinline]] Mask<S> shows(int own, const S& t) const {
         struct KeptPart {
-            Mask<S> inside;  // or where the surface is seen,
-            bool own;        // if it is of this part
+            Mask<S> inside;  // lanes where the surface is seen,
+            bool own;        // if the leaf belongs to this part
         };
         const auto part_of = [&](int i) {
             return KeptPart{i == own ? first_lanes<S>(width<S>) : inside_leaf(i, t), i == own};
@@ -477,7 +477,7 @@ class CompositeWalk {
     int leaf_count = 0, step_count = 0, list_count = 0;
     bool starts_here;
     S start_key;
-    Room<std::int16_t, most_leaves> leaves;  // those that matter
+    Room<std::int16_t, most_leaves> leaves;  // leaves that the ray may cross
     Room<WalkStep, 2 * most_leaves> steps;
     Room<LeafEnds<S>, most_leaves> ends;
     Room<MeshCrossings<S>, most_lists> lists;

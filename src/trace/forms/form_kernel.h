@@ -25,7 +25,7 @@ template <class S>
 struct LeafEnds {
     S near[2], far[2], near_face, far_face;
     int pairs;
-    int list;  // of a leaf whose crossings are listed: the number of the list
+    int list;  // number of the list, for a leaf whose crossings are listed
 };
 
 /// Lists where rays cross the triangles of a mesh, or a body whose crossings are listed, beyond some distance: the
@@ -36,7 +36,7 @@ struct MeshCrossings {
     static constexpr int most = 8;
     alignas(64) T t[most][width<S>], surface[most][width<S>];
     unsigned odd[most];   // by lane, whether the number of triangles there is odd
-    unsigned odd_in_all;  // and of all triangles looked at, also those further off
+    unsigned odd_in_all;  // by lane, the same for all triangles tested, however far
 
     /// Forgets all.
     void clear() {

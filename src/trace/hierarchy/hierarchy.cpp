@@ -42,7 +42,7 @@ struct BinaryNode {
     int depth;
     int side = 0;  // which of the two arrays they are in
     bool leaf = false;
-    const std::array<BinaryNode, 2>* halves = nullptr;  // those known already
+    const std::array<BinaryNode, 2>* halves = nullptr;  // the halves, if they are known already
     std::int32_t count() const { return end - begin; }
 };
 
@@ -86,7 +86,7 @@ class HierarchyBuilder {
     };
     ItemBox* entries[2];
     ThreadPool& pool;
-    const float triangle_cost;  // of that of a binary node
+    const float triangle_cost;  // cost of testing a triangle, relative to a binary node's
     std::vector<Task> tasks;
     std::deque<std::array<BinaryNode, 2>> halves;  // of the parts that a grid cuts
 
@@ -267,8 +267,8 @@ class HierarchyBuilder {
         const std::size_t index = nodes.size();
         nodes.emplace_back();
         BinaryNode parts[Node::width];
-        float areas[Node::width];  // of those that can be opened
-        int order[Node::width]{};  // that of their items
+        float areas[Node::width];  // areas of the children that can be opened
+        int order[Node::width]{};  // the children in the order of their items
         const auto put = [&](int i, const BinaryNode& part) {
             parts[i] = part;
             areas[i] = part.leaf ? -1 : part.extents.all.half_area();

@@ -37,12 +37,13 @@ inline QuadBox bounds_of(const ItemBox& box) { return std::bit_cast<QuadBox>(box
 /// rounded, and half a unit here. The smallest normal number is added because denormal floats have fewer places.
 inline QuadBox grown(const QuadBox& box, double margin) {
     const Quad grow = Quad{} + (static_cast<float>(margin) + std::numeric_limits<float>::min()),
-               units = Quad{} + 0x1p-22f;
-    return {box.low - (grow + maximum(box.low, -box.low) * units),
-            box.high + (grow + maximum(box.high, -box.high) * units)};
+               units{0x1p-22f, 0x1p-22f, 0x1p-22f, 0};
+    Quad low = box.low, high = box.high;
+    low[3] = high[3] = 0;  // denormal floats, see above
+    return {low - (grow + maximum(low, -low) * units), high + (grow + maximum(high, -high) * units)};
 }
 
-inline constexpr float item_cost = .2f;  // of that of a binary node
+inline constexpr float item_cost = .2f;  // relative to the cost of a binary node
 
 /// A box around a range of boxes, and one around their centres.
 struct Extents {

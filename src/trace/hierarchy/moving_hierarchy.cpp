@@ -11,7 +11,7 @@ namespace {
 
 using namespace hierarchy_cut;
 
-constexpr double most_growth = 1.25;      // of the cost
+constexpr double most_growth = 1.25;      // the cost may grow by this factor before a new hierarchy is built
 constexpr std::int32_t share_nodes = 64;  // a thread's piece of work
 
 QuadBox child_bounds(const Node& node, int child) {

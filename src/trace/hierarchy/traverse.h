@@ -90,7 +90,7 @@ class PacketBounds {
   private:
     Vec3<F> origin_low, origin_high;
     Vec3<F> inv_min, inv_max;  // smallest and largest reciprocal, without its sign
-    int sign[3];               // that sign, or 0 where rays go both ways
+    int sign[3];               // the common sign, or 0 where rays go both ways
 };
 
 /// A stack whose topmost stretch can be kept sorted, the nearest on top. Entries are written and read in place, field

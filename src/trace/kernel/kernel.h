@@ -21,7 +21,7 @@ inline constexpr int deepest_ray = 256;
 /// square that the sample stands for.
 template <class S>
 struct Differentials {
-    Vec3<S> place[2], direction[2];  // of the ray's start or, of hits, its end
+    Vec3<S> place[2], direction[2];  // at the ray's start; for hits at its end
     S loose;                         // how much they change in that square, from 0 to 1; below 0 if they are not known
 };
 /// Calls visit(numbers...) for each number of differentials, of several side by side.
@@ -125,7 +125,7 @@ struct Sight {
     std::uint32_t signature = 0;
     T glint = 0;                                      // light that highlights of exponent 4 would bring
     T distance = std::numeric_limits<T>::infinity();  // of the camera ray's hit
-    std::int32_t surface = -1;                        // of that hit
+    std::int32_t surface = -1;                        // surface of that hit
     std::uint32_t lit = 0;                            // bit i: light i reaches that hit, see most_lit
     T reflected[3] = {}, reflection = 0;              // direction and weight of the ray reflected there
     T further = 0;                                    // the longest distance of the rays that leave that hit
@@ -139,11 +139,11 @@ inline constexpr int most_lit = 31;
 template <class T>
 struct Limits {
     int depth = 20;                           // generations, of rays that count
-    int generations = 20;                     // the same with those that do not, see FinishTables::carries
+    int generations = 20;                     // generations, uncounted rays included, see FinishTables::carries
     T error = 0;                              // most light that pruned rays may take from a pixel
     const T* brightest = nullptr;             // [n]: with n generations to come, the next one's rays are no brighter
     T noticed = 0;                            // hits of at most this weight do not count in signatures
-    T brightest_limit = 0;                    // the same for any number of generations; infinite if there is no bound
+    T brightest_limit = 0;                    // bound for any number of generations; may be infinite
     int queue = batch_rays;                   // most rays of a generation in a batch of several pixels, see Job
     const std::atomic<bool>* stop = nullptr;  // if it becomes true the picture is no longer wanted
     /// Returns the most light that rays of the generation after this one bring.

@@ -211,7 +211,7 @@ template <class S, class P>
     reflected.mask = reflected.mask & (reflected.weight >= least);
 }
 
-/// The way of light through surfaces.
+/// Holds the direction of refracted rays, and what it was computed of.
 template <class S>
 struct Refraction {
     Vec3<S> direction;

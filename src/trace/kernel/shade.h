@@ -94,7 +94,7 @@ class HitMaterial {
     }
 
   private:
-    int number = -1;  // of the one that all lanes have, else -1
+    int number = -1;  // number of the material that all lanes have, else -1
 };
 
 /// Hits of a bin: the numbers of their rays, all on plain bodies or all on bodies with finishes.

@@ -61,7 +61,7 @@ template <class S>
 struct Hit {
     Mask<S> active;
     Vec3<S> direction, position, normal;  // the normal is turned towards the incident ray
-    Mask<S> outside;                      // that ray comes from the side that the surface faces
+    Mask<S> outside;                      // lanes whose ray comes from the side that the surface faces
     S surface, body, pixel, weight, medium;
     const MaterialKernel<S>& material;
     bool uniform;  // all lanes have the same material
@@ -90,7 +90,7 @@ struct HitNotes {
     Vec3<S> flat;                   // normals before they were bent
     Differentials<S> beside;        // on the surface; only set where patterns are filtered, as the next
     Vec3<S> turn[2];                // changes of the normal from there to those places
-    RayCone<S> cone;                // only set where patterns are filtered roughly, as the next
+    RayCone<S> cone;                // set only where patterns are filtered roughly, like `bend`
     S bend;                         // by how much the normal turns over the cone's width
     Carried<S> carried;             // for the rays that go on; only set where rays carry something
     [[no_unique_address]] typename P::template OfHit<S> own;

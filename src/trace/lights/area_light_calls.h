@@ -40,7 +40,7 @@ struct LitHits {
     Vec3<S> position, normal, flat, reflected;
     S surface, weight, diffuse, specular, pow, shines_from;
     int bin;
-    S medium{0};  // as in Start
+    S medium{0};  // see Start
     MediumStacks* mediums = nullptr;
 };
 

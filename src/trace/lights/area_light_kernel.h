@@ -358,7 +358,7 @@ class GridSum {
         }
         return false;
     }
-    /// Returns true if all points of the grid are before the surface, and nothing can be in their way.
+    /// Returns true if all points of the grid are in front of the surface, and no body can be in between.
     bool nothing_before() {
         const T around = light.circular ? T(1.004) : T(1);  // circles are off their middle by .001
         const Vec3<T> across = scale(around, u), down = scale(around, v), first = middle - scale(T(.5), across + down);

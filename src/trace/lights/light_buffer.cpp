@@ -176,7 +176,7 @@ void LightBuffers<T>::Arrays::divide(double area) {
         }
     }
     counts = uninitialized_buffer<std::int32_t>(cells), ends = uninitialized_buffer<std::int32_t>(cells);
-    constexpr double off = 1. / 64;  // of a cell, for rounding
+    constexpr double off = 1. / 64;  // margin for rounding, in cells
     const auto cell = [](double slope, T low, T per, double off) {
         const double cells = (slope - static_cast<double>(low)) * static_cast<double>(per);
         return static_cast<std::int32_t>(std::floor(cells + off));

@@ -17,13 +17,13 @@ double apart(const Sample& a, const Sample& b) {
     return std::max({std::fabs(a[0] - b[0]), std::fabs(a[1] - b[1]), std::fabs(a[2] - b[2])});
 }
 
-/// The search for a jump on a line from a pixel's sampling point; places on it in pixels. Smooth differences fall below
-/// a step when halved again and again, jumps do not. What keeps its difference is halved first, so that a jump is found
-/// where the picture changes up to some hundred times as much beside it, and a steep slope ends after `most_halved`
-/// samples.
+/// Searches for a jump on a line from a pixel's sampling point. Places on the line are in pixels. When the line is
+/// halved again and again, smooth differences fall below a step, jumps do not. The part that keeps its difference is
+/// halved first, so that a jump is found where the picture changes up to some hundred times as much beside it. A steep
+/// slope ends after `most_halved` samples.
 class Line {
   public:
-    /// The place whose sample it needs, unless it is done.
+    /// The place whose sample the search needs next, unless it is done.
     double wanted = 0;
     bool done = false, jumps = false;
 

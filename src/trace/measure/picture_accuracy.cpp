@@ -11,7 +11,7 @@
 namespace strahl {
 namespace {
 
-constexpr double safety = 16;                  // of the sample's largest rounding over the error
+constexpr double safety = 16;                  // so many times the sample's largest rounding must be below the error
 constexpr double least_jump = 1e-3;            // smaller differences are not taken for edges
 constexpr double edge_radius = .1;             // pixels; in float edges are this wide where mirrors magnify
 constexpr int few_edges = 4, many_edges = 64;  // pixels on edges that may differ: so many and one in so many

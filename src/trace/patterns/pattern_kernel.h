@@ -143,7 +143,7 @@ template <class S>
 struct PatternMeans {
     using T = Element<S>;
     alignas(64) T values[5][width<S>] = {};
-    alignas(64) T weights[most_weighed][width<S>];  // of the stops, only of patterns among whose colours are patterns
+    alignas(64) T weights[most_weighed][width<S>];  // of the stops, for patterns with nested patterns only
     /// Sets the mean of a lane; find(weights) returns it.
     template <class Find>
     void set(const PatternKernel<T>& pattern, int k, const Find& find) {
@@ -287,7 +287,7 @@ std::array<S, 2> shift_of(const NestedMeans<S>& means, int stop, Mask<S> lanes) 
         const T ways[2] = {1 - means.left.weights[stop][k] / weight, 1 - means.upper.weights[stop][k] / weight};
         const T sum = std::abs(ways[0]) + std::abs(ways[1]);
         for (int i = 0; i < 2 && sum > 0; ++i) {
-            const T part = std::pow(weight, std::abs(ways[i]) / sum);  // of the side's length that it is seen on
+            const T part = std::pow(weight, std::abs(ways[i]) / sum);  // share of the side's length on which it is seen
             shifts[i][k] = std::clamp(ways[i] * std::max(part, 1 - part) / 2, T(-.5), T(.5));
         }
     });

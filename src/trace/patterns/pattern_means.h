@@ -35,7 +35,7 @@ struct ValueGrid {
     double cells = 0;     // how many cells of the finest detail that counts the sides of the area cross
     bool coarse = false;  // detail is lost between values: colours of these count, not of what lies between
     double lost = 0;      // to this share the area shows so many cells that any value may be anywhere
-    const ValuesAnywhere* anywhere = nullptr;  // those values
+    const ValuesAnywhere* anywhere = nullptr;  // the values of the pattern in all of space
     alignas(64) double values[room] = {};      // row by row
 };
 

@@ -40,10 +40,10 @@ struct HitBounds {
     S away{0}, normal{0}, mirrored{0}, side{0}, height{0};  // see PointBounds
     S spin{std::numeric_limits<Element<S>>::infinity()};
     S flat{-1};    // error of bent normals before they were bent; -1 of others
-    S turn{0};     // of the incident rays
+    S turn{0};     // turn of the incident rays
     S off{0};      // bound of the error of the light that the hit sends back, before its weight
     S diffuse{0};  // error bound of the largest channel of the diffuse colour
-    S color{0};    // and of that of a pattern's colour
+    S color{0};    // bound of the error of a pattern's colour
     S tint{1};     // the largest channel of colours that the ray carries
     // For hits with finishes: errors of the shares of light that are reflected and refracted, and the largest sum of
     // both.

@@ -34,7 +34,7 @@ template <class S>
     traverse<true>(world.nodes, line, active, found.high, look, [&](int k, const Leaf& from) {
         const DoubtfulRay<S> single = lane_of(own, k);
         T limit = lane(found.high, k);
-        Candidates<S> all;  // of this ray alone: one in each lane
+        Candidates<S> all;  // candidates of this ray alone, one in each lane
         const auto look_single = [&](const Leaf& leaf) {
             const bool known = if_known(world, leaf.form(), [&](const auto& group) {
                 for (int i = leaf.first; i < leaf.first + leaf.count(); i += width<S>)

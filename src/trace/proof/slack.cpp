@@ -15,7 +15,7 @@ template <class T>
 struct Comparison {
     const ExtendedTransform& to_world;
     Slack<T>& slack;
-    std::size_t& triangles;  // of a mesh, that were compared
+    std::size_t& triangles;  // number of compared triangles of the mesh
 
     static void raise(T& most, Extended value) {
         most = std::max(most, value < 1e300L ? static_cast<T>(value) * (1 + 1e-15) : HUGE_VAL);
@@ -199,7 +199,7 @@ Slack<T> slack_of(const Scene& scene, const Placement& placement) {
 
 template <class T>
 void add_eye(Slack<T>& slack, const View& view, const Placement& placement) {
-    constexpr Extended rounding = 32 * std::numeric_limits<Extended>::epsilon();  // of a few dozen operations
+    constexpr Extended rounding = 32 * std::numeric_limits<Extended>::epsilon();  // of some 30 operations
     const Eye<T> eye = eye_of<T>(view, placement);
     const Eye<Extended> own = extended_eye(view, placement);
     const Extended width = view.width, height = view.height;

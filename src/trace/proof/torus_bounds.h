@@ -42,7 +42,7 @@ struct TorusDistance {
     STRAHL_INLINE S off(const S& t) const { return fma(abs(t), off_per, off_here); }
 
     struct Place {
-        Vec3<S> across;  // from the axis
+        Vec3<S> across;  // vector from the axis to the point
         S out, along, distance;
     };
     STRAHL_INLINE Place at(const S& t) const {

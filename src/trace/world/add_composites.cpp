@@ -211,7 +211,7 @@ class CompositeBuilder {
         if ((meshes.empty() && prisms.empty()) || tables.leaves.size() - info.first_leaf < 2) return;
         constexpr std::int32_t none = -1;
         struct User {
-            std::int32_t key, leaf;  // that of the plane, and of the first face of the leaf that has it alone
+            std::int32_t key, leaf;  // key of the plane; first face of the only leaf on it
         };
         std::unordered_map<PlaneNumbers, User, PlaneNumbers::Hash> users;
         for (std::size_t i = 0; i < planes.size(); ++i) users[planes[i]] = {static_cast<std::int32_t>(i), none};
@@ -262,7 +262,7 @@ class CompositeBuilder {
     /// Gives faces keys of their own that lie in their planes alone: only where faces meet their crossings have to be
     /// those of the plane.
     void release_planes() {
-        std::vector<int> faces(planes.size());  // in each plane
+        std::vector<int> faces(planes.size());  // number of faces in each plane
         const auto each_key = [&](const auto& visit) {
             for (const CompositeLeaf& leaf : std::span(tables.leaves).subspan(info.first_leaf))
                 for (std::int32_t face = 0; face < leaf.faces; ++face) {
@@ -284,7 +284,7 @@ class CompositeBuilder {
     ThreadPool& pool;
     const bool proves;
     const glm::dmat4 outer;
-    std::int32_t next_leaf;  // of the scene
+    std::int32_t next_leaf;  // number that the scene's next leaf gets
     CompositeInfo info{};
     std::int32_t next_surface;
     std::vector<PlaneNumbers> planes;

@@ -105,7 +105,7 @@ void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement
             add_colors(scene.materials[i].rgb, ranges[i], scene.settings.assumed_gamma, glm::dmat4(1), placement);
     const bool any_uv = std::ranges::any_of(scene.materials, &Material::by_uv), finished = scene.finished();
     std::map<std::tuple<int, int, std::array<double, 16>>, std::int32_t> numbers;
-    ItemCounts before;  // only by uv
+    ItemCounts before;  // set for patterns by uv only
     for (const Primitive& primitive : scene.primitives) {
         first_leaf.push_back(static_cast<std::int32_t>(leaf_materials.size()));
         const std::vector<LeafWay> ways = proves ? ways_of(primitive) : std::vector<LeafWay>();
@@ -117,7 +117,7 @@ void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement
             if (!varies(material)) return leaf_materials.push_back(leaf.material);
             const bool by_uv = material.by_uv(), nests = material.rgb.pattern && material.rgb.pattern->nests();
             const bool compared = proves && material.rgb.pattern && !nests;
-            std::array<double, 16> values{};  // those of the matrix, if they matter
+            std::array<double, 16> values{};  // the entries of the matrix, if they matter
             for (int i = 0; i < 16 && material.patterned(); ++i) values[i] = matrices.material[i / 4][i % 4];
             const auto [entry, is_new] = numbers.try_emplace({leaf.material, by_uv ? surface : -1, values},
                                                              static_cast<std::int32_t>(materials.size()));

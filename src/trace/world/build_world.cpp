@@ -82,7 +82,7 @@ LightKernel<T> light_kernel(const Light& light, const Placement& placement) {
         kernel.axis = cast<T>(start), kernel.tightness = static_cast<T>(light.tightness);
     }
     if (light.spot) {
-        const auto less_cosine = [](double degrees) {  // than 1, by how much
+        const auto less_cosine = [](double degrees) {  // 1 - cos(degrees)
             const M sine = std::sin(degrees * (std::numbers::pi_v<M> / 360));
             return 2 * sine * sine;
         };

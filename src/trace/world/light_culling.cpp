@@ -44,7 +44,7 @@ struct Breadth {
 Breadth breadth_of(const BoundingVolume& body, const DVec3& axis) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     if (!body.bounded()) return {-infinity, infinity};
-    double reach = 0;  // of the box
+    double reach = 0;  // half the box's extent along the axis
     for (int c = 0; c < 3; ++c) reach += std::abs(axis[c]) * body.box.size()[c] / 2;
     const double box = dot_product(axis, body.box.centre()), ball = dot_product(axis, body.ball.centre);
     return {std::max(box - reach, ball - body.ball.radius), std::min(box + reach, ball + body.ball.radius)};

@@ -55,7 +55,7 @@ enum class ShadowRays : std::int32_t { whole, past_near, followed_where_dimmed, 
 template <class T>
 struct LightKernel {
     Vec3<T> position, color;
-    T finite = 1, far = 1;  // of parallel light 0 and infinity
+    T finite = 1, far = 1;  // 0 and infinity for parallel light
     bool spot = false;
     Vec3<T> axis{0};  // of the spot, or a point of the axis of a beam. Of a spot the next two are 1 less the cosines of
                       // its radius and its falloff
@@ -128,7 +128,7 @@ struct CompositePlane {
 template <class T>
 struct CompositeBall {
     Vec3<T> centre{0};
-    T square = std::numeric_limits<T>::infinity();  // of its radius
+    T square = std::numeric_limits<T>::infinity();  // square of the radius
 };
 /// A simple body of a composite: an item of its form, beyond those that are looked at by themselves.
 struct CompositeLeaf {
@@ -156,7 +156,7 @@ struct CompositeInfo {
     std::int32_t first_leaf, leaves, first_step, steps, first_plane;
     std::int32_t first_key, surface, surfaces;
     bool shares_faces;  // some keys are of planes, or of several parts
-    bool keeps;         // a union in it keeps surfaces
+    bool keeps;         // does it contain a union that keeps inner surfaces?
 };
 inline constexpr int most_planes = 6 * most_leaves;
 
@@ -195,8 +195,8 @@ struct BodyBox {
 /// Bodies of a world with a bin for each item, by bin. Empty in other worlds.
 template <class T>
 struct FewBodies {
-    Vec3<const T*> centres{nullptr};      // of balls around the bodies; a pack may be read past the end
-    const T* radii = nullptr;             // of these; infinite for planes, and -infinite past the end
+    Vec3<const T*> centres{nullptr};      // centres of balls around the bodies; a pack may be read past the end
+    const T* radii = nullptr;             // radii of these balls; infinite for planes, -infinite past the end
     const BodyBox<T>* boxes = nullptr;    // around the bodies
     const LightCone<T>* cones = nullptr;  // by light * bins + bin: each body as seen from the light
     const BodySet* occluders =
@@ -208,7 +208,7 @@ struct FewBodies {
     // For proofs the cones by columns: by light the axes' x, y and z, the cosines and the distances of all bins.
     const T* cone_columns = nullptr;
     static constexpr int cone_stride = most_item_bins + 16;  // a pack may be read past the end
-    const ParallelShadows<T>* shadows = nullptr;             // by light; of others than parallel ones infinite
+    const ParallelShadows<T>* shadows = nullptr;             // by light; infinite for lights that are not parallel
 };
 
 /// Arrays of all composites and their leaves. Null in worlds without composites, but for the last one.
@@ -230,14 +230,14 @@ struct CompositeTables {
 template <class T>
 struct PatternTables {
     int first = std::numeric_limits<int>::max();  // the first material with patterns
-    const PatternKernel<T>* list = nullptr;       // of the materials from there on; null if there are none
-    const BendKernel<T>* bends = nullptr;         // of the same materials; null if no normals are bent
+    const PatternKernel<T>* list = nullptr;       // patterns of the materials from there on; null if there are none
+    const BendKernel<T>* bends = nullptr;         // bumps of the same materials; null if no normals are bent
     const ColorStopKernel<T>* stops = nullptr;
     const MipMapKernel* mip_maps = nullptr;    // by the numbers of images; null where these are not filtered
     bool has_quick_means = false;              // some patterns have
     bool quick = false;                        // filters are approximate, and note nothing
     const PatternKernel<T>* sky = nullptr;     // of the background, by direction; null if it has none
-    const PatternKernel<T>* nested = nullptr;  // those in the colours of others
+    const PatternKernel<T>* nested = nullptr;  // patterns that are colours of other patterns
     const PatternKernel<T>* coats = nullptr;   // before the background, the lowest first
     int coat_count = 0;
 };
@@ -279,9 +279,9 @@ struct World {
     const SortBin* sort_bins = nullptr;         // by bin
     int bins = 0;
     bool bin_per_item = false;         // few items, up to most_item_bins: all hits of a bin are on the same item
-    int hierarchy_bin = -1;            // that of all items of the hierarchy, if they are of one form
+    int hierarchy_bin = -1;            // bin of all items of the hierarchy, if they are of one form
     const ItemRange* loops = nullptr;  // where there is a hierarchy: items of other than hot forms that it lacks,
-    int loop_count = 0;                // and how many such ranges
+    int loop_count = 0;                // number of such ranges
 
     FewBodies<T> few;
     CompositeTables<T> composites;

@@ -78,7 +78,7 @@ DVec3 to_double(const Vec3<T>& v) {
 /// The traits of a form.
 struct FormTraits {
     bool hot, bounded, convex, listed;  // listed: rays list where they cross its items
-    int faces;                          // of an item
+    int faces;                          // number of faces of an item
     int fields;                         // numbers in an item, the last two being its surface and its material
 };
 template <class T, class... F>
@@ -91,7 +91,7 @@ constexpr std::array<FormTraits, sizeof...(F)> traits_of(FormList<F...>) {
 template <class T>
 struct FormItems {
     Buffer<T> numbers, columns;
-    ItemBox* boxes = nullptr;  // of all items, until these have their places
+    ItemBox* boxes = nullptr;  // boxes of all items, until the items are in order
     int count = 0, in_hierarchy = 0;
     bool copied = false;  // are some in the hierarchy several times?
 };
@@ -124,7 +124,7 @@ struct PatternArrays {
     std::vector<ColorStopKernel<T>> stops;
     PatternKernel<T> sky;
     std::vector<PatternKernel<T>> nested, coats;
-    std::vector<std::shared_ptr<const MeshData>> meshes;  // those with places in pictures
+    std::vector<std::shared_ptr<const MeshData>> meshes;  // meshes that have uv coordinates
     // The material of each leaf of the scene, and the first leaf of each primitive; empty in worlds without patterns.
     std::vector<std::int32_t> leaf_materials, first_leaf;
     std::vector<std::shared_ptr<const Pattern>> kept;  // kernels point to their numbers
@@ -160,7 +160,7 @@ struct WorldArrays {
     World<T> world;
     static constexpr auto traits = traits_of<T>(Forms{});
     std::array<FormItems<T>, Forms::size> forms;
-    Buffer<ItemBox> boxes;  // those of all forms, one after the other
+    Buffer<ItemBox> boxes;  // boxes of all forms, one form after the other
     Hierarchy hierarchy;
     Buffer<ItemReference> references;
     std::vector<SortBin> sort_bins;
@@ -179,9 +179,9 @@ struct WorldArrays {
     double reach = 0;  // the largest coordinate of a bounded body
     int surfaces = 0;
 
-    MovingHierarchy* const moving;  // of the world at the moments before, or nullptr
+    MovingHierarchy* const moving;  // hierarchy of the earlier moments, or nullptr
     const std::shared_ptr<Images> images;
-    const int lanes;  // of the kernel
+    const int lanes;  // SIMD lanes of the kernel
 
     WorldArrays(const Scene& scene, const Placement& placement, ThreadPool& pool, MovingHierarchy* moving,
                 std::shared_ptr<Images> kept, bool proves, int lanes);

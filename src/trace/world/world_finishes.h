@@ -33,8 +33,8 @@ struct FinishKernel {
     bool shadow, seen, mirrored;
     bool both_sides, behind;         // lights behind the surface light it as those before, or by its layers' `behind`
     bool common;                     // lights of no group shine on it
-    std::int32_t group;              // of lights that do besides; 0 if none do
-    std::int32_t first_bend, bends;  // of layers with normals of their own
+    std::int32_t group;              // group of lights that also shine on it; 0 if none do
+    std::int32_t first_bend, bends;  // bends of the layers that have normals of their own
     T fade_per, fade_power;          // fade_per: 1 over the distance; 0 if light does not fade inside
     Vec3<T> fade_color;
 };
@@ -48,7 +48,7 @@ struct FinishTables {
     const LayerKernel<T>* layers = nullptr;
     const PatternKernel<T>* shares = nullptr;
     const BendKernel<T>* bends = nullptr;
-    int most_bends = 0;    // of a material
+    int most_bends = 0;    // largest number of bends of a material
     T bailout = 0;         // rays of less weight are black
     bool carries = false;  // rays carry colours besides their weights, and counts of their own, see RayQueue
     bool follows = false;  // shadow rays go from surface to surface: light fades in bodies, or their sides differ

@@ -32,7 +32,7 @@ struct ImageKernel {
     ImageMap map;
     bool once, sharp;
     Vec3<T> around;       // the colour outside, if it is there once
-    T border;             // and how much before 0 and 1 it begins and ends
+    T border;             // distance before 0 and 1 at which it begins and ends
     T shift[2];           // what is this little below a border of a sharp picture's pixels counts as beyond it
     std::int32_t number;  // among the world's mip maps
 };
@@ -56,11 +56,11 @@ struct PatternSlack {
 template <class T>
 struct PatternKernel {
     PatternForm form;
-    bool by_uv;  // then p is where the surface is by uv, and not in the world
+    bool by_uv;  // if true, p is the uv place, not a point of the world
     bool nests;  // some of its stops have patterns
     std::int32_t first_stop, stops, octaves;
     Vec3<T> rows[3], offset;
-    Vec3<T> mortar;  // its share of a brick along each axis
+    Vec3<T> mortar;  // the mortar's share of a brick along each axis
     T border, turbulence, omega, lambda;
     ImageKernel<T> image;
     const SolidPattern* solid;

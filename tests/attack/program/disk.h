@@ -42,7 +42,7 @@ class Disk {
 
   private:
     struct Change {
-        long at;  // of a write, or the new size
+        long at;  // position of a write, or the new size
         bool is_size;
         std::string bytes;
     };

@@ -124,7 +124,7 @@ void print(const std::string& name, const Result& result, const Reference& exact
                 worst.back() * 255, result.seconds, 510 * result.estimate);
 }
 
-/// A scene at a moment and a size, and where it is kept how it looks with a grid of rays in every pixel.
+/// A scene at a moment and a size, and the file that keeps its reference picture, with a grid of rays in every pixel.
 struct Measured {
     std::string path;
     int width, grid;

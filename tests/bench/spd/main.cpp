@@ -50,7 +50,7 @@ void balls(int size) {
     flake(sphere, {0, 0, 0}, .5, {0, 0, 1}, size);
 }
 
-/// size^3 gears of 144 flanks and two ends with 144 corners each, in mesh.
+/// Adds a gear of 144 flanks and two ends of 144 corners, turned by half a tooth if `between` others.
 void gear(const Point& middle, bool between, double height) {
     constexpr int teeth = 36;
     std::vector<Point> low, high;

@@ -91,7 +91,7 @@ TEST_CASE("a new body stands where a surface is seen, or as far away as the came
     // 24 degrees of view, at a distance of 25, are 120 pixels: a twelfth of these is .7 long.
     CHECK(on_ball.size == .5);
     CHECK(on_ball.decimals == 2);
-    // A surface that is seen from behind carries bodies on this side.
+    // A surface that is seen from below carries new bodies on its lower side.
     Camera below = view.camera;
     below.position.z = -18;
     CHECK(standing_place(*scene, {.camera = below, .width = 160, .height = 120}, 80, 60).normal == DVec3(0, 0, -1));

@@ -280,7 +280,7 @@ struct BlobKernel : ContourKernel<T> {
     STRAHL_INLINE unsigned find_spans(const LumpPiece* pieces, const Vec3<V>& from, const Vec3<V>& unit,
                                       const V& behind, Mask<V> starts, Mask<V> lanes, LineSpans<V>& found) const {
         using R = Element<V>;
-        V most(0);               // that the sum can be
+        V most(0);               // largest value that the sum can have
         Mask<V> falls = starts;  // from the start on
         for (int i = 0; i < static_cast<int>(count) && any(lanes); ++i) {
             const LumpPiece& piece = pieces[i];

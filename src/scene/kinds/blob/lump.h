@@ -38,8 +38,8 @@ struct Lump {
 struct LumpPiece {
     DVec3 centre, row_x, row_y, row_z;
     double round, end, low, high, strength;
-    DVec3 middle{0};    // of the ball around this piece and those after it
-    double square = 0;  // of that ball's radius
+    DVec3 middle{0};    // centre of a ball around this piece and those after it
+    double square = 0;  // square of that ball's radius
 
     template <class V>
     STRAHL_INLINE Vec3<V> turn(const Vec3<V>& v) const {

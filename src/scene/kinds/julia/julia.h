@@ -202,7 +202,7 @@ struct JuliaFractal {
             if (word == julia_words[i]) return step = static_cast<JuliaStep>(i), true;
         return false;
     }
-    /// Returns the words for these.
+    /// Returns POV-Ray's words for the numbers and the step.
     std::string words() const {
         return (hypercomplex ? "hypercomplex " : "quaternion ") +
                std::string(julia_words[static_cast<std::size_t>(step)]);

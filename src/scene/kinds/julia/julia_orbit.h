@@ -48,7 +48,7 @@ struct JuliaOrbit {
     V x2, rest, growth{1}, last{1};
 
     STRAHL_INLINE JuliaOrbit(const JuliaNumbers<R>& own, const Vec3<V>& p) : own(own), z(own.begin(p)) {}
-    /// Returns the square of how far from the origin it is; a step needs what this computes.
+    /// Returns the squared distance from the origin, and keeps the products that step() needs.
     STRAHL_INLINE V size() {
         x2 = z.x * z.x;
         rest = fma(z.z, z.z, z.w * z.w);

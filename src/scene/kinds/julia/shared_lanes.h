@@ -13,7 +13,7 @@ struct SharedLanes {
     using R = Element<V>;
     int count = 0, each;
     std::array<int, width<V>> rays;
-    V number{0};  // of a lane among those of its ray
+    V number{0};  // index of a lane among those of its ray
 
     STRAHL_INLINE explicit SharedLanes(unsigned mask) {
         for (; mask; mask &= mask - 1) rays[count++] = std::countr_zero(mask);

@@ -31,7 +31,7 @@ struct SweptBall {
 struct SweepPiece {
     std::array<DVec3, 4> centre;
     std::array<double, 4> radius;
-    DVec3 middle;           // of a ball around all that it sweeps
+    DVec3 middle;           // centre of a ball around all that is swept
     double reach;           // that ball's radius
     DVec3 group_middle{0};  // the same for this piece and those after it
     double group_reach = 0;

@@ -1,0 +1,93 @@
+// The error of pictures through a lens against the rays that they take, beside regular grids of rays.
+//
+//   bench_lens SCENE.rt...
+//
+// Gives each scene's camera a lens of 1.5 % of its distance from look_at, which is sharp at four fifths of it, and
+// writes a line for each: the aimed and the estimated error, the true one, rays in a pixel, and how many of them a
+// regular grid needs for the same error. What counts as true are 1,024 pinholes all over the lens with 36 rays in a
+// pixel each. Errors are RMS, in 510ths.
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <numbers>
+#include <vector>
+
+#include "files/read_file.h"
+#include "image/picture.h"
+#include "num/thread_pool.h"
+#include "num/vec_math.h"
+#include "text/parse.h"
+#include "trace/cells/cell_picture.h"
+#include "trace/tracer.h"
+
+namespace {
+
+using namespace strahl;
+
+/// Averages pinholes at n x n places of the lens, of equal areas, each with m x m rays in a pixel.
+std::vector<double> by_pinholes(Tracer& tracer, const View& view, ThreadPool& pool, int n, int m) {
+    const CameraFrame frame = frame_of(view.camera, double(view.width) / view.height);
+    const double sharp = focal_distance(view.camera);
+    std::vector<double> sum(std::size_t(3) * view.width * view.height);
+    for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i) {
+            const auto [x, y] = lens_place(view.camera, (i + .5) / n, (j + .5) / n);
+            View own = view;
+            own.camera.aperture = 0;
+            own.camera.position =
+                view.camera.position + view.camera.aperture * x * frame.right + view.camera.aperture * y * frame.down;
+            own.camera.look_at = own.camera.position + frame.forward;
+            own.shift_x = -view.camera.aperture * x / sharp / frame.tan_x * view.width / 2;
+            own.shift_y = -view.camera.aperture * y / sharp / frame.tan_y * view.height / 2;
+            const Lattice whole{.columns = view.width, .rows = view.height};
+            const std::vector<double> one = values_of(tracer, own, whole, pool, {.grid = m});
+            for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += one[k] / (n * n);
+        }
+    return sum;
+}
+
+double rms(const std::vector<double>& a, const std::vector<double>& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+    return 510 * std::sqrt(sum / static_cast<double>(a.size()));
+}
+
+void measure(const char* name) {
+    const Scene scene = parse_scene(read_text(name), name, {}, read_pixels);
+    View view{.camera = scene.camera, .width = 40, .height = 30, .depth = 8};
+    const double distance = length(view.camera.look_at - view.camera.position);
+    view.camera.aperture = .015 * distance, view.camera.focus = .8 * distance;
+    ThreadPool pool;
+    Tracer tracer(scene, Precision::float32);
+    const std::vector<double> exact = by_pinholes(tracer, view, pool, 32, 6);
+    const Lattice whole{.columns = view.width, .rows = view.height};
+    CellPicture lens(tracer.scene(), view, whole, Sampling{}.error);
+    lens.check(1000);
+    std::vector<double> values(exact.size());
+    const Counts counts =
+        tracer.trace({view, pool, [&](const Tile& tile) { place(tile, whole, values); }}, CellPass{lens, 0});
+    const double own = rms(values, exact), pixels = double(view.width) * view.height;
+    // Between two grids the error is a power of the number of rays.
+    double rays = 0, error = 0, needed = 0;
+    for (int n = 2; n <= 12 && !(rays > 0 && error <= own); ++n) {
+        const double next = std::pow(n, 4), off = rms(by_pinholes(tracer, view, pool, n, n), exact);
+        needed = rays > 0 ? rays * std::pow(next / rays, std::log(error / own) / std::log(error / off)) : next;
+        rays = next, error = off;
+    }
+    std::printf("| %s | %.2f | %.2f | %.0f | %s%.0f | %.1f |\n", name, 510 * lens.sampled().error(), own,
+                static_cast<double>(counts.camera) / pixels, error > own ? "> " : "", needed,
+                needed * pixels / static_cast<double>(counts.camera));
+    std::fflush(stdout);
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+    std::puts("| scene | estimated | true | rays | of a grid | ratio |\n|---|---|---|---|---|---|");
+    for (int i = 1; i < count; ++i) try {
+            measure(arguments[i]);
+        } catch (const std::exception& error) {
+            std::fprintf(stderr, "%s: %s\n", arguments[i], error.what());
+            return 1;
+        }
+}
