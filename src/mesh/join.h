@@ -13,8 +13,9 @@ namespace strahl {
 /// Numbers points in the order in which they come; equal ones get the same number. -0 equals 0.
 class PointJoiner {
   public:
+    PointJoiner() : PointJoiner(0) {}
     /// Makes room for so many points, which may become more.
-    explicit PointJoiner(std::size_t expected = 0) : slots(std::bit_ceil(2 * expected + 64), empty) {}
+    explicit PointJoiner(std::size_t expected) : slots(std::bit_ceil(2 * expected + 64), empty) {}
 
     std::int32_t number_of(DVec3 point) {
         point += 0.;  // -0 becomes 0

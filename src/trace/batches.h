@@ -91,13 +91,13 @@ class Batches {
         workspace.lens_x.clear(), workspace.lens_y.clear();
     }
 
-    /// Traces a tile of pixels with rays all over a lens: in each at least as many as a grid has.
+    /// Traces a tile of pixels with rays all over a lens: in each as many as a grid has.
     void trace_lens_grid(const Lattice& tile, int grid, const Camera& camera, const Sink& sink) {
         LensPixels pixels;
         pixels.begin(tile.x, tile.y, tile.columns, tile.rows, 1, camera);
-        pixels.take(
-            (grid * grid + LensPixels::nets - 1) / LensPixels::nets,
-            [&](std::span<const LensRay> rays, std::span<std::array<double, 3>> rgb, bool) { trace_lens(rays, rgb); });
+        pixels.take(grid * grid, [&](std::span<const LensRay> rays, std::span<std::array<double, 3>> rgb, bool) {
+            trace_lens(rays, rgb);
+        });
         if (!limits.stopped()) sink({tile, pixels.values()});
     }
 

@@ -16,6 +16,13 @@ echo 'camera { location -5*z look_at 0 } light_source { <-5,5,-5> 1 } sphere { c
 expect 0 "| clock.pov " crosscheck clock.pov --size 32x24
 expect 0 "| clock.pov " crosscheck clock.pov --size 32x24 --clock .3
 
+# Pictures through a lens are made of rays that each program chooses for itself.
+echo 'camera { position <0,-5,0> look_at <0,0,0> sky <0,0,1> angle 50  aperture .3  focus 2 }
+    light { position <-5,-5,5> color <1,1,1> } sphere { <0,0,0>, 1 }' >lens.rt
+expect 0 "lens.rt: compared through the middle of its lens" crosscheck lens.rt --size 32x24
+echo 'camera { location -5*z look_at 0 aperture 1 focal_point 2*z blur_samples 9 } sphere { 0, 1 }' >lens.pov
+expect 1 "lens.pov: its camera has an aperture" crosscheck lens.pov --size 32x24
+
 # Clear cylinders end in one plane: POV-Ray shows the one or the other.
 glass='pigment { rgbt <1, 0, 0, .5> }'
 echo "camera { location -5*z look_at 0 } light_source { <-5,5,-5> 1 }

@@ -98,7 +98,7 @@ change 819 202 -.03
 change 820 150 1.7
 color 254 .95 .7 .25
 change 820 280 .3
-add 3 520 330
+add 3 580 320
 color 254 .2 .4 .75
 shot 3
 
@@ -169,7 +169,7 @@ grep -q '2 with keys' checked || fault "the tracks: $(<checked)"
 has() { grep -qF -- "$1" untitled.rt || fault "no '$1' in $(<untitled.rt)"; }
 has 'music { bpm 125  rows 8  sound "beat.ogg" }'
 has 'sphere { <0, 0, 0>, 1.2  material { rgb <0.85, 0.12, 0.1>  reflection 0.25 '
-has 'translate <-0.61, -0.03, track "bounce" 1.1> }'
+has 'translate <-0.61, -0.03, track "bounce" 1.2> }'
 has '1.7, 0.125  material { rgb <0.95, 0.7, 0.25>  reflection 0.3 '
 has 'material { rgb <0.2, 0.4, 0.75> '
 has 'color <track "flash" .9, track "flash" .9, track "flash" .9>  spot {'

@@ -40,7 +40,7 @@ find() {
 find_key() {
     xdotool key Home
     await '// at 0 s'
-    find FFBE5A 1 # the first key is that of this moment now
+    await 'finished'
     find 8CCCFF '$'
 }
 echo "-- a key is dragged on the timeline, and written"
@@ -93,7 +93,7 @@ put "$camera" 'light { position <0, -9, 9>  color <1, 1, 1> }' \
 cp scene.rt first.rt
 start scene.rt --size 640x400 --depth 2
 xdotool key t
-find_key
+find 8CCCFF '$'
 xdotool mousemove --window "$id" $((x - 3)) "$y" mousedown 1
 xdotool mousemove_relative -- -40 0 mousemove_relative -- -60 0 mouseup 1
 await 'the changed text is shown'

@@ -68,7 +68,9 @@ class ModelStage {
             target += .5 * (most - least) * axis;
             distance = std::max(distance, .5 * (most + least) / tan);
         }
-        return {.position = target + distance * back, .look_at = target, .up = -up, .fov = fov, .aspectratio = {}};
+        Camera camera;
+        camera.position = target + distance * back, camera.look_at = target, camera.up = -up, camera.fov = fov;
+        return camera;
     }
     /// Returns the height of the lowest point.
     double lowest() const {

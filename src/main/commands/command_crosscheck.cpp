@@ -92,7 +92,15 @@ bool check(const CrosscheckOptions& options, const std::string& path, const std:
     const OpenedScene opened = load_opened(path, opening, options.time);
     const Scene& scene = opened.scene;
     if (options.time) flight_for("--time", scene, path);
-    const View view{.camera = camera_at(scene, options.time),
+    Camera camera = camera_at(scene, options.time);
+    if (has_lens(camera) && is_pov(path)) {
+        std::cerr << show(path).text
+                  << ": its camera has an aperture, whose rays POV-Ray chooses by chance; compare a copy without it\n";
+        return false;
+    }
+    if (has_lens(camera)) std::cerr << show(path).text << ": compared through the middle of its lens\n";
+    camera.aperture = 0;
+    const View view{.camera = camera,
                     .width = options.opening.size.width,
                     .height = options.opening.size.height,
                     .depth = options.depth.value_or(scene.settings.max_trace_level),

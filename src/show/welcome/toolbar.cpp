@@ -79,7 +79,10 @@ std::optional<Command> Toolbar::draw(const KeyMap& keys, const ToolbarView& view
         if (button.on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
         if (ImGui::Button("##button", {wide, tall})) clicked = button.command;
         if (button.on) ImGui::PopStyleColor();
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", meaning_of(button.command));
+        if (ImGui::IsItemHovered()) {
+            ImGui::SetNextWindowPos({corner.x, own.bottom + space});
+            ImGui::SetTooltip("%s", meaning_of(button.command));
+        }
         ImGui::PopID();
         const auto centred = [&](const std::string& text, float y, ImU32 color) {
             const float left = corner.x + (wide - ImGui::CalcTextSize(text.c_str()).x) / 2;

@@ -35,7 +35,8 @@ void Controls::tilt(const DVec3& push, double by_right, double by_upwards) {
 }
 
 bool Controls::active(double now) const {
-    return !(tilted == CameraInput{}) || (dragged >= 0 && now - dragged < still) ||
+    const bool waiting = right != 0 || upwards != 0 || panned != glm::dvec2(0);
+    return waiting || !(tilted == CameraInput{}) || (dragged >= 0 && now - dragged < still) ||
            std::ranges::any_of(held, [](const KeyState& h) { return h.down || h.fresh; });
 }
 

@@ -53,15 +53,25 @@ Input::Input(Screen& screen, const Session& session, Panels& panels, Pace& pace,
 /// Draws until panels have reacted to what came before. They look at the pointer and at keys only while they are drawn:
 /// if drawing is slow, what is typed right after a click would be commands, or a click would meet another place.
 void Input::settle() {
-    screen.pointer = pointer.place();
+    screen.pointer = pointer.place(), screen.left_down = left_down;
     const int before = ImGui::GetFrameCount();
     for (int i = 0; i < to_settle && ImGui::GetFrameCount() < settled; ++i) handlers.draw();
     if (ImGui::GetFrameCount() != before) pace.redraw(1);  // the panels still show what was known before the command
-    screen.pointer.reset();
+    show_events();
 }
 
 /// Makes the next event wait for so many drawings.
-void Input::unsettle(int drawings) { settled = std::max(settled, ImGui::GetFrameCount() + drawings); }
+void Input::unsettle(int drawings) {
+    settled = std::max(settled, ImGui::GetFrameCount() + drawings);
+    show_events();
+}
+
+/// Until panels have reacted they see the pointer where it was at the last event, wherever it is by now.
+void Input::show_events() {
+    const bool reacting = ImGui::GetFrameCount() < settled;
+    screen.pointer = reacting ? pointer.place() : std::nullopt;
+    screen.left_down = reacting ? std::optional(left_down) : std::nullopt;
+}
 
 /// Takes a key for the help, if that is shown. Returns false if it is none for that.
 bool Input::for_help(int key, int scancode, int modifiers) {
@@ -120,6 +130,7 @@ void Input::on_key(int key, int scancode, int action, int modifiers) {
 }
 
 void Input::release_keys() {
+    show_events();
     for (const auto& [key, scancode, modifiers] : std::exchange(for_panels.released, {}))
         ImGui_ImplGlfw_KeyCallback(screen.window(), key, scancode, GLFW_RELEASE, modifiers);
 }
@@ -137,9 +148,10 @@ void Input::on_character(unsigned character) {
 }
 
 void Input::on_button(int button, int action, int modifiers) {
-    // Only a drawing finds out on what panel the pointer is.
-    if (panels.take_input() && action == GLFW_PRESS) unsettle(1);
+    // Only a drawing finds out on what panel the pointer is, and how far it has dragged something there.
+    if (panels.take_input()) unsettle(1);
     settle();
+    if (button == GLFW_MOUSE_BUTTON_LEFT) left_down = action == GLFW_PRESS;
     ImGui_ImplGlfw_MouseButtonCallback(screen.window(), button, action, modifiers);
     if (panels.take_input()) pace.redraw(after_input), unsettle(to_settle);
     double x = 0, y = 0;
@@ -203,6 +215,7 @@ void Input::on_cursor(double x, double y) {
     settle();
     look.move(pace.now());
     const auto way = pointer.move(x, y);
+    show_events();
     if (panels.take_input()) pace.redraw();
     show_hold();
     if (held == Hold::divider || (held == Hold::handle && way))

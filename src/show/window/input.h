@@ -58,6 +58,7 @@ class Input {
   private:
     void settle();
     void unsettle(int drawings);
+    void show_events();
     void on_key(int key, int scancode, int action, int modifiers);
     void on_character(unsigned character);
     void on_button(int button, int action, int modifiers);
@@ -91,6 +92,7 @@ class Input {
         std::vector<ReleasedKey> released;  // keys let go before panels saw them pressed
     };
     PanelKeys for_panels;
+    bool left_down = false;          // by the events that were processed
     bool used = false;               // the key whose character follows
     int settled = 0;                 // the number of the drawing by which panels have reacted to the last event
     std::array<bool, 15> buttons{};  // of the gamepad, which are down

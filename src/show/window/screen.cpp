@@ -270,6 +270,7 @@ void Screen::draw(const std::function<void()>& overlay) {
     if (columns == 0 || rows == 0) return;
     ImGui_ImplGlfw_NewFrame();
     ImGuiIO& io = ImGui::GetIO();
+    if (left_down) io.MouseDown[0] = *left_down;
     if (pointer) io.MousePos = {static_cast<float>(pointer->x), static_cast<float>(pointer->y)};
     // ImGui counts in units of the screen, Strahl in pixels.
     io.MousePos = {io.MousePos.x * io.DisplayFramebufferScale.x, io.MousePos.y * io.DisplayFramebufferScale.y};

@@ -58,6 +58,8 @@ class Screen {
     ScreenArea area() const;
     /// Tells panels that the pointer is there, in units of the screen; without it they see it where it is now.
     std::optional<glm::dvec2> pointer;
+    /// Likewise that the left button is down, or not.
+    std::optional<bool> left_down;
 
   private:
     struct Functions;

@@ -7,21 +7,21 @@
 namespace strahl {
 namespace {
 
-constexpr std::uint32_t first_points = 4, most_points = 2048;  // of each net
-constexpr int block = 8;                                       // the side of a square of pixels that look at each other
+constexpr std::uint32_t first_rays = 32, most_rays = 16384;
+constexpr int block = 8;  // the side of a square of pixels that look at each other
 
-/// Returns the largest standard deviation that a pixel may have, found by experiment: the RMS error over worlds with
-/// lenses is then about the one aimed at (tests/bench/lens.md).
-double allowed_deviation(double error) { return 1.5 * error; }
+/// Returns the largest standard deviation of eight independent nets that a pixel may have. One net of all their points
+/// is better, by how much depends on the world; the factor was found by experiment (tests/bench/lens.md).
+double allowed_deviation(double error) { return 2.2 * error; }
 
 template <class Sums>
 double variance_of(const Sums& sums, double taken) {
     double variance = 0;
     for (int c = 0; c < 3; ++c) {
         double mean = 0, squares = 0;
-        for (const auto& sum : sums) mean += sum[c] / taken / LensPixels::nets;
+        for (const auto& sum : sums) mean += sum[c] / taken / LensPixels::eighths;
         for (const auto& sum : sums) squares += (sum[c] / taken - mean) * (sum[c] / taken - mean);
-        variance += squares / (LensPixels::nets * (LensPixels::nets - 1)) / 3;
+        variance += squares / (LensPixels::eighths * (LensPixels::eighths - 1)) / 3;
     }
     return variance;
 }
@@ -60,35 +60,36 @@ void LensPixels::trace_nets(std::span<const NetPart> parts, const TraceLensRays&
     };
     for (const NetPart& part : parts) {
         const int x = left + part.pixel % columns, y = top + part.pixel / columns;
-        for (std::uint32_t n = 0; n < nets; ++n) {
-            const ScrambledNet net(ScrambledNet::mix(part.seed + n));
-            for (std::uint32_t i = part.first; i < part.last; ++i) {
-                const auto [u, v, s, t] = net.point(i);
-                const auto [across, below] = lens_place(camera, s, t);
-                rays.push_back({x + u - .5, y + v - .5, across, below});
-                to.push_back((*part.sums)[n].data());
-            }
-            if (rays.size() >= many) flush();
+        const ScrambledNet net(part.seed);
+        for (std::uint32_t i = part.first; i < part.last; ++i) {
+            const auto [u, v, s, t] = net.point(i);
+            const auto [across, below] = lens_place(camera, s, t);
+            rays.push_back({x + u - .5, y + v - .5, across, below});
+            to.push_back((*part.sums)[std::uint64_t(i) * eighths / part.last].data());
         }
+        if (rays.size() >= many) flush();
     }
     flush();
 }
 
-void LensPixels::take(std::uint32_t points, const TraceLensRays& trace) {
+void LensPixels::take(std::uint32_t rays, const TraceLensRays& trace) {
     std::vector<NetPart> parts;
     for (const int number : open) {
         LensPixel& pixel = pixels[number];
-        parts.push_back({number, seed_of(number), pixel.taken, std::max(points, 2 * pixel.taken), &pixel.sums});
+        for (int k = 0; k < eighths && pixel.taken > 0; ++k)  // two become an eighth of the doubled net
+            for (int c = 0; c < 3; ++c)
+                pixel.sums[k][c] = 2 * k < eighths ? pixel.sums[2 * k][c] + pixel.sums[2 * k + 1][c] : 0;
+        parts.push_back({number, seed_of(number), pixel.taken, std::max(rays, 2 * pixel.taken), &pixel.sums});
         pixel.taken = parts.back().last;
     }
     trace_nets(parts, trace, false);
     for (const int number : open) {
         LensPixel& pixel = pixels[number];
-        pixel.variance = variance_of(pixel.sums, pixel.taken);
+        pixel.variance = variance_of(pixel.sums, double(pixel.taken) / eighths);
         for (int c = 0; c < 3; ++c) {
             double sum = 0;
-            for (const auto& net : pixel.sums) sum += net[c];
-            means[std::size_t(3) * number + c] = sum / (nets * pixel.taken);
+            for (const auto& eighth : pixel.sums) sum += eighth[c];
+            means[std::size_t(3) * number + c] = sum / pixel.taken;
         }
     }
     begun = true;
@@ -96,18 +97,18 @@ void LensPixels::take(std::uint32_t points, const TraceLensRays& trace) {
 
 void LensPixels::refine(bool all, const TraceLensRays& trace) {
     do {
-        take(first_points, trace);
+        take(first_rays, trace);
         settle();
     } while (all && !open.empty());
 }
 
-/// Finds the pixels that need more rays. Nets of few points may all have missed what a neighbour has found.
+/// Finds the pixels that need more rays. Few rays may all have missed what a neighbour has found.
 void LensPixels::settle() {
     open.clear();
     for (int y = 0; y < rows; ++y)
         for (int x = 0; x < columns; ++x) {
             const int number = y * columns + x;
-            if (pixels[number].taken >= most_points) continue;
+            if (pixels[number].taken >= most_rays) continue;
             const auto from = [](int at) { return std::max(at / block * block, at - 1); };
             const auto to = [](int at, int end) { return std::min({at / block * block + block, at + 2, end}); };
             double sum = 0;
@@ -120,19 +121,19 @@ void LensPixels::settle() {
 
 std::vector<std::uint32_t> LensPixels::counts() const {
     std::vector<std::uint32_t> all;
-    for (const LensPixel& pixel : pixels) all.push_back(nets * pixel.taken);
+    for (const LensPixel& pixel : pixels) all.push_back(pixel.taken);
     return all;
 }
 
 MeasuredError LensPixels::measured(double chance, const TraceLensRays& trace) const {
     std::vector<int> chosen;
     for (int i = 0; i < columns * rows; ++i)
-        if (ScrambledNet::mix(seed_of(i) + nets) * 0x1p-32 < chance) chosen.push_back(i);
+        if (ScrambledNet::mix(seed_of(i) + 1) * 0x1p-32 < chance) chosen.push_back(i);
     std::vector<std::array<Sums, 2>> sums(chosen.size());
     std::vector<NetPart> parts;
     for (std::size_t k = 0; k < chosen.size(); ++k)
         for (std::uint32_t half = 0; half < 2; ++half)
-            parts.push_back({chosen[k], ScrambledNet::mix(seed_of(chosen[k]) + nets) + nets * half, 0,
+            parts.push_back({chosen[k], ScrambledNet::mix(seed_of(chosen[k]) + 2 + half), 0,
                              2 * pixels[chosen[k]].taken, &sums[k][half]});
     trace_nets(parts, trace, true);
     MeasuredError error{.checked = chosen.size()};
@@ -142,7 +143,7 @@ MeasuredError LensPixels::measured(double chance, const TraceLensRays& trace) co
             double off[2];
             for (int half = 0; half < 2; ++half) {
                 off[half] = -means[std::size_t(3) * chosen[k] + c];
-                for (const auto& sum : sums[k][half]) off[half] += sum[c] / (2. * nets * pixels[chosen[k]].taken);
+                for (const auto& sum : sums[k][half]) off[half] += sum[c] / (2. * pixels[chosen[k]].taken);
             }
             product += off[0] * off[1] / 3;
         }

@@ -1,9 +1,9 @@
 // A tile of a picture that a lens makes: each pixel is the average over its square and over the lens.
 //
 // Cells cannot say where such a picture is smooth: each of its rays has four coordinates, two in the pixel and two on
-// the lens. Each pixel therefore has nets of its own (num/scrambled_net.h), eight that are independent of each other.
-// How far their means differ says how wrong the mean of all is (A. Owen, "Monte Carlo Variance of Scrambled Net
-// Quadrature", 1997). As long as that is too much, the nets are doubled.
+// the lens. Each pixel therefore has a scrambled net of its own (num/scrambled_net.h). Its eighths are nets as well,
+// and how far their means differ says how wrong the mean of all may be. As long as that is too much, the net is
+// doubled.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -27,14 +27,14 @@ using TraceLensRays = std::function<void(std::span<const LensRay>, std::span<std
 /// depends on the square of 8x8 pixels around it alone, of those that lie side by side from the view's corner on.
 class LensPixels {
   public:
-    static constexpr int nets = 8;
+    static constexpr int eighths = 8;
 
     /// `error` is the RMS error aimed at.
     void begin(int x, int y, int columns, int rows, double error, const Camera& camera);
     /// Doubles the samples of pixels that are not good enough: once or, with `all`, until none is left.
     void refine(bool all, const TraceLensRays& trace);
     bool finished() const { return open.empty() && begun; }
-    /// Takes this many points of each net of the open pixels, or doubles those that were taken before.
+    /// Takes this many rays in each open pixel, or doubles those that were taken before.
     void take(std::uint32_t points, const TraceLensRays& trace);
 
     /// Returns the pixels' values and the number of their rays, row by row.
@@ -46,13 +46,13 @@ class LensPixels {
     MeasuredError measured(double chance, const TraceLensRays& trace) const;
 
   private:
-    using Sums = std::array<std::array<double, 3>, nets>;
+    using Sums = std::array<std::array<double, 3>, eighths>;
     struct LensPixel {
-        Sums sums{};
-        std::uint32_t taken = 0;  // of each net
-        double variance = 0;      // of the pixel's mean, the mean of its channels
+        Sums sums{};  // of the eighths of the net
+        std::uint32_t taken = 0;
+        double variance = 0;  // of the mean of as many independent nets as there are eighths, the mean of its channels
     };
-    /// Points `first` to `last` of the nets with this seed, of a pixel, whose light is added to `sums`.
+    /// Points `first` to `last` of the net of `last` points with this seed, in a pixel; their light is added to `sums`.
     struct NetPart {
         int pixel;
         std::uint32_t seed, first, last;

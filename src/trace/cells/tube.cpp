@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <glm/matrix.hpp>
+#include <limits>
 #include <utility>
 
 #include "num/box_tree.h"
@@ -81,10 +82,10 @@ DVec3 longest_side(const std::vector<DVec3>& polygon) {
     return longest;
 }
 
-/// Calls add(ball, pieces) for balls that hold a facet together. A ball around all of a long one would be met by most
-/// tubes, so it is cut across into pieces about as long as wide, but no shorter than `shortest`.
+/// Calls add(polygon, pieces) for the pieces of a facet. A ball around all of a long one would be met by most tubes, so
+/// it is cut across into pieces about as long as wide, but no shorter than `shortest`.
 template <class Add>
-void add_balls(const Facet& facet, double shortest, const Add& add) {
+void add_pieces(const Facet& facet, double shortest, const Add& add) {
     const std::vector<DVec3>& corners = facet.corners;
     const DVec3 along = quick_unit(longest_side(corners));
     double low = 0, high = 0, width = 0;  // from the first corner
@@ -102,11 +103,8 @@ void add_balls(const Facet& facet, double shortest, const Add& add) {
         const auto end = [&](int n) { return low + (high - low) * n / pieces; };
         if (i > 0) piece.cut(along, -end(i));
         if (i + 1 < pieces) piece.cut(-along, end(i + 1));
-        if (!piece.points().empty())
-            add(ball_around([&](const auto& hold) {
-                    for (const DVec3& corner : piece.points()) hold(corners[0] + corner, 0);
-                }),
-                pieces);
+        for (DVec3& corner : piece.points()) corner += corners[0];
+        if (!piece.points().empty()) add(piece.points(), pieces);
     }
 }
 
@@ -165,6 +163,29 @@ RayBundle::Met RayBundle::met(std::span<const DVec3> polygon, const glm::dmat3& 
 
 namespace {
 
+/// Tells which boxes a bundle misses, by their corners in its coordinates.
+class BoxesBeside {
+  public:
+    BoxesBeside(const RayBundle& bundle, const glm::dmat3& to_own) : bundle(bundle), to_own(to_own) {
+        for (int i = 0; i < 3; ++i) sizes[i] = glm::abs(to_own[i]);
+    }
+    /// Returns false for infinite boxes.
+    bool has(const Box& box) const {
+        constexpr double rounding = 1e-9;
+        const DVec3 middle = to_own * (box.centre() - bundle.from), half = sizes * (.5 * box.size());
+        const double off = rounding * (std::abs(middle.x) + std::abs(middle.y));
+        const DVec3 low = middle - half, high = middle + half;
+        const double side = bundle.parallel ? 1 : high.z;  // u and v are multiplied by w
+        return high.z < bundle.nearest || low.z > bundle.furthest || high.x < -off || low.x > side + off ||
+               high.y < -off || low.y > side + off;
+    }
+
+  private:
+    const RayBundle& bundle;
+    const glm::dmat3 to_own;
+    glm::dmat3 sizes;
+};
+
 double slant_of(const Tube& tube) { return std::sqrt(1 + tube.growth * tube.growth); }
 
 /// Returns how far from the way the centres of balls may be, so far along it, that reach into the tube.
@@ -219,12 +240,14 @@ double radius_at(const Tube& tube, const Capsule& capsule) {
 }
 
 CapsuleTree::CapsuleTree(const Scene& scene, bool with_facets) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const Box everywhere{DVec3(-infinity), DVec3(infinity)};
     std::vector<TreeLeaf> all;
     std::int32_t body = 0;
     Box box;
     double lengths = 0;  // of all facets together
     for (const Primitive& primitive : scene.primitives) {
-        for (const Capsule& capsule : capsules_of(primitive)) all.push_back({capsule, capsule.radius, -1});
+        for (const Capsule& capsule : capsules_of(primitive)) all.push_back({capsule, everywhere, capsule.radius, -1});
         if (!with_facets) continue;
         for (Facet& facet : facets_of(primitive)) {
             for (const DVec3& corner : facet.corners) box.add(corner);
@@ -238,8 +261,13 @@ CapsuleTree::CapsuleTree(const Scene& scene, bool with_facets) {
     constexpr double finest = 1. / 128, most_pieces = 1e5;
     const double shortest = std::max(finest * length(box.size()), lengths / most_pieces);
     for (std::size_t i = 0; i < facets.size(); ++i)
-        add_balls(facets[i], shortest, [&](const Capsule& around, int pieces) {
-            all.push_back({around, facets[i].least, static_cast<std::int32_t>(i), pieces > 1});
+        add_pieces(facets[i], shortest, [&](std::span<const DVec3> piece, int pieces) {
+            const Capsule ball = ball_around([&](const auto& add) {
+                for (const DVec3& corner : piece) add(corner, 0);
+            });
+            Box own;
+            for (const DVec3& corner : piece) own.add(corner);
+            all.push_back({ball, own, facets[i].least, static_cast<std::int32_t>(i), pieces > 1});
         });
     if (all.empty()) return;
     nodes.reserve(2 * all.size() - 1);
@@ -255,7 +283,9 @@ void CapsuleTree::add(std::span<TreeLeaf> leaves) {
             add(leaf.around.from, leaf.around.radius), add(leaf.around.to, leaf.around.radius);
     });
     const double least = std::ranges::min(leaves, {}, &TreeLeaf::least).least;
-    nodes.push_back({around, least, 0, single, single && leaves[0].is_piece, single ? leaves[0].facet : -1});
+    Box box;
+    for (const TreeLeaf& leaf : leaves) box.add(leaf.box);
+    nodes.push_back({around, box, least, 0, single, single && leaves[0].is_piece, single ? leaves[0].facet : -1});
     if (!single) {
         const std::size_t half = leaves.size() / 2;
         halve(leaves, half, [](const TreeLeaf& leaf) { return leaf.around.from + leaf.around.to; });
@@ -265,17 +295,20 @@ void CapsuleTree::add(std::span<TreeLeaf> leaves) {
 }
 
 /// Calls visit(leaf, radius) for the leaves that reach into the tube and are thinner than it is there, with a bound on
-/// its radius, until one returns true; returns whether one did. Facets of several pieces are visited once.
+/// its radius, until one returns true; returns whether one did. Leaves out facets that the bundle does not meet, whose
+/// coordinates are `to_own`, and visits those of several pieces once.
 template <class Visit>
-bool CapsuleTree::any_thin(const Tube& tube, const Visit& visit) const {
+bool CapsuleTree::any_thin(const Tube& tube, const RayBundle& bundle, const glm::dmat3& to_own,
+                           const Visit& visit) const {
     const double slant = slant_of(tube);
+    const BoxesBeside beside(bundle, to_own);
     std::vector<std::int32_t> visited;
     for (std::size_t i = 0; i < nodes.size();) {
         const CapsuleNode& node = nodes[i];
         const double radius = node.is_leaf && node.facet < 0
                                   ? radius_at(tube, node.around)
                                   : radius_at_ball(tube, slant, node.around.from, node.around.radius);
-        if (!(radius >= 0 && radius >= node.least)) {
+        if (!(radius >= 0 && radius >= node.least) || (!facets.empty() && beside.has(node.facets))) {
             i = std::size_t(node.next);
             continue;
         }
@@ -295,7 +328,7 @@ bool CapsuleTree::meets(const Tube& tube, const RayBundle& bundle, double least,
     const glm::dmat3 to_own = facets.empty() ? glm::dmat3(1) : bundle.coordinates();
     constexpr unsigned all = 15;
     double largest[all + 1] = {};  // largest share of the facets that a set of corners meets
-    const bool found = any_thin(tube, [&](const CapsuleNode& node, double radius) {
+    const bool found = any_thin(tube, bundle, to_own, [&](const CapsuleNode& node, double radius) {
         if (node.facet >= 0) {
             const auto [share, corners, sides] = bundle.met(facets[node.facet].corners, to_own);
             if (corners == 0) return share >= least;
@@ -328,7 +361,7 @@ std::optional<FlatPart> CapsuleTree::flat_part(const Tube& tube, const RayBundle
     double largest = 0;
     std::vector<std::array<glm::dvec2, 2>> ends;  // corners of the polygons, and their middles
     std::vector<glm::dvec2> outline;
-    const bool others = any_thin(tube, [&](const CapsuleNode& node, double) {
+    const bool others = any_thin(tube, bundle, to_own, [&](const CapsuleNode& node, double) {
         if (node.facet < 0) return true;
         const auto [share, corners, sides] = bundle.met(facets[node.facet].corners, to_own, &outline);
         if (share == 0) return false;

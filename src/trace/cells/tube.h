@@ -86,12 +86,14 @@ class CapsuleTree {
   private:
     struct TreeLeaf {
         Capsule around;  // a ball around a facet or a piece of one
+        Box box;         // around the same; infinite for capsules
         double least;
         std::int32_t facet;  // its number, -1 for capsules
         bool is_piece = false;
     };
     struct CapsuleNode {
-        Capsule around;     // a ball around the body, or the capsule of a leaf
+        Capsule around;     // a ball around all below, or that of a leaf
+        Box facets;         // around the facets below; infinite if there are capsules as well
         double least;       // the smallest radius below, or half a facet's thickness
         std::int32_t next;  // node that follows all below this one
         bool is_leaf, is_piece;
@@ -99,7 +101,7 @@ class CapsuleTree {
     };
     void add(std::span<TreeLeaf> leaves);
     template <class Visit>
-    bool any_thin(const Tube& tube, const Visit& visit) const;
+    bool any_thin(const Tube& tube, const RayBundle& bundle, const glm::dmat3& to_own, const Visit& visit) const;
 
     std::vector<CapsuleNode> nodes;  // each before those below it
     std::vector<Facet> facets;

@@ -71,6 +71,15 @@ TEST_CASE("POV-Ray: cameras of other projections") {
         CHECK(frame.tan_y == doctest::Approx(row.y).epsilon(1e-11));
     }
     CHECK(whole("camera { orthographic location -3*z angle 40 look_at 0 }", false).camera.fov == 20);
+    // A lens is a quarter of the aperture, sharp at the distance of focal_point, or else as far as `direction` is long.
+    const auto lens = [](const std::string& words) {
+        const Camera own = opened("camera { location -3*z " + words + " }", false).scene.camera;
+        return std::pair(own.aperture, own.focus.value_or(-1));
+    };
+    CHECK(lens("aperture 2 focal_point <3, 0, 1> blur_samples 4, 9") == std::pair(.5, 5.));
+    CHECK(lens("focal_point <4, 4, 4> aperture 2 blur_samples 9 direction 2*z") == std::pair(.5, 9.));
+    CHECK(lens("aperture -.4 blur_samples 4 direction 2*z") == std::pair(.1, 2.));
+    CHECK(lens("aperture 2 focal_point 1") == std::pair(0., -1.));  // POV-Ray takes no samples
 }
 
 TEST_CASE("POV-Ray: finishes and pigments") {

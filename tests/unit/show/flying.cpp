@@ -179,6 +179,7 @@ TEST_CASE("a turn of the mouse is taken once") {
     controls.drag(0.1, -0.2, false, 1);
     controls.drag(0.1, 0, true, 1.01);
     CHECK(controls.active(1.05));
+    CHECK(controls.active(9));  // it is not lost, however late it is taken
     CHECK(controls.take(0.02) == CameraInput{.right = 0.2, .upwards = -0.2, .around = true});
     CHECK(controls.take(0.02) == CameraInput{});
     CHECK(!controls.active(1.2));

@@ -44,6 +44,19 @@ TEST_CASE("values out of range") {
     CHECK(faults("camera { position <0,0,0> look_at <0,1,0> up <0,0,-1> fov 1 aspectratio 0 }") ==
           Faults{"x.rt:1:73: 'aspectratio' of 'camera' must be from 1e-9 to 1e9, not '0'"});
     CHECK(parse("camera { position <0,0,0> look_at <0,1,0> up <0,0,-1> fov 89.99999999999999 }").camera.fov < 90);
+    const auto lens = [](const std::string& words) {
+        return faults("camera { position <0,0,0> look_at <0,1,0> up <0,0,-1>\n" + words + " }");
+    };
+    CHECK(lens("fov 1 aperture 0") ==
+          Faults{"x.rt:2:16: 'aperture' of 'camera' must be greater than 0 and at most 1e9, not '0'"});
+    CHECK(lens("fov 1 aperture 1 blades 2") ==
+          Faults{"x.rt:2:25: 'blades' of 'camera' must be a whole number from 3 to 64, not '2'"});
+    CHECK(lens("fov 1 focus 3") ==
+          Faults{"x.rt:2:7: 'focus' changes nothing without 'aperture', the radius of the lens"});
+    CHECK(lens("fov 1 aperture 1 focus 3 focus_on <0,4,0>").size() == 1);
+    CHECK(lens("fov 1 aperture 1 focus_on <0,-4,0>") ==
+          Faults{"x.rt:2:18: this point is not before the camera, so nothing could be sharp"});
+    CHECK(lens("fisheye 90 aperture 1") == Faults{"x.rt:2:12: only perspective and orthographic cameras have a lens"});
     // A wrong value does not hide a missing parameter.
     CHECK(faults("camera { position <0,0,0> look_at <0,1,0> fov 95 }") ==
           Faults{"x.rt:1:1: 'camera' lacks 'up' (or 'sky')",

@@ -30,7 +30,8 @@ std::vector<double> picture(const Scene& scene, const View& view, const Lattice&
 }
 Lattice whole(const View& view) { return {.columns = view.width, .rows = view.height}; }
 
-/// Averages sheared pinholes at n x n places of the lens, each with m x m rays in a pixel.
+/// Averages sheared pinholes at n x n places of the lens, each with m x m rays in a pixel, which are at other places of
+/// it for each pinhole (the sequence R2 of M. Roberts, 2018).
 std::vector<double> by_pinholes(const Scene& scene, const View& view, int n, int m) {
     ThreadPool pool;
     Tracer tracer(scene, Precision::float64);
@@ -49,6 +50,8 @@ std::vector<double> by_pinholes(const Scene& scene, const View& view, int n, int
             own.camera.look_at = own.camera.position + frame.forward;
             own.shift_x = -x / sharp / frame.tan_x * view.width / 2;
             own.shift_y = -y / sharp / frame.tan_y * view.height / 2;
+            const auto part = [&](double step) { return (std::fmod((j * n + i) * step, 1) - .5) / m; };
+            own.shift_x += part(.7548776662466927), own.shift_y += part(.5698402909980532);
             const std::vector<double> one = values_of(tracer, own, whole(view), pool, {.grid = m});
             for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += one[k] / (n * n);
         }

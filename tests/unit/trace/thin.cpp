@@ -2,7 +2,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <random>
 #include <span>
@@ -294,6 +296,56 @@ TEST_CASE("the share of rays that a polygon takes is that of many rays") {
         between += corners == 0 && met > 0;
     }
     CHECK(between > 50);
+}
+
+TEST_CASE("of many long triangles those are found that a bundle meets, and no others") {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> within(-1, 1);
+    const auto vector = [&] { return DVec3(within(random), within(random), within(random)); };
+    MeshData data;
+    std::vector<std::array<DVec3, 3>> triangles;
+    for (int i = 0; i < 40; ++i) {
+        const DVec3 middle = 5. * vector(), half = 10. * within(random) * normalize(vector());
+        triangles.push_back({middle - half, middle + half, middle + .05 * vector()});
+        data.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+        data.points.insert(data.points.end(), triangles.back().begin(), triangles.back().end());
+    }
+    Scene scene = wires();
+    scene.primitives.resize(1);
+    scene.primitives[0] = {.shape = Mesh{std::make_shared<const MeshData>(data), ""}, .material = 0};
+    const CapsuleTree tree(scene);
+    constexpr double least = .01;
+    int found = 0, missed = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const std::array<DVec3, 3>& aimed = triangles[std::size_t(i) % triangles.size()];
+        const double t = .5 + .5 * within(random);
+        const DVec3 from = 30. * normalize(vector()), target = (1 - t) * aimed[0] + t * aimed[1] + .3 * vector();
+        const DVec3 across = .3 * normalize(cross_product(target - from, vector()));
+        const DVec3 down = .3 * normalize(cross_product(target - from, across));
+        const RayBundle bundle{.from = from,
+                               .corner = target - from - .5 * (across + down),
+                               .across = across,
+                               .down = down,
+                               .parallel = false,
+                               .nearest = .1,
+                               .furthest = 2};
+        const double distance = length(target - from);
+        const Tube tube{.from = from,
+                        .direction = (target - from) / distance,
+                        .length = 3 * distance,
+                        .radius = 0,
+                        .growth = .22 / distance,
+                        .area = 2};
+        bool any = false;
+        for (const auto& triangle : triangles) {
+            const RayBundle::Met met = bundle.met(triangle, bundle.coordinates());
+            any |= met.corners == 0 && met.share >= least;
+        }
+        CHECK(tree.meets(tube, bundle, least, FacetsSeen::any) == any);
+        ++(any ? found : missed);
+    }
+    CHECK(found > 300);
+    CHECK(missed > 300);
 }
 
 TEST_CASE("flat bodies seen edge-on, rings, slivers and what differences leave keep their light") {
