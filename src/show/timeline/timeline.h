@@ -37,9 +37,9 @@ class Timeline {
     std::optional<std::size_t> dragged;  // number of a key of the path
     bool end_dragged = false;            // the end of the path
     bool path_key_clicked = false, delete_asked = false;
-    bool drag_began = false;             // a key has been moved
-    bool value_held = false;             // a value has been changed since the mouse button is down
-    Keyframe draft;                      // the key as it is being typed
+    bool drag_began = false;  // a key has been moved
+    bool value_held = false;  // a value has been changed since the mouse button is down
+    Keyframe draft;           // the key as it is being typed
     bool typing = false;
     Music draft_music;
     std::array<char, 256> draft_sound{};
