@@ -368,6 +368,7 @@ double Viewer::next_draw() const {
 void Viewer::draw() {
     const double began = pace.now();
     notes.expire(), file.expire();
+    panels.toolbar_rests = pace.moving() && input.pointer_rests();
     const std::uint64_t before = picture.state().number;
     const bool update = picture.take([this](const Fresh& fresh) {
         screen.upload(fresh);

@@ -52,6 +52,8 @@ class Input {
     /// To be called after each drawing. Panels look at keys only then, so a key that was pressed since the last one is
     /// released for them now.
     void release_keys();
+    /// Has the pointer not moved for 2 seconds?
+    bool pointer_rests() const { return look.rests(pace.now()); }
     /// Hides the pointer in full screen, if it has not moved for 2 seconds or is not needed.
     void hide_pointer();
 

@@ -60,7 +60,7 @@ class Panels {
     /// The width in pixels that the outline takes at the left.
     float reserved_left() const { return outline_shown() ? outliner.width() : 0; }
     /// The height in pixels of the toolbar at the top.
-    float reserved_top() const { return toolbar_shown() ? toolbar.height() : 0; }
+    float reserved_top() const { return toolbar_open && !quiet && !gallery && !help ? toolbar.height() : 0; }
     /// The height in pixels of what lies at the bottom of the window.
     float reserved() const { return timeline_shown() ? timeline.height() : 0; }
     /// Is there a panel that takes input, even if all text is hidden?
@@ -70,6 +70,7 @@ class Panels {
 
     bool help = false, info = false, quiet, gallery;
     bool asking = false;  // a question covers the window, see Leaving
+    bool toolbar_rests = false;  // it is left out, but keeps its place: drawing it would take time from pictures
 
     /// Closes a list or a menu that a panel has opened; or one of the panels. False if there is none.
     bool step_back_from_popup();
@@ -79,7 +80,7 @@ class Panels {
     bool& shown(Action action);
     bool add_shown() const { return add_open && !quiet; }
     bool outline_shown() const { return outline_open && !quiet; }
-    bool toolbar_shown() const { return toolbar_open && !quiet && !gallery && !help; }
+    bool toolbar_shown() const { return toolbar_open && !quiet && !gallery && !help && !toolbar_rests; }
     Margins margins() const { return {0, reserved_top(), reserved()}; }
 
     Pace& pace;
