@@ -23,9 +23,9 @@ void BodyTools::loaded(const Loaded& scene) {
     const bool on_its_way = !scene.opened && scene.text == bodies.edited.text();
     if (scene.opened) not_shown.show_all();
     if (scene.opened)
-        bodies.open(scene.text, is_model(scene.path) ? BodyEditor::Source::model
-                                : is_pov(scene.path) ? BodyEditor::Source::povray
-                                                     : BodyEditor::Source::scene);
+        bodies.open(scene.text, is_model(scene.path) ? BodyEditor::TextKind::model
+                                : is_pov(scene.path) ? BodyEditor::TextKind::povray
+                                                     : BodyEditor::TextKind::scene);
     else
         reload(scene.text);
     handles.let_go();

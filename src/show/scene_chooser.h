@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "show/file_dialog.h"
+#include "show/panels/panels.h"
 #include "show/welcome/welcome.h"
-#include "show/window/panels.h"
 #include "show/work/watched_scene.h"
 
 namespace strahl {

@@ -8,7 +8,8 @@
 
 #include "show/body_tools.h"
 #include "show/keys/key_file.h"
-#include "show/leaving.h"
+#include "show/panels/leaving.h"
+#include "show/panels/panels.h"
 #include "show/playback.h"
 #include "show/recordings.h"
 #include "show/scene_chooser.h"
@@ -17,7 +18,6 @@
 #include "show/side_by_side.h"
 #include "show/window/input.h"
 #include "show/window/overlay.h"
-#include "show/window/panels.h"
 #include "show/window/screen.h"
 #include "show/work/notes.h"
 #include "show/work/pace.h"

@@ -41,7 +41,7 @@ const std::map<std::string, Module> modules{
     {"povref", {{"num", "scene", "files", "text", "trace", "image"}, {"convert", "compare"}}},
     {"show",
      {{"num", "scene", "files", "text", "import", "pov", "trace", "image", "povref"},
-      {"keys", "session", "motion", "work", "second", "timeline", "window", "welcome", ""}}},
+      {"keys", "session", "motion", "work", "second", "timeline", "panels", "window", "welcome", ""}}},
     {"main",
      {{"num", "scene", "files", "text", "import", "pov", "trace", "image", "povref", "show"},
       {"process", "reference", "render", "lsp", "commands", "options", ""}}},

@@ -51,9 +51,9 @@ class BodyEditor {
 
     /// Takes the text of a scene that was just opened; it is empty if its numbers cannot be changed. Of one for POV-Ray
     /// nothing else can, and of a model nothing.
-    enum class Source { scene, povray, model };
-    void open(const std::string& text, Source source = Source::scene) {
-        *this = {}, edited.open(text), povray = source == Source::povray, model = source == Source::model;
+    enum class TextKind { scene, povray, model };
+    void open(const std::string& text, TextKind kind = TextKind::scene) {
+        *this = {}, edited.open(text), povray = kind == TextKind::povray, model = kind == TextKind::model;
     }
     /// Takes the places of the bodies and lights of a scene for POV-Ray in a text.
     void take_lines(pov::SourceLines newer, const std::string& of) { lines = std::move(newer), lines_text = of; }

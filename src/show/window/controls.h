@@ -37,20 +37,20 @@ class Controls {
     double right = 0, upwards = 0, dragged = -1;
     bool turns_around = false;  // the drag does
     glm::dvec2 panned{0};
-    CameraInput tilted;         // per second
+    CameraInput tilted;  // per second
 };
 
 /// Distinguishes drags from clicks. All in pixels of the window.
 class Pointer {
   public:
-    enum Drag { look, turn, pan };
+    enum Dragging { look, turn, pan };
     /// Begins a drag where the pointer moved last. When events have waited it may be elsewhere by now, at `now`, which
     /// counts only if it has not moved in this window.
-    void press(const glm::dvec2& now, Drag what = look) {
+    void press(const glm::dvec2& now, Dragging what = look) {
         held = true, dragging = false, kind = what, last = at.value_or(now);
     }
     /// Returns what is dragged: with the left button the view, else also what is seen.
-    Drag drag() const { return kind; }
+    Dragging drag() const { return kind; }
     /// Is the middle button down in place of the left one?
     bool middle_held() const { return held && kind != look; }
     /// Returns where it moved last, if it has moved in this window.
@@ -64,7 +64,7 @@ class Pointer {
 
   private:
     bool held = false, dragging = false;
-    Drag kind = look;
+    Dragging kind = look;
     std::optional<glm::dvec2> at;
     glm::dvec2 last{0};  // up to where the drag was reported
 };

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "show/keys/key_map.h"
+#include "show/panels/panels.h"
 #include "show/session/handles.h"
 #include "show/session/session.h"
 #include "show/window/controls.h"
-#include "show/window/panels.h"
 #include "show/window/pointer_look.h"
 #include "show/window/screen.h"
 #include "show/work/pace.h"

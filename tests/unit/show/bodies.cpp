@@ -311,7 +311,7 @@ TEST_CASE("a body of a scene of POV-Ray stands in a line of a text; those of oth
         "// é\nBall(<0, 0, 0>) union { box { <-9, -9, 8>, <9, 9, 9> }\n sphere { 9, 1 } }";
     const OpenedScene opened = open_scene(text, folder / "scene.pov", {}, {});
     BodyEditor editor;
-    editor.open(text, BodyEditor::Source::povray);
+    editor.open(text, BodyEditor::TextKind::povray);
     editor.take_lines(opened.lines, text);
     const View view = shown_view(opened.scene);
     editor.click(opened.scene, opened.scene, view, 80, 60);
@@ -335,7 +335,7 @@ TEST_CASE("numbers that stand in a text for POV-Ray are changed there; of severa
     const auto open = [&](const std::string& now) { return open_scene(now, folder / "scene.pov", {}, {}); };
     const OpenedScene opened = open(text);
     BodyEditor editor;
-    editor.open(text, BodyEditor::Source::povray);
+    editor.open(text, BodyEditor::TextKind::povray);
     editor.take_lines(opened.lines, text);
     editor.choose(0, {}, opened.scene);
     const auto value = [&](const std::string& name) {

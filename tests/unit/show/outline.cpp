@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "show/body_tools.h"
-#include "show/window/outliner.h"
+#include "show/panels/outliner.h"
 #include "tests/unit/scratch.h"
 #include "tests/unit/show/show_scene.h"
 #include "tests/unit/show/soon.h"

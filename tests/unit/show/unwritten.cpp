@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "show/leaving.h"
+#include "show/panels/leaving.h"
 #include "show/session/session.h"
 #include "show/work/reload.h"
 #include "tests/unit/faults.h"

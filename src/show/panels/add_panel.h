@@ -1,7 +1,7 @@
 // The list of the bodies and lights that can be added to the scene.
 #pragma once
 
-#include "show/window/covered_area.h"
+#include "show/panels/covered_area.h"
 #include "text/new_block.h"
 
 namespace strahl {

@@ -1,4 +1,4 @@
-#include "show/window/panels.h"
+#include "show/panels/panels.h"
 
 #include <imgui.h>
 #include <imgui_internal.h>

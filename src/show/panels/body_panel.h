@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "show/keys/commands.h"
+#include "show/panels/covered_area.h"
 #include "show/session/body_editor.h"
 #include "show/timeline/number_fields.h"
-#include "show/window/covered_area.h"
 #include "text/new_block.h"
 #include "text/place_body.h"
 
@@ -29,7 +29,7 @@ struct BodyInput {
         int component;  // -1: each
         std::string name;
     };
-    std::optional<NewTrack> track;           // which a number follows from now on
+    std::optional<NewTrack> track;  // which a number follows from now on
     struct NewPlace {
         Placing placing;  // about the middle of what is chosen
         bool merged;      // belongs to the same drag as the one before, and takes its place
@@ -58,7 +58,7 @@ class BodyPanel {
     float wide = 0;
     CoveredArea own;
     NumberFields fields;
-    bool held = false;                  // a value has been changed since the mouse button is down
+    bool held = false;                                        // a value has been changed since the mouse button is down
     std::array<double, 3> moves{}, turns{}, scales{1, 1, 1};  // by which it is placed while a field is used
     double scales_all = 1;
     std::array<char, 64> track_name{};  // that is being typed

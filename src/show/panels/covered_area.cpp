@@ -1,4 +1,4 @@
-#include "show/window/covered_area.h"
+#include "show/panels/covered_area.h"
 
 #include <imgui.h>
 

@@ -1,4 +1,4 @@
-#include "show/window/body_panel.h"
+#include "show/panels/body_panel.h"
 
 #include <imgui.h>
 

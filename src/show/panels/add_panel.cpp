@@ -1,4 +1,4 @@
-#include "show/window/add_panel.h"
+#include "show/panels/add_panel.h"
 
 #include <imgui.h>
 

@@ -1,4 +1,4 @@
-#include "show/hidden_bodies.h"
+#include "show/panels/hidden_bodies.h"
 
 #include <utility>
 

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "scene/scene.h"
-#include "show/window/outliner.h"
+#include "show/panels/outliner.h"
 
 namespace strahl {
 

@@ -1,4 +1,4 @@
-#include "show/welcome/toolbar.h"
+#include "show/panels/toolbar.h"
 
 #include <imgui.h>
 

@@ -1,4 +1,4 @@
-#include "show/window/outliner.h"
+#include "show/panels/outliner.h"
 
 #include <imgui.h>
 

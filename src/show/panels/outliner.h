@@ -12,8 +12,8 @@
 
 #include "scene/scene.h"
 #include "show/keys/commands.h"
+#include "show/panels/covered_area.h"
 #include "show/session/body_editor.h"
-#include "show/window/covered_area.h"
 #include "text/place_body.h"
 
 namespace strahl {

@@ -1,4 +1,4 @@
-#include "show/leaving.h"
+#include "show/panels/leaving.h"
 
 #include <GLFW/glfw3.h>
 #include <imgui.h>
@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "show/window/covered_area.h"
+#include "show/panels/covered_area.h"
 
 namespace strahl {
 

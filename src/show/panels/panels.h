@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "show/panels/add_panel.h"
+#include "show/panels/body_panel.h"
+#include "show/panels/outliner.h"
+#include "show/panels/toolbar.h"
 #include "show/session/session.h"
 #include "show/timeline/timeline.h"
-#include "show/welcome/toolbar.h"
-#include "show/window/add_panel.h"
-#include "show/window/body_panel.h"
-#include "show/window/outliner.h"
 #include "show/work/pace.h"
 
 namespace strahl {
@@ -69,7 +69,7 @@ class Panels {
     }
 
     bool help = false, info = false, quiet, gallery;
-    bool asking = false;  // a question covers the window, see Leaving
+    bool asking = false;         // a question covers the window, see Leaving
     bool toolbar_rests = false;  // it is left out, but keeps its place: drawing it would take time from pictures
 
     /// Closes a list or a menu that a panel has opened; or one of the panels. False if there is none.

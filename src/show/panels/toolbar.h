@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "show/keys/key_map.h"
+#include "show/panels/covered_area.h"
 #include "show/session/handles.h"
-#include "show/window/covered_area.h"
 
 namespace strahl {
 
