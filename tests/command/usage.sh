@@ -103,9 +103,9 @@ rm tracks.rt
 expect 0 "--compression is for .png files" render still.rt -o x.bmp --size 8x6 --compression small
 rm x.bmp
 
-# A line says at a terminal what was written.
+# A line says at a terminal what was written, in place of the progress if that was shown.
 script -qec "'$strahl' render still.rt -o x.bmp --size 8x6" said </dev/null >/dev/null
-grep -q '^x.bmp: 8x6, [0-9.]* s' said || fault "does not say what was written: $(<said)"
+grep -qE $'(^|\e\\[K)x.bmp: 8x6, [0-9.]* s' said || fault "does not say what was written: $(<said)"
 script -qec "'$strahl' render still.rt -o x.bmp --size 8x6 --quiet" said </dev/null >/dev/null
 ! grep -q '8x6, ' said || fault "--quiet says: $(<said)"
 [[ -z $("$strahl" render still.rt -o x.bmp --size 8x6 2>&1) ]] || fault "says something without a terminal"
