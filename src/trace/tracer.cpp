@@ -104,7 +104,7 @@ class TracerOf : public AnyTracer {
     /// Traces a piece of a picture in the thread whose number is given.
     template <class Piece>
     using Work = std::function<void(Batches<T>&, const Piece&, int)>;
-    /// What pieces are made of: rays through single places, cells, or rays all over a lens.
+    /// Says what pieces are made of: rays through single places, cells, or rays all over a lens.
     enum class RayPlaces { single, cells, lens };
 
     Counts traced(const Job& job, const Lattice& lattice) { return each_pixel(job, lattice, 0); }

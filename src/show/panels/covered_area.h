@@ -9,7 +9,7 @@ struct CoveredArea {
     bool has(double x, double y) const { return x >= left && y >= top && x < right && y < bottom; }
 };
 
-/// What other panels take at the edges of the window, in pixels.
+/// Says what other panels take at the edges of the window, in pixels.
 struct Margins {
     float left = 0, top = 0, bottom = 0;
 };

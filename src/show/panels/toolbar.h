@@ -8,7 +8,7 @@
 
 namespace strahl {
 
-/// What the toolbar's buttons show as being on.
+/// Says which of the toolbar's buttons are shown as on.
 struct ToolbarView {
     std::optional<HandleMode> handles;  // of what is chosen
     bool adding = false, lights = false, camera = false, playing = false, recording = false, unsaved = false;

@@ -44,7 +44,7 @@ Camera pan(const Camera& camera, const glm::dvec2& pan) {
     const CameraFrame frame = frame_of(camera, 1);
     const double distance = length(camera.look_at - camera.position);
     const double half = angular(camera.projection) ? std::min(frame.tan_x, 1.) : frame.tan_x;
-    // Of an orthographic camera the width does not depend on the distance.
+    // The width that an orthographic camera sees does not depend on the distance.
     const double width = 2 * half * (camera.projection == Projection::orthographic ? 1 : distance);
     const DVec3 step = -width * (pan.x * frame.right + pan.y * frame.down);
     Camera moved = camera;

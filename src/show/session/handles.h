@@ -32,7 +32,7 @@ enum class HandleMode { move, turn, scale };
 /// evenly.
 enum class Handle { x, y, z, all };
 
-/// What a drag snaps to: round distances, angles and factors, or surfaces of other bodies.
+/// Says what a drag snaps to: round distances, angles and factors, or surfaces of other bodies.
 enum class Snap { none, grid, surface };
 
 class Handles {

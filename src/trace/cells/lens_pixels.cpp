@@ -3,12 +3,12 @@
 #include <algorithm>
 
 #include "num/scrambled_net.h"
+#include "trace/cells/cells.h"
 
 namespace strahl {
 namespace {
 
 constexpr std::uint32_t first_rays = 32, most_rays = 16384;
-constexpr int block = 8;  // the side of a square of pixels that look at each other
 
 /// Returns the largest standard deviation of eight independent nets that a pixel may have. One net of all their points
 /// is better, by how much depends on the world; the factor was found by experiment (tests/bench/lens.md).
@@ -35,7 +35,6 @@ void LensPixels::begin(int x, int y, int own_columns, int own_rows, double error
     const auto count = static_cast<std::size_t>(columns) * rows;
     pixels.assign(count, {});
     means.assign(3 * count, 0);
-    begun = false;
     open.resize(count);
     for (std::size_t i = 0; i < count; ++i) open[i] = static_cast<int>(i);
 }
@@ -92,7 +91,6 @@ void LensPixels::take(std::uint32_t rays, const TraceLensRays& trace) {
             means[std::size_t(3) * number + c] = sum / pixel.taken;
         }
     }
-    begun = true;
 }
 
 void LensPixels::refine(bool all, const TraceLensRays& trace) {
@@ -109,8 +107,10 @@ void LensPixels::settle() {
         for (int x = 0; x < columns; ++x) {
             const int number = y * columns + x;
             if (pixels[number].taken >= most_rays) continue;
-            const auto from = [](int at) { return std::max(at / block * block, at - 1); };
-            const auto to = [](int at, int end) { return std::min({at / block * block + block, at + 2, end}); };
+            const auto from = [](int at) { return std::max(at / coarsest_cell * coarsest_cell, at - 1); };
+            const auto to = [](int at, int end) {
+                return std::min({at / coarsest_cell * coarsest_cell + coarsest_cell, at + 2, end});
+            };
             double sum = 0;
             int count = 0;
             for (int v = from(y); v < to(y, rows); ++v)

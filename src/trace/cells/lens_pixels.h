@@ -33,9 +33,9 @@ class LensPixels {
     void begin(int x, int y, int columns, int rows, double error, const Camera& camera);
     /// Doubles the samples of pixels that are not good enough: once or, with `all`, until none is left.
     void refine(bool all, const TraceLensRays& trace);
-    bool finished() const { return open.empty() && begun; }
+    bool finished() const { return open.empty(); }
     /// Takes this many rays in each open pixel, or doubles those that were taken before.
-    void take(std::uint32_t points, const TraceLensRays& trace);
+    void take(std::uint32_t rays, const TraceLensRays& trace);
 
     /// Returns the pixels' values and the number of their rays, row by row.
     std::span<const double> values() const { return means; }
@@ -50,7 +50,7 @@ class LensPixels {
     struct LensPixel {
         Sums sums{};  // of the eighths of the net
         std::uint32_t taken = 0;
-        double variance = 0;  // of the mean of as many independent nets as there are eighths, the mean of its channels
+        double variance = 0;  // variance that the mean of eight independent nets would have, averaged over channels
     };
     /// Points `first` to `last` of the net of `last` points with this seed, in a pixel; their light is added to `sums`.
     struct NetPart {
@@ -64,7 +64,6 @@ class LensPixels {
 
     int left = 0, top = 0, columns = 0, rows = 0;
     double limit = 0;  // of the variance
-    bool begun = false;
     Camera camera;
     std::vector<LensPixel> pixels;
     std::vector<int> open;  // numbers of the pixels that need more

@@ -80,7 +80,7 @@ TEST_CASE("each net fills its cube evenly, and each seed has another") {
     for (std::uint32_t seed = 0; seed < 20; ++seed) {
         const ScrambledNet net(seed);
         first.insert(net.point(0)[0]);
-        // Of 2^k points one lies in each of 2^k slices, in each dimension; and one in each cell of the first two.
+        // Each of 2^k slices holds one of 2^k points, in each dimension; so does each cell of the first two.
         for (int k = 0; k <= 10; ++k) {
             std::set<int> slices[4], cells;
             for (std::uint32_t i = 0; i < 1u << k; ++i) {
