@@ -40,6 +40,7 @@ void follow(Camera& camera, const std::vector<Follow>& follows, const TrackValue
                : name == "aperture"    ? target(now.aperture)
                : name == "focus"       ? target(now.focus)
                : name == "focus_on"    ? target(now.focus_on)
+               : name == "blades"      ? target(now.blades)
                                        : FollowTarget{};
     });
     if (!degenerate(now)) camera = now;

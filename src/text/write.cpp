@@ -252,7 +252,7 @@ std::string write_camera(const Camera& camera, const std::vector<Follow>& follow
     if (has_lens(camera)) text += "  aperture " + text_of(camera.aperture, follows, "aperture");
     if (camera.focus) text += "  focus " + text_of(*camera.focus, follows, "focus");
     if (camera.focus_on) text += "  focus_on " + text_of(*camera.focus_on, follows, "focus_on");
-    if (camera.blades) text += "  blades " + text_of(*camera.blades);
+    if (camera.blades) text += "  blades " + text_of(*camera.blades, follows, "blades");
     return text + (has_lens(camera) ? "\n}\n" : "}\n");
 }
 
