@@ -2,10 +2,14 @@
 // file whose header promises more than it holds costs little before that is found.
 #include "image/compressed.h"
 
-#include <spng.h>
+#include <png.h>
 #include <turbojpeg.h>
 
+#include <algorithm>
+#include <bit>
+#include <csetjmp>
 #include <memory>
+#include <new>
 #include <string_view>
 
 #include "files/os/memory.h"
@@ -21,7 +25,6 @@ template <class Code>
 struct Codes {
     std::size_t count;
     std::unique_ptr<Code[]> codes = std::make_unique_for_overwrite<Code[]>(count);
-    std::size_t bytes() const { return count * sizeof(Code); }
     /// Codes as values from 0 to 1.
     std::vector<double> values() const {
         std::vector<double> result(count);
@@ -30,26 +33,54 @@ struct Codes {
     }
 };
 
-/// How the pixels of a .png are unpacked: palettes to their colours, a colour that counts as clear to alpha, and less
-/// than 8 bits to 8.
-struct PngLayout {
-    spng_format format = SPNG_FMT_PNG;  // as they are in the file
-    int channels, bits;
-
-    PngLayout(const spng_ihdr& header, bool clear_color) : bits(header.bit_depth > 8 ? 16 : 8) {
-        const bool grey = header.color_type == SPNG_COLOR_TYPE_GRAYSCALE;
-        const bool palette = header.color_type == SPNG_COLOR_TYPE_INDEXED;
-        channels = header.color_type == SPNG_COLOR_TYPE_TRUECOLOR_ALPHA   ? 4
-                   : header.color_type == SPNG_COLOR_TYPE_GRAYSCALE_ALPHA ? 2
-                                                                          : (grey ? 1 : 3) + clear_color;
-        if (clear_color)
-            format = grey ? bits == 16 ? SPNG_FMT_GA16 : SPNG_FMT_GA8 : bits == 16 ? SPNG_FMT_RGBA16 : SPNG_FMT_RGBA8;
-        else if (palette)
-            format = SPNG_FMT_RGB8;
-        else if (header.bit_depth < 8)
-            format = SPNG_FMT_G8;
+/// A .png that is being read. libpng leaves its functions by longjmp, which must not pass over destructors: call them
+/// in completes() only.
+class PngFile {
+  public:
+    explicit PngFile(const std::string& bytes) : rest(bytes) {
+        if (!png || !info) throw std::bad_alloc();
+        png_set_read_fn(png, this, take);
     }
+    ~PngFile() { png_destroy_read_struct(&png, &info, nullptr); }
+    PngFile(const PngFile&) = delete;
+    PngFile& operator=(const PngFile&) = delete;
+
+    /// Calls a function that has nothing to destroy. Returns false if libpng left it.
+    template <class Work>
+    bool completes(Work work) {
+        if (setjmp(png_jmpbuf(png))) return false;
+        work(png, info);
+        return true;
+    }
+    const std::string& fault() const { return own_fault; }
+
+  private:
+    static void take(png_structp png, png_bytep to, std::size_t count) {
+        PngFile& own = *static_cast<PngFile*>(png_get_io_ptr(png));
+        if (count > own.rest.size()) png_error(png, "it is cut off");
+        std::copy_n(own.rest.data(), count, reinterpret_cast<char*>(to));
+        own.rest.remove_prefix(count);
+    }
+    static void fail(png_structp png, const char* why) {
+        static_cast<PngFile*>(png_get_error_ptr(png))->own_fault = why;
+        png_longjmp(png, 1);
+    }
+    static void ignore(png_structp, const char*) {}
+
+    std::string_view rest;  // of the file
+    std::string own_fault;
+    png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, this, fail, ignore);
+    png_infop info = png_create_info_struct(png);
 };
+
+/// Reads the header. Palettes become their colours, a colour that counts as clear alpha, and less than 8 bits 8.
+void read_header(png_structp png, png_infop info) {
+    png_read_info(png, info);
+    png_set_expand(png);
+    if (std::endian::native == std::endian::little) png_set_swap(png);  // of 16 bits
+    png_set_interlace_handling(png);
+    png_read_update_info(png, info);
+}
 
 }  // namespace
 
@@ -61,29 +92,29 @@ std::string size_fault(std::uint64_t width, std::uint64_t height, unsigned chann
     return needed > os::available_memory() ? "there is not enough memory for its " + size : "";
 }
 
-// Sizes, palettes and checks: W3C, "Portable Network Graphics (PNG) Specification", chapters 11 and 13.
 Picture read_png(const RegularFile& file, std::uint64_t most) {
     const std::string bytes = file.bytes(0, file.size());
-    const std::unique_ptr<spng_ctx, decltype(&spng_ctx_free)> context(spng_ctx_new(0), &spng_ctx_free);
-    const auto check = [&](int error) {
-        if (error) fail(file, spng_strerror(error));
-    };
-    if (!context) throw std::bad_alloc();
-    check(spng_set_png_buffer(context.get(), bytes.data(), bytes.size()));
-    spng_ihdr header;
-    check(spng_get_ihdr(context.get(), &header));
-    spng_trns clear;
-    const PngLayout layout(header, spng_get_trns(context.get(), &clear) == 0);
-    const auto channels = static_cast<unsigned>(layout.channels);
-    const std::string fault = size_fault(header.width, header.height, channels, most, unsigned(layout.bits) / 8);
-    if (!fault.empty()) fail(file, fault);
-    Picture picture{int(header.width), int(header.height), layout.channels, {}, layout.bits};
+    PngFile png(bytes);
+    unsigned width = 0, height = 0, channels = 0, bits = 0;
+    if (!png.completes([&](png_structp own, png_infop info) {
+            read_header(own, info);
+            width = png_get_image_width(own, info), height = png_get_image_height(own, info);
+            channels = png_get_channels(own, info), bits = png_get_bit_depth(own, info);
+        }))
+        fail(file, png.fault());
+    if (const std::string fault = size_fault(width, height, channels, most, bits / 8); !fault.empty())
+        fail(file, fault);
+    Picture picture{int(width), int(height), int(channels), {}, int(bits)};
     const auto decode = [&]<class Code>(Codes<Code> codes) {
-        check(spng_decode_image(context.get(), codes.codes.get(), codes.bytes(), layout.format, SPNG_DECODE_TRNS));
+        std::vector<png_bytep> rows(height);
+        for (std::size_t y = 0; y < height; ++y)
+            rows[y] = reinterpret_cast<png_bytep>(&codes.codes[y * width * channels]);
+        if (!png.completes([&](png_structp own, png_infop) { png_read_image(own, rows.data()); }))
+            fail(file, png.fault());
         picture.values = codes.values();
     };
-    const std::size_t count = std::size_t(header.width) * header.height * channels;
-    if (layout.bits == 16)
+    const std::size_t count = std::size_t(width) * height * channels;
+    if (bits == 16)
         decode(Codes<std::uint16_t>{count});
     else
         decode(Codes<std::uint8_t>{count});

@@ -1,4 +1,4 @@
-// Reads .png files by libspng and .jpg files by libjpeg-turbo.
+// Reads .png files by libpng and .jpg files by libjpeg-turbo.
 #pragma once
 #include <cstdint>
 #include <string>
