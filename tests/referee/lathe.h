@@ -10,14 +10,15 @@
 
 namespace strahl::referee {
 
-/// What no point of a lathe is beyond: a distance from the axis, and two heights. Curves lie between their control points.
+/// What no point of a lathe is beyond: a distance from the axis, and two heights. Curves lie between control points.
 struct LatheReach {
     double radius = 0, low = HUGE_VAL, high = -HUGE_VAL;
 
     explicit LatheReach(const ContourData& data) {
         for (const Contour& contour : data.contours) {
             add(contour.start);
-            for (const auto& [control, end, second] : contour.strokes) add(control), add(end), add(second.value_or(end));
+            for (const Contour::Stroke& stroke : contour.strokes)
+                add(stroke.control), add(stroke.end), add(stroke.second.value_or(stroke.end));
         }
     }
     void add(const Contour::Point& point) {

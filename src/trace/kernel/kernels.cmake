@@ -71,10 +71,13 @@ function(strahl_kernel level elements)
   # what else is linked changes the speed by about 5 %.
   target_compile_options(kernel_${level} PRIVATE -O3 -falign-functions=64
     $<$<CXX_COMPILER_ID:GNU>:-fno-tree-pta$<SEMICOLON>-fschedule-insns$<SEMICOLON>-fsched-pressure> ${ARGN})
+  # All but the kernels themselves: -O2 compiles in three quarters of the time, and its code is as fast. But features.cpp
+  # would call functions of std::vector then, which might merge with those of another level.
   if(NOT "-O1" IN_LIST ARGN)
-    # All but the kernels themselves: -O2 compiles in three quarters of the time, and its code is as fast.
-    list(FILTER sources EXCLUDE REGEX "/(float|double)\\.cpp$")
+    list(FILTER sources EXCLUDE REGEX "/(float|double|features)\\.cpp$")
     set_source_files_properties(${sources} PROPERTIES COMPILE_OPTIONS -O2)
+  elseif(level STREQUAL scalar)
+    set_source_files_properties(${folder}/features.cpp PROPERTIES COMPILE_OPTIONS -O3)
   endif()
   if(STRAHL_SANITIZE AND NOT level MATCHES "scalar|long_double")
     # Instrumented packs take g++ a quarter of an hour to compile. Scalars are compiled from the same sources.

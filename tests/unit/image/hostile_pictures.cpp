@@ -275,7 +275,7 @@ TEST_CASE("rows that a file promises and does not have cost no memory") {
     CHECK(memory() - before < 200);
 }
 
-TEST_CASE("a picture that says it lies at the end of all numbers is refused, and read where its place is not asked for") {
+TEST_CASE("a picture at the end of all numbers is refused, and read where its place is not asked for") {
     const Scratch folder;
     write_picture(picture(4, 4), folder / "a.exr", {});
     std::string bytes = bytes_of(folder / "a.exr");
