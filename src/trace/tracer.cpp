@@ -253,7 +253,7 @@ class TracerOf : public AnyTracer {
         now.limits.noticed = static_cast<T>(noticed);
         if (job.view.prove) now.limits.slack = slack_for(now.view, world, bound->gain);
         const bool in_time_too = way != RayPlaces::single && job.view.moments;
-        if (in_time_too) prepare_moments(job.view, pool);
+        if (in_time_too) prepare_moments(job);
         const auto set_limits = [&](ReadyView& ready) {
             ready.limits.queue = std::min(job.queue, batch_rays), ready.limits.stop = job.stop;
         };
@@ -324,20 +324,23 @@ class TracerOf : public AnyTracer {
 
     /// Makes the moments of a view ready, and behind them its time, unless they are. What does not change from one to
     /// the next is shared.
-    void prepare_moments(const View& view, ThreadPool& pool) {
+    void prepare_moments(const Job& job) {
+        const View& view = job.view;
         if (!moments.empty() && moments_of == view) return;
         moments.clear();
         std::shared_ptr<const BuiltWorld<T>> world = built;
         Bound light = *bound;
         const auto add = [&](const Shot& moment) {
-            if (in_time.change(moment.time, view.tracks, pool))
-                world = build(pool), light = bound_for(scene(), view.depth);
+            if (in_time.change(moment.time, view.tracks, job.pool))
+                world = build(job.pool), light = bound_for(scene(), view.depth);
             View own = view;
             own.camera = moment.camera, own.time = moment.time;
             make_ready(moments.emplace_back(), own, world, eye_of_camera(own.camera, *world), light, true);
         };
-        for (const Shot& moment : *view.moments) add(moment);
-        in_time.set(view.time, view.tracks, pool);
+        for (const Shot& moment : *view.moments)
+            if (!job.stopped()) add(moment);
+        in_time.set(view.time, view.tracks, job.pool);
+        if (job.stopped()) return moments.clear();
         make_ready(moments.emplace_back(), view, built, *known, *bound, true);
         moments_of = view;
     }
