@@ -43,7 +43,8 @@ class Batches {
         if (world.finishes.carries) workspace.hold_carried();
     }
 
-    Counts counts;  // its own memory: threads that count beside each other wait for each other
+    std::span<Batches> moments;  // of the same thread: at the moments of a shutter, and last at the time of the view
+    Counts counts;               // its own memory: threads that count beside each other wait for each other
 
     /// Traces a tile of pixels, one ray each; a tile that was stopped is not handed on.
     void trace_tile(const Lattice& tile, const Sink& sink) {
@@ -91,13 +92,21 @@ class Batches {
         workspace.lens_x.clear(), workspace.lens_y.clear();
     }
 
-    /// Traces a tile of pixels with rays all over a lens: in each as many as a grid has.
-    void trace_lens_grid(const Lattice& tile, int grid, const Camera& camera, const Sink& sink) {
+    /// Traces rays of nets, see TraceLensRays.
+    void trace_nets(int moment, std::span<const LensRay> rays, std::span<std::array<double, 3>> rgb, bool check) {
+        Batches& own = moments.empty() ? *this : moments[moment];
+        const Counts before = own.counts;
+        own.trace_lens(rays, rgb);
+        if (check) own.counts = before;
+    }
+
+    /// Traces a tile of pixels with rays all over a lens, or a shutter's moments: in each as many as a grid has.
+    void trace_net_grid(const Lattice& tile, int grid, const Camera& camera, const Sink& sink) {
         LensPixels pixels;
-        pixels.begin(tile.x, tile.y, tile.columns, tile.rows, 1, camera);
-        pixels.take(grid * grid, [&](std::span<const LensRay> rays, std::span<std::array<double, 3>> rgb, bool) {
-            trace_lens(rays, rgb);
-        });
+        pixels.begin(tile.x, tile.y, tile.columns, tile.rows, 1, camera,
+                     std::max(static_cast<int>(moments.size()) - 1, 0));
+        pixels.take(grid * grid, [&](int moment, std::span<const LensRay> rays, std::span<std::array<double, 3>> rgb,
+                                     bool check) { trace_nets(moment, rays, rgb, check); });
         if (!limits.stopped()) sink({tile, pixels.values()});
     }
 

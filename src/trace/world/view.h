@@ -67,6 +67,9 @@ struct View {
     /// through the pixel's middle; what a shift changes is in the bound.
     bool prove = false;
     std::shared_ptr<const std::vector<Track>> tracks{};  // if any, these replace the scene's
+    /// If any, averages over pixels are also averages over these (shutter.h). One ray in each pixel sees `time` alone.
+    std::shared_ptr<const std::vector<Shot>> moments{};
+    bool operator==(const View&) const = default;  // of tracks and moments: the same ones
 };
 
 /// Work for the threads of a pool: all of it is done when it returns, or `stop` became true. Tiles that were handed to
