@@ -39,7 +39,7 @@ Counts& Counts::operator+=(const Counts& other) {
 class AnyTracer {
   public:
     AnyTracer(Scene&& own, Precision of, Simd level)
-        : in_time(with_split_unions(std::move(own))), precision(of), simd(level) {}
+        : in_time(with_split_unions(std::move(own), &declared)), precision(of), simd(level) {}
     virtual ~AnyTracer() = default;
     virtual void prepare(const View& view, ThreadPool& pool) = 0;
     virtual Counts trace(const Job& job, const TracedPixels& pixels) = 0;
@@ -47,6 +47,7 @@ class AnyTracer {
     /// With more bodies it takes longer to find the thin ones than filled cells save.
     bool many_bodies() const { return scene().primitives.size() > (in_time.moves() ? 1000 : 10000); }
 
+    DeclaredAs declared;  // before `in_time`, which is made with it
     SceneInTime in_time;
     const Precision precision;
     const Simd simd;
@@ -184,6 +185,7 @@ class TracerOf : public AnyTracer {
 
     Counts traced(const Job& job, const CellPass& pass) {
         const auto refine = [&](Batches<T>& batches, int i, int) {
+            const Lattice place = pass.picture.place_of(i);
             pass.picture.refine(
                 i, pass.finest, job,
                 [&](int x, int y, std::span<const Point> points, double side, CellSample* samples) {
@@ -193,9 +195,10 @@ class TracerOf : public AnyTracer {
                 },
                 [&](std::span<const LensRay> rays, std::span<std::array<double, 3>> rgb, bool check) {
                     const Counts before = batches.counts;
-                    batches.trace_lens(rays, rgb);
+                    batches.trace_lens(rays, rgb, check || !batches.layers ? nullptr : &place);
                     if (check) batches.counts = before;
-                });
+                },
+                batches.layers);
         };
         const auto way = pass.picture.through_lens() ? RayPlaces::lens : RayPlaces::cells;
         return each(job, pass.picture.tiles(), pass.picture.contrast(), refine, 0, way);
@@ -257,6 +260,7 @@ class TracerOf : public AnyTracer {
                                        .queue = std::min(job.queue, batch_rays),
                                        .stop = job.stop},
                                       view.prove ? slack_for(view, world, bound->gain) : Slack<T>{}};
+        const std::shared_ptr<const LayerTables> tables = view.layers.any() ? layer_tables() : nullptr;
         std::atomic<int> next{0};
         std::vector<Counts> counts(pool.size());
         const auto take = [&](int thread) {
@@ -265,7 +269,10 @@ class TracerOf : public AnyTracer {
             int list = 0;
             for (const int body : known->bodies) list = push(workspace.mediums, list, body);
             own.medium = static_cast<T>(list);
-            Batches<T> batches(world, view.prove ? proving : kernel, own, limits, workspace, view.prove, filters, side);
+            std::optional<LayerTile> layers;
+            if (tables) layers.emplace(view.layers, tables);
+            Batches<T> batches(world, view.prove ? proving : kernel, own, limits, workspace, view.prove, filters, side,
+                               placed, layers ? &*layers : nullptr);
             for (int i; !limits.stopped() && (i = next++) < tiles;) work(batches, i, thread);
             counts[thread] = batches.counts;
         };
@@ -307,6 +314,23 @@ class TracerOf : public AnyTracer {
         all.gain = static_cast<T>(gain);
         all.reach = world.rounding / static_cast<T>(WorldArrays<T>::rounding(1));
         return all;
+    }
+
+    std::shared_ptr<const LayerTables> layer_tables() const {
+        auto tables = std::make_shared<LayerTables>();
+        const auto declared_as = [](const std::vector<int>& all, std::size_t i) {
+            return i < all.size() ? all[i] : static_cast<int>(i);
+        };
+        ItemCounts counts;
+        for (std::size_t i = 0; i < scene().primitives.size(); ++i) {
+            count_items<T>(scene().primitives[i], counts);
+            tables->bodies.resize(static_cast<std::size_t>(counts.surfaces), declared_as(declared.bodies, i));
+        }
+        for (const int material : built->materials())
+            tables->materials.push_back(declared_as(declared.materials, static_cast<std::size_t>(material)));
+        for (std::size_t i = 0; i < scene().lights.size(); ++i)
+            tables->lights.insert(tables->lights.end(), points_of(scene().lights[i]), static_cast<int>(i));
+        return tables;
     }
 
     /// Returns whether bodies were left out whose numbers in T are those of another, which may differ in the scene.

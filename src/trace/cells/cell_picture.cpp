@@ -41,16 +41,18 @@ std::unique_ptr<CellPicture::InWork> CellPicture::make() {
     return tile;
 }
 
-void CellPicture::refine(int i, int finest, const Job& job, const TraceAt& trace, const TraceLensRays& trace_lens) {
+void CellPicture::refine(int i, int finest, const Job& job, const TraceAt& trace, const TraceLensRays& trace_lens,
+                         LayerTile* layers) {
     const TilePlace& place = places[i];
     if (std::exchange(begun[i], true) && !made[i]) return;  // finished before
     const bool first = !made[i];
     if (first) made[i] = make();
     auto& [cells, lens_pixels] = *made[i];
+    if (layers) layers->begin(place.columns * place.rows);
     if (first && lens)
         lens_pixels.begin(place.x, place.y, place.columns, place.rows, error, *lens);
     else if (first)
-        cells.begin(place.x, place.y, place.columns, place.rows, most_contrast, largest_filled, *thin);
+        cells.begin(place.x, place.y, place.columns, place.rows, most_contrast, largest_filled, *thin, layers);
     if (lens)
         lens_pixels.refine(finest == 0, trace_lens);
     else
@@ -63,17 +65,22 @@ void CellPicture::refine(int i, int finest, const Job& job, const TraceAt& trace
     const int top = std::max(place.y, region.y), bottom = std::min(place.y + place.rows, region.y + region.rows);
     const Lattice part{.x = left, .y = top, .columns = right - left, .rows = bottom - top};
     const std::span<const double> rgb = lens ? lens_pixels.values() : cells.values();
-    if (part.columns == place.columns) {
-        const std::size_t first = std::size_t(3) * place.columns * (top - place.y);
-        job.sink({part, rgb.subspan(first, std::size_t(3) * part.columns * part.rows)});
-    } else {
-        std::vector<double> cut;
+    const std::vector<float> layered = layers ? layers->values(rgb) : std::vector<float>();
+    // Returns the values of the part, which may be a piece of `memory`.
+    const auto cut_out = [&](const auto& all, auto& memory) {
+        const std::size_t each = all.size() / place.columns / place.rows;
+        const auto row = [&](int y) { return each * place.columns * (y - place.y); };
+        if (part.columns == place.columns) return std::span(all).subspan(row(top), each * part.columns * part.rows);
         for (int y = top; y < bottom; ++y) {
-            const auto row = rgb.begin() + 3 * (std::ptrdiff_t(y - place.y) * place.columns + left - place.x);
-            cut.insert(cut.end(), row, row + 3 * part.columns);
+            const auto first = all.begin() + std::ptrdiff_t(row(y) + each * (left - place.x));
+            memory.insert(memory.end(), first, first + std::ptrdiff_t(each * part.columns));
         }
-        job.sink({part, std::span<const double>(cut)});
-    }
+        return std::span(std::as_const(memory));
+    };
+    std::vector<double> some_rgb;
+    std::vector<float> some_layers;
+    const std::span<const double> own_rgb = cut_out(rgb, some_rgb);
+    job.sink({part, own_rgb, {}, cut_out(layered, some_layers)});
     if (lens ? lens_pixels.finished() : cells.finished()) {
         const std::vector<std::uint32_t> counts = lens ? lens_pixels.counts() : cells.counts();
         const double share = checked / (double(region.columns) * region.rows);
