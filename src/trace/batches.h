@@ -51,7 +51,7 @@ class Batches {
     }
 
     LayerTile* const layers;  // null if there are none
-    Counts counts;  // its own memory: threads that count beside each other wait for each other
+    Counts counts;            // its own memory: threads that count beside each other wait for each other
 
     /// Traces a tile of pixels, one ray each; a tile that was stopped is not handed on.
     void trace_tile(const Lattice& tile, const Sink& sink) {
@@ -315,12 +315,12 @@ class Batches {
     const Eye<T>& eye;
     const Limits<T>& limits;
     Workspace<T>& workspace;
-    const bool prove;       // the kernel is a proving one
-    const bool filters;     // samples have footprints
+    const bool prove;    // the kernel is a proving one
+    const bool filters;  // samples have footprints
     const Placement& placement;
     LayerRows<T> rows{};
     std::vector<T> layer_values, lit;  // of the rows
-    std::vector<T> bounds;  // of the pixels, by proving kernels
+    std::vector<T> bounds;             // of the pixels, by proving kernels
 };
 
 }  // namespace strahl

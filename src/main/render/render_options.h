@@ -21,8 +21,8 @@ struct RenderOptions {
     std::string format;      // "bmp", "png", "exr", "ppm" or "y4m", for standard output only
     int bits = 0;            // per channel; 0 is the format's default
     Compression compression = Compression::fast;
-    Exposure exposure;  // of 8-bit files and films
-    Layers layers;      // without the numbers that stand for names
+    Exposure exposure;            // of 8-bit files and films
+    Layers layers;                // without the numbers that stand for names
     bool alpha_of_scene = false;  // the background is as opaque as an .ini file's scene says
     std::optional<Lattice> crop;
     bool fit = false;                    // widens the view of a camera with an aspectratio to that of the picture

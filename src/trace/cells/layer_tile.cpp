@@ -53,7 +53,7 @@ float* LayerTile::add_sample() {
 void LayerTile::average(int number, int sample, double weight, const std::array<double, 3>& light) {
     const float* const row = &rows[std::size_t(sample) * row_length];
     double* const sum = &sums[std::size_t(number) * row_length];
-    Pixel& pixel = pixels[number];
+    LayerPixel& pixel = pixels[number];
     pixel.weight += weight, sum[Rows::clear] += weight * double(row[Rows::clear]);
     for (int i = Rows::own; i < row_length; ++i) {
         const int at = i - Rows::lights, to = at < 0 ? i : Rows::lights + 3 * known->lights[at / 3] + at % 3;
@@ -77,7 +77,7 @@ std::vector<float> LayerTile::values(std::span<const T> rgb) const {
     std::vector<float> all;
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         const double* const sum = &sums[i * static_cast<std::size_t>(row_length)];
-        const Pixel& pixel = pixels[i];
+        const LayerPixel& pixel = pixels[i];
         const auto put = [&](int first, int count, double weight) {
             for (int c = first; c < first + count; ++c) all.push_back(static_cast<float>(sum[c] / weight));
         };

@@ -48,7 +48,7 @@ class LayerTile {
 
   private:
     using Shares = std::vector<std::pair<float, double>>;  // of ids
-    struct Pixel {
+    struct LayerPixel {
         double weight = 0, covered = 0;
         Shares bodies, materials;
     };
@@ -57,7 +57,7 @@ class LayerTile {
     const std::shared_ptr<const LayerTables> known;
     const int row_length, lights;  // lights: as they were declared
     std::vector<float> rows;
-    std::vector<Pixel> pixels;
+    std::vector<LayerPixel> pixels;
     std::vector<double> sums;  // a row for each pixel, with the light of each declared light
 };
 

@@ -259,8 +259,8 @@ bool shade_bin(const Shading<S, P>& shading, const BinHits<Element<S>>& own) {
             light = light * carried_by(shading, from, pick).tint;
         add_light(shading.batch, hit.pixel, pick.lanes, light);
         if (notes_layers(shading)) [[unlikely]]
-            note_layers(shading, Hit<S>(hit), pick(t), pick.lanes, material.numbers, true, Vec3<S>(light),
-                        Vec3<S>(sum), factor_of(shading, Hit<S>(hit), from, pick));
+            note_layers(shading, Hit<S>(hit), pick(t), pick.lanes, material.numbers, true, Vec3<S>(light), Vec3<S>(sum),
+                        factor_of(shading, Hit<S>(hit), from, pick));
         P::shade(shading, hit, from, pick, pick(t), light, notes.own);
     }
     next.inside_end[bin] = next.inside.count;
