@@ -1,5 +1,6 @@
 #include "image/band_file.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
@@ -36,9 +37,12 @@ std::string record_of(int band, const EncodedBand& encoded) {
 
 const char* name(Compression compression) { return compression == Compression::small ? "small" : "fast"; }
 
-std::array<std::pair<const char*, std::string>, 6> lines_of(const BandHeader& header) {
+std::array<std::pair<const char*, std::string>, 8> lines_of(const BandHeader& header) {
     const Layout& layout = header.layout;
     TextStream file, part;
+    std::string names, attributes;
+    for (const std::string& name : layout.named.names) names += (names.empty() ? "" : " ") + name;
+    for (const auto& [name, value] : layout.named.attributes) attributes.append(name).append(" ").append(value) += '\t';
     file << header.ending << ' ' << layout.width << ' ' << layout.height << ' ' << layout.channels << ' ' << layout.bits
          << ' ' << name(header.compression);
     part << header.part << ' ' << header.parts;
@@ -46,6 +50,8 @@ std::array<std::pair<const char*, std::string>, 6> lines_of(const BandHeader& he
              {"scene", header.scene},
              {"options", header.options},
              {"file", file.str()},
+             {"channels", names},
+             {"attributes", attributes},
              {"part", part.str()},
              {"", ""}}};
 }
@@ -88,11 +94,19 @@ BandFile::BandFile(const std::string& path) : own_path(path) {
         if (key == "options") h.options = value;
         if (key == "file")
             words >> h.ending >> h.layout.width >> h.layout.height >> h.layout.channels >> h.layout.bits >> compression;
+        if (key == "channels")
+            for (std::string name; words >> name;) h.layout.named.names.push_back(name);
+        for (std::size_t at = 0, tab; key == "attributes" && (tab = value.find('\t', at)) != value.npos; at = tab + 1) {
+            const std::string own = value.substr(at, tab - at);
+            const std::size_t blank = std::min(own.find(' '), own.size() - 1);
+            h.layout.named.attributes.emplace_back(own.substr(0, blank), own.substr(blank + 1));
+        }
         if (key == "part") words >> h.part >> h.parts;
     }
     h.compression = compression == "small" ? Compression::small : Compression::fast;
-    if (!in || h.layout.width < 1 || h.layout.height < 1 || h.layout.channels < 1 || h.layout.channels > 4 ||
-        h.part < 1 || h.parts < h.part || format_fault(h.ending, h.layout.bits) != "")
+    if (!in || h.layout.width < 1 || h.layout.height < 1 || h.layout.channels < 1 ||
+        h.layout.channels > std::max(4, static_cast<int>(h.layout.named.names.size())) || h.part < 1 ||
+        h.parts < h.part || format_fault(h.ending, h.layout.bits) != "")
         broken("its first lines are damaged");
     end = static_cast<std::uint64_t>(in.tellg());
     const std::uint64_t size = std::filesystem::file_size(path);

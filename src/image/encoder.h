@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "image/frame_rate.h"
@@ -12,9 +13,17 @@
 
 namespace strahl {
 
+/// The names of the channels of a .exr file, in the order of a pixel's values, and attributes of text. Without names
+/// channels are red, green, blue and alpha, or grey and alpha.
+struct ChannelNames {
+    std::vector<std::string> names{};
+    std::vector<std::pair<std::string, std::string>> attributes{};  // their names have at most 31 letters
+};
+
 /// The pixels of a file. Codes are uint8, uint16 or float by `bits`, `channels` per pixel.
 struct Layout {
     int width = 0, height = 0, channels = 3, bits = 8;
+    ChannelNames named{};
 
     std::size_t row_bytes() const { return std::size_t(width) * unsigned(channels) * unsigned(bits / 8); }
 };

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstdint>
 #include <cstring>
+#include <map>
 #include <new>
 
 #include "files/bytes.h"
@@ -37,7 +38,12 @@ std::string separated(const std::string& plain) {
 
 class Exr : public Encoder {
   public:
-    using Encoder::Encoder;
+    explicit Exr(const Layout& own_layout) : Encoder(own_layout) {
+        std::vector<std::string> names = layout.named.names;
+        for (const char* name = layout.channels < 3 ? "YA" : "RGBA"; static_cast<int>(names.size()) < layout.channels;)
+            names.emplace_back(1, *name++);
+        for (std::size_t i = 0; i < names.size(); ++i) channels[names[i]] = i;
+    }
 
     /// Encodes chunks without the number of their first row; the note is their sizes.
     EncodedBand encode(const std::byte* codes, int rows) const override {
@@ -82,23 +88,16 @@ class Exr : public Encoder {
     }
 
   private:
-    /// The names of the channels, in alphabetical order.
-    std::string_view names() const {
-        return std::string_view(layout.channels < 3 ? "AY" : "ABGR").substr(layout.channels % 2);
-    }
-    /// The place of the channel of this name in a pixel.
-    std::size_t place_of(char name) const { return std::string_view(layout.channels < 3 ? "YA" : "RGBA").find(name); }
-
     std::string head() const {
-        std::string file("\x76\x2f\x31\x01\x02\0\0\0", 8), channels, window, zero, one;
-        for (const char name : names()) {
-            channels += name, channels += '\0';
-            for (const std::uint32_t value : {2, 0, 1, 1}) put_little(channels, value);  // float; every pixel has one
+        std::string file("\x76\x2f\x31\x01\x02\0\0\0", 8), list, window, zero, one;
+        for (const auto& [name, place] : channels) {
+            list.append(name) += '\0';
+            for (const std::uint32_t value : {2, 0, 1, 1}) put_little(list, value);  // float; every pixel has one
         }
         for (const int value : {0, 0, layout.width - 1, layout.height - 1})
             put_little(window, static_cast<std::uint32_t>(value));
         put_float(zero, 0), put_float(one, 1);
-        put_attribute(file, "channels", "chlist", channels + '\0');
+        put_attribute(file, "channels", "chlist", list + '\0');
         put_attribute(file, "compression", "compression", "\x03");  // ZIP
         put_attribute(file, "dataWindow", "box2i", window);
         put_attribute(file, "displayWindow", "box2i", window);
@@ -106,6 +105,7 @@ class Exr : public Encoder {
         put_attribute(file, "pixelAspectRatio", "float", one);
         put_attribute(file, "screenWindowCenter", "v2f", zero + zero);
         put_attribute(file, "screenWindowWidth", "float", one);
+        for (const auto& [name, value] : layout.named.attributes) put_attribute(file, name.c_str(), "string", value);
         return file += '\0';
     }
 
@@ -116,13 +116,15 @@ class Exr : public Encoder {
         const std::size_t pixel = unsigned(layout.channels) * sizeof(float);
         char* to = bytes.data();
         for (std::size_t y = 0; y < unsigned(rows); ++y)
-            for (const char name : names()) {
-                const std::byte* from = codes + y * layout.row_bytes() + place_of(name) * sizeof(float);
+            for (const auto& [name, place] : channels) {
+                const std::byte* from = codes + y * layout.row_bytes() + place * sizeof(float);
                 for (int x = 0; x < layout.width; ++x, to += sizeof(float), from += pixel)
                     std::memcpy(to, from, sizeof(float));
             }
         return bytes;
     }
+
+    std::map<std::string, std::size_t> channels;  // their places in a pixel, by name, as files have them
 };
 
 }  // namespace

@@ -12,10 +12,11 @@
 namespace strahl {
 namespace {
 
-/// Converts `count` values to the codes of the file, by the table where there is one.
+/// Converts `count` values to the codes of the file, by the table where there is one. Alpha is never light.
 template <class T>
-void store(const T* values, std::size_t count, int bits, double gamma, const std::optional<TransferTable>& table,
-           std::byte* codes) {
+void store(const T* values, std::size_t count, const Layout& layout, double gamma,
+           const std::optional<TransferTable>& table, std::byte* codes) {
+    const int bits = layout.bits;
     const auto convert = [&](auto* to, const auto& code_of) {
         using Code = std::remove_pointer_t<decltype(to)>;
         for (std::size_t i = 0; i < count; ++i) to[i] = static_cast<Code>(code_of(values[i]));
@@ -32,22 +33,29 @@ void store(const T* values, std::size_t count, int bits, double gamma, const std
         convert(words, [gamma](double v) { return quantise(v, gamma, 65535); });
     else
         convert(words, [](double v) { return quantise(v, 0, 65535); });
+    if (layout.channels != 4 || bits == 32) return;
+    for (std::size_t i = 3; i < count; i += 4)
+        if (const std::uint16_t alpha = quantise(values[i], 0, bits == 8 ? 255 : 65535); bits == 8)
+            bytes[i] = static_cast<std::uint8_t>(alpha);
+        else
+            words[i] = alpha;
 }
 
-Layout layout_of(int width, int height, int channels, const std::string& named, int bits) {
+Layout layout_of(int width, int height, int channels, const std::string& named, int bits, const ChannelNames& names) {
     if (const std::string fault = format_fault(named, bits); !fault.empty()) throw OutputError(fault);
     const std::string ending = ending_of(named);
-    assert(channels >= 1 && channels <= 4);
+    assert(channels >= 1 && (channels <= 4 || static_cast<int>(names.names.size()) == channels));
     if (ending == ".bmp" && channels != 3)
         throw OutputError("cannot write '" + named + "': a .bmp file holds red, green and blue; choose .png or .exr");
-    return {width, height, channels, bits_of(ending, bits)};
+    return {width, height, channels, bits_of(ending, bits), names};
 }
 
 }  // namespace
 
-PictureWriter::PictureWriter(int width, int height, int channels, const std::string& named, FileFormat own_format)
+PictureWriter::PictureWriter(int width, int height, int channels, const std::string& named, FileFormat own_format,
+                             const ChannelNames& names)
     : format(own_format),
-      encoder(encoder_for(ending_of(named), layout_of(width, height, channels, named, own_format.bits),
+      encoder(encoder_for(ending_of(named), layout_of(width, height, channels, named, own_format.bits, names),
                           own_format.compression)) {
     if ((format.gamma != 0 || format.exposure) && layout().bits == 8) table.emplace(format.gamma, format.exposure);
     for (int i = 0; i < encoder->bands(); ++i) {
@@ -85,7 +93,7 @@ void PictureWriter::put_any(int x, int y, int columns, int rows, const T* values
             const std::size_t row = unsigned(place(done) % band_rows);
             const std::size_t pixel = row * unsigned(layout.width) + unsigned(x);
             std::byte* const to = codes + pixel * unsigned(layout.channels * layout.bits / 8);
-            store(values + unsigned(done) * count, count, layout.bits, format.gamma, table, to);
+            store(values + unsigned(done) * count, count, layout, format.gamma, table, to);
         }
         const auto pixels = std::size_t(columns) * unsigned(done - first);
         if (band.missing.fetch_sub(pixels) == pixels) encode(band, encoder->rows(i));

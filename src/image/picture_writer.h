@@ -16,7 +16,8 @@ namespace strahl {
 class PictureWriter {
   public:
     /// `named` is the path of the file, or only its ending. Throws OutputError if such a file cannot hold the picture.
-    PictureWriter(int width, int height, int channels, const std::string& named, FileFormat format);
+    PictureWriter(int width, int height, int channels, const std::string& named, FileFormat format,
+                  const ChannelNames& names = {});
     ~PictureWriter();
 
     /// Takes the values of a rectangle of pixels from (x, y) on, row by row; the thread that completes a band encodes

@@ -121,6 +121,8 @@ class IniReader {
             option(known->second, same_word(known->second, "Cyclic_Animation") ? (on ? "on" : "off") : rest);
         } else if (has_prefix(word, "A") && (word.size() == 1 || std::string_view(".0123456789").find(word[1]) < 11)) {
             ini.antialias = on;
+        } else if (same_word(word, "UA")) {
+            ini.alpha = on;
         } else {
             over_read(word);
         }
@@ -154,6 +156,8 @@ class IniReader {
             take(ini.height, 1);
         } else if (is("Antialias")) {
             ini.antialias = flag_of(word);
+        } else if (is("Output_Alpha")) {
+            ini.alpha = flag_of(word);
         } else if (is("Initial_Frame")) {
             take(ini.initial_frame, 0);
         } else if (is("Final_Frame")) {

@@ -13,7 +13,7 @@ struct IniFile {
     std::string path;   // of the file itself
     std::string scene;  // Input_File_Name, as it is written
     std::optional<int> width, height;
-    std::optional<bool> antialias;
+    std::optional<bool> antialias, alpha;
     std::optional<int> initial_frame, final_frame;
     std::optional<double> subset_start, subset_end;  // numbers of frames, or shares of them if between 0 and 1
     std::optional<double> clock, initial_clock, final_clock;

@@ -50,6 +50,8 @@ OpenedPov open_pov(std::string text, const InterpreterOptions& options, const Re
     layer.tell_constants(in);
     opened.clock_used = in.clock_used(), opened.size_used = in.size_used();
     opened.lines = lines_of(maker, in);
+    const bool opaque_sky = layer.contents.sky && in.version_given() && in.version() >= 3.7;
+    opened.background_opacity = opaque_sky ? 1 : layer.contents.background_opacity;
     std::vector<Remark> remarks = in.remarks();
     std::ranges::stable_sort(remarks, {}, [](const Remark& own) { return std::pair(own.place.file, own.place.at); });
     for (const Remark& own : remarks) {

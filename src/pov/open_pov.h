@@ -34,6 +34,7 @@ struct OpenedPov {
     Scene scene;
     SourceLines lines{};
     bool mirrored = false;           // the scene is the file's mirror image in z
+    double background_opacity = 0;   // in a picture with alpha; skies are opaque from version 3.7 on
     bool clock_used = false;         // see Interpreter
     bool size_used = false;          // see Interpreter
     std::vector<PovNote> notes;      // in the order of files and lines, each once

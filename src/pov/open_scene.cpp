@@ -85,6 +85,7 @@ OpenedScene open_scene_of_povray(const std::string& text, const std::string& pat
                        .lines = std::move(opened.lines),
                        .mirrored = opened.mirrored,
                        .files = std::move(opened.files),
+                       .background_opacity = opened.background_opacity,
                        .changes = opened.clock_used && !options.clock,
                        .sized = opened.size_used,
                        .clock = how.clock_on ? std::optional(how.clock) : std::nullopt};
@@ -145,7 +146,7 @@ OpenedScene open_scene(const std::string& text, const std::string& path, const O
     pov::InterpreterOptions how;
     how.file = path, how.library = options.library, how.width = options.size.width, how.height = options.size.height;
     for (const std::string& folder : pov::standard_library()) how.library.push_back(folder);
-    how.stop = options.stop, how.files = options.files, how.as_text = options.as_text;
+    how.stop = options.stop, how.files = options.files, how.as_text = options.as_text, how.alpha = options.alpha;
     if (is_pov(path)) return open_scene_of_povray(text, path, options, std::move(how), read_pixels);
     how.clock = options.clock.value_or(0);
     FilesRead own;

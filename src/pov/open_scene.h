@@ -22,6 +22,7 @@ struct OpeningOptions {
     std::vector<std::string> library{};  // folders of included files, searched before those of POV-Ray's package
     bool strict = false;                 // whatever cannot be shown as it is meant is an error
     bool as_text = false;                // the scene is written: what scene text has no words for is approximated
+    bool alpha = false;                  // the picture has alpha
     std::optional<pov::IniFile> ini{};   // given in place of the scene; by default the one beside it
     std::optional<double> time{};  // the moment of the flight at which the scene is read; without it the first one
     const std::atomic<bool>* stop = nullptr;    // throws Interrupted once it is true
@@ -38,6 +39,7 @@ struct OpenedScene {
     pov::SourceLines lines{};          // of the bodies and lights of a .pov, or names of bodies
     bool mirrored = false;             // the scene is the mirror image in z of that of a .pov
     std::vector<std::string> files{};  // of a .pov, model or text with directives: all that were read, its own first
+    double background_opacity = 0;     // in a picture with alpha, as POV-Ray has it
     bool changes = false;              // a .pov that uses its clock: it has to be read again for each moment
     bool sized = false;                // a .pov that asks for the picture's size: it is another scene in each size
     std::optional<double> clock;       // of a .pov: its value, if POV-Ray's clock is on

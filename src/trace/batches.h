@@ -27,22 +27,30 @@ class Batches {
     using Out = std::conditional_t<std::is_same_v<T, float>, float, double>;
 
     Batches(const World<T>& own_world, const Kernel<T>& own_kernel, const Eye<T>& own_eye, const Limits<T>& own_limits,
-            Workspace<T>& own_workspace, bool with_bounds, bool with_footprints, double side)
-        : world(own_world),
+            Workspace<T>& own_workspace, bool with_bounds, bool with_footprints, double side,
+            const Placement& own_placement, LayerTile* own_layers = nullptr)
+        : layers(own_layers),
+          world(own_world),
           kernel(own_kernel),
           eye(own_eye),
           limits(own_limits),
           workspace(own_workspace),
           prove(with_bounds),
-          filters(with_footprints) {
+          filters(with_footprints),
+          placement(own_placement) {
         if (prove) workspace.hold_extra(), bounds.resize(scattered_pixels);
         if (filters && side > 0)
             workspace.hold_cones(), std::ranges::fill(workspace.sides, static_cast<T>(side));
         else if (filters)
             workspace.hold_differentials();
         if (world.finishes.carries) workspace.hold_carried();
+        if (!layers) return;
+        layer_values.resize(std::size_t(layers->length()) * scattered_pixels);
+        lit.resize(std::size_t(3) * (layers->tables().lights.size() + 1) * widest_pack);
+        rows = {layer_values.data(), layers->length(), static_cast<T>(layers->opacity()), lit.data()};
     }
 
+    LayerTile* const layers;     // null if there are none
     std::span<Batches> moments;  // of the same thread: at the moments of a shutter, and last at the time of the view
     Counts counts;               // its own memory: threads that count beside each other wait for each other
 
@@ -57,6 +65,10 @@ class Batches {
         for (int i = 0; i < pixels; ++i)
             for (int c = 0; c < 4; ++c)  // four at once are faster than three; the next pixel covers the last
                 values[3 * i + c] = finite<Out>(sums[4 * workspace.order[i] + c]);
+        if (layers) {
+            layers->begin(pixels), average_spots(pixels);
+            return hand_on(tile, std::span<const Out>(values, 3 * pixels), sink);
+        }
         double most[lattice_tile * lattice_tile];
         if (prove)
             for (int i = 0; i < pixels; ++i) most[i] = bound_of(workspace.order[i]);
@@ -75,8 +87,9 @@ class Batches {
             for (int c = 0; c < 3; ++c) rgb[3 * i + c] = finite<To>(workspace.sums[i].rgb[c]);
     }
 
-    /// Traces rays of a lens. Those of a batch that was stopped get no values.
-    void trace_lens(std::span<const LensRay> rays, std::span<std::array<double, 3>> rgb) {
+    /// Traces rays of a lens. Those of a batch that was stopped get no values. Layers, if any, are those of the pixels
+    /// of a tile, unless it is null.
+    void trace_lens(std::span<const LensRay> rays, std::span<std::array<double, 3>> rgb, const Lattice* layered) {
         workspace.lens_x.resize(scattered_pixels), workspace.lens_y.resize(scattered_pixels);
         for (std::size_t done = 0; done < rays.size() && !limits.stopped(); done += scattered_pixels) {
             const int count = static_cast<int>(std::min<std::size_t>(scattered_pixels, rays.size() - done));
@@ -88,15 +101,24 @@ class Batches {
             trace_batches(count, nullptr);
             for (int i = 0; i < count; ++i)
                 for (int c = 0; c < 3; ++c) rgb[done + i][c] = finite<double>(workspace.sums[i].rgb[c]);
+            if (!layered || limits.stopped()) continue;
+            layers->forget_samples();
+            keep_layers(count);
+            for (int i = 0; i < count; ++i) {
+                const auto place = [](double at) { return static_cast<int>(std::floor(at + .5)); };
+                const int column = place(rays[done + i].x) - layered->x, row = place(rays[done + i].y) - layered->y;
+                layers->average(row * layered->columns + column, i, 1);
+            }
         }
         workspace.lens_x.clear(), workspace.lens_y.clear();
     }
 
-    /// Traces rays of nets, see TraceLensRays.
-    void trace_nets(int moment, std::span<const LensRay> rays, std::span<std::array<double, 3>> rgb, bool check) {
+    /// Traces rays of nets in a tile, see TraceLensRays.
+    void trace_nets(int moment, std::span<const LensRay> rays, std::span<std::array<double, 3>> rgb, bool check,
+                    const Lattice& tile) {
         Batches& own = moments.empty() ? *this : moments[moment];
         const Counts before = own.counts;
-        own.trace_lens(rays, rgb);
+        own.trace_lens(rays, rgb, check || !layers ? nullptr : &tile);
         if (check) own.counts = before;
     }
 
@@ -105,17 +127,20 @@ class Batches {
         LensPixels pixels;
         pixels.begin(tile.x, tile.y, tile.columns, tile.rows, 1, camera,
                      std::max(static_cast<int>(moments.size()) - 1, 0));
+        if (layers) layers->begin(tile.columns * tile.rows);
         pixels.take(grid * grid, [&](int moment, std::span<const LensRay> rays, std::span<std::array<double, 3>> rgb,
-                                     bool check) { trace_nets(moment, rays, rgb, check); });
-        if (!limits.stopped()) sink({tile, pixels.values()});
+                                     bool check) { trace_nets(moment, rays, rgb, check, tile); });
+        if (!limits.stopped()) hand_on(tile, pixels.values(), sink);
     }
 
     /// Traces a tile of pixels with a grid of rays in each.
     void trace_grid(const Lattice& tile, const Sampling& sampling, const Sink& sink) {
         const int n = sampling.grid, pixels = tile.columns * tile.rows;
         double sums[3 * lattice_tile * lattice_tile] = {};
+        if (layers) layers->begin(pixels);
         const auto add = [&](double x, double y) {
             trace_spots(tile, x, y);
+            if (layers) average_spots(pixels);
             for (int i = 0; i < pixels; ++i)
                 for (int c = 0; c < 3; ++c)
                     sums[3 * i + c] += finite<double>(workspace.sums[workspace.order[i]].rgb[c]);
@@ -125,7 +150,7 @@ class Batches {
         if (sampling.centre) add(0, 0);
         if (limits.stopped()) return;
         for (int i = 0; i < 3 * pixels; ++i) sums[i] /= n * n + sampling.centre;
-        sink({tile, std::span<const double>(sums, 3 * pixels)});
+        hand_on(tile, std::span<const double>(sums, 3 * pixels), sink);
     }
 
     /// Traces points of a tile whose top left corner is (x, y), in pixels. Footprints have this side; 0 for side_of().
@@ -139,6 +164,7 @@ class Batches {
                 if (filters) workspace.sides[i] = static_cast<T>(side > 0 ? side : side_of(points[done + i]));
             }
             look(count, scale, samples + done);
+            if (layers && side == 0) keep_alpha(count, samples + done);
             for (int i = 0; i < count && filters; ++i) {
                 CellSample& sample = samples[done + i];
                 const SeenPatterns<T>& seen = workspace.seen[i];
@@ -189,6 +215,38 @@ class Batches {
         return static_cast<To>(std::min(value, static_cast<T>(std::numeric_limits<To>::max())));
     }
 
+    /// Gives the layers the samples that were just traced.
+    void keep_layers(int count) {
+        using Rows = LayerRows<T>;
+        for (int i = 0; i < count; ++i) {
+            const T* const from = rows.values + std::size_t(i) * rows.length;
+            float* const to = layers->add_sample();
+            std::transform(from, from + rows.length, to, finite<float>);
+            if (rows.length <= Rows::distance) continue;
+            to[Rows::distance] = static_cast<float>(static_cast<double>(from[Rows::distance]) / placement.scale);
+            for (int c = 0; c < 3; ++c)
+                to[Rows::position + c] = static_cast<float>(
+                    placement.origin[c] + static_cast<double>(from[Rows::position + c]) / placement.scale);
+        }
+    }
+    void keep_alpha(int count, CellSample* samples) {
+        const int first = layers->samples();
+        keep_layers(count);
+        for (int i = 0; i < count; ++i) samples[i].rgb[3] = layers->alpha(first + i);
+    }
+    /// Adds the pixels that trace_spots() traced to layers.
+    void average_spots(int pixels) {
+        if (limits.stopped()) return;
+        layers->forget_samples();
+        keep_layers(pixels);
+        for (int i = 0; i < pixels; ++i) layers->average(i, workspace.order[i], 1);
+    }
+    template <class To>
+    void hand_on(const Lattice& tile, std::span<const To> rgb, const Sink& sink) const {
+        const std::vector<float> all = layers ? layers->values(rgb) : std::vector<float>();
+        sink({tile, rgb, {}, all});
+    }
+
     /// Returns the colour of pixel i of the batch.
     std::uint32_t color_of(int i, const FilledLattice& filled) const {
         double rgb[3];
@@ -232,6 +290,7 @@ class Batches {
     /// Traces the first pixels of the workspace, as many at once as fit.
     void trace_batches(int pixels, Sight<T>* sights) {
         const bool lens = !workspace.lens_x.empty();
+        LayerRows<T> own_rows = rows;
         for (int done = 0; done < pixels;) {
             const int count = std::min(workspace.batch, pixels - done);
             const Footprints<T> footprints{eye.forward,
@@ -240,10 +299,12 @@ class Batches {
                                            workspace.sides.data() + done,
                                            workspace.seen.data() + done,
                                            eye.rays != nullptr};
+            if (layers) own_rows.values = rows.values + std::size_t(done) * rows.length;
             const ProvingBatch<T> batch{
                 {workspace.pixels_x.data() + done, workspace.pixels_y.data() + done, workspace.sums.data() + done,
                  workspace.past.data() + done, count, sights ? sights + done : nullptr, filters ? &footprints : nullptr,
-                 lens ? workspace.lens_x.data() + done : nullptr, lens ? workspace.lens_y.data() + done : nullptr},
+                 lens ? workspace.lens_x.data() + done : nullptr, lens ? workspace.lens_y.data() + done : nullptr,
+                 layers ? &own_rows : nullptr},
                 prove ? bounds.data() + done : nullptr};
             if (kernel.trace(world, eye, limits, batch, workspace, counts)) {
                 done += count;
@@ -264,9 +325,12 @@ class Batches {
     const Eye<T>& eye;
     const Limits<T>& limits;
     Workspace<T>& workspace;
-    const bool prove;       // the kernel is a proving one
-    const bool filters;     // samples have footprints
-    std::vector<T> bounds;  // of the pixels, by proving kernels
+    const bool prove;    // the kernel is a proving one
+    const bool filters;  // samples have footprints
+    const Placement& placement;
+    LayerRows<T> rows{};
+    std::vector<T> layer_values, lit;  // of the rows
+    std::vector<T> bounds;             // of the pixels, by proving kernels
 };
 
 }  // namespace strahl

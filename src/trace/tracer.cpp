@@ -40,7 +40,7 @@ Counts& Counts::operator+=(const Counts& other) {
 class AnyTracer {
   public:
     AnyTracer(Scene&& own, Precision of, Simd level)
-        : in_time(with_split_unions(std::move(own))), precision(of), simd(level) {}
+        : in_time(with_split_unions(std::move(own), &declared)), precision(of), simd(level) {}
     virtual ~AnyTracer() = default;
     virtual void prepare(const View& view, ThreadPool& pool) = 0;
     virtual Counts trace(const Job& job, const TracedPixels& pixels) = 0;
@@ -48,6 +48,7 @@ class AnyTracer {
     /// With more bodies it takes longer to find the thin ones than filled cells save.
     bool many_bodies() const { return scene().primitives.size() > (in_time.moves() ? 1000 : 10000); }
 
+    DeclaredAs declared;  // before `in_time`, which is made with it
     SceneInTime in_time;
     const Precision precision;
     const Simd simd;
@@ -196,6 +197,7 @@ class TracerOf : public AnyTracer {
 
     Counts traced(const Job& job, const CellPass& pass) {
         const auto refine = [&](Batches<T>& batches, int i, int) {
+            const Lattice place = pass.picture.place_of(i);
             pass.picture.refine(
                 i, pass.finest, job,
                 [&](int x, int y, std::span<const Point> points, double side, CellSample* samples) {
@@ -204,8 +206,9 @@ class TracerOf : public AnyTracer {
                     if (side > 0) batches.counts = before;  // a check is no part of the picture
                 },
                 [&](int moment, std::span<const LensRay> rays, std::span<std::array<double, 3>> rgb, bool check) {
-                    batches.trace_nets(moment, rays, rgb, check);
-                });
+                    batches.trace_nets(moment, rays, rgb, check, place);
+                },
+                batches.layers);
         };
         const auto way = pass.picture.by_nets() ? RayPlaces::nets : RayPlaces::cells;
         return each(job, pass.picture.tiles(), pass.picture.contrast(), refine, 0, way);
@@ -259,6 +262,7 @@ class TracerOf : public AnyTracer {
         };
         set_limits(now);
         std::ranges::for_each(moments, set_limits);
+        const std::shared_ptr<const LayerTables> tables = job.view.layers.any() ? layer_tables() : nullptr;
         std::atomic<int> next{0};
         std::vector<Counts> counts(pool.size());
         const auto take = [&](int thread) {
@@ -272,14 +276,19 @@ class TracerOf : public AnyTracer {
             };
             const Eye<T> own = eye_in(now);
             const bool prove = job.view.prove;
-            Batches<T> batches(world, prove ? proving : kernel, own, now.limits, workspace, prove, filters, side);
+            std::optional<LayerTile> layers;
+            if (tables) layers.emplace(job.view.layers, tables);
+            LayerTile* const tile = layers ? &*layers : nullptr;
+            Batches<T> batches(world, prove ? proving : kernel, own, now.limits, workspace, prove, filters, side,
+                               placed, tile);
             std::vector<Eye<T>> eyes;
             std::vector<Batches<T>> others;
             eyes.reserve(moments.size()), others.reserve(moments.size());
             if (in_time_too)
                 for (const ReadyView& ready : moments) {
                     eyes.push_back(eye_in(ready));
-                    others.emplace_back(ready.world, kernel, eyes.back(), ready.limits, workspace, false, false, 0);
+                    others.emplace_back(ready.world, kernel, eyes.back(), ready.limits, workspace, false, false, 0,
+                                        placed, tile);
                 }
             batches.moments = others;
             for (int i; !now.limits.stopped() && (i = next++) < tiles;) work(batches, i, thread);
@@ -369,6 +378,23 @@ class TracerOf : public AnyTracer {
         all.gain = static_cast<T>(gain);
         all.reach = world.rounding / static_cast<T>(WorldArrays<T>::rounding(1));
         return all;
+    }
+
+    std::shared_ptr<const LayerTables> layer_tables() const {
+        auto tables = std::make_shared<LayerTables>();
+        const auto declared_as = [](const std::vector<int>& all, std::size_t i) {
+            return i < all.size() ? all[i] : static_cast<int>(i);
+        };
+        ItemCounts counts;
+        for (std::size_t i = 0; i < scene().primitives.size(); ++i) {
+            count_items<T>(scene().primitives[i], counts);
+            tables->bodies.resize(static_cast<std::size_t>(counts.surfaces), declared_as(declared.bodies, i));
+        }
+        for (const int material : built->materials())
+            tables->materials.push_back(declared_as(declared.materials, static_cast<std::size_t>(material)));
+        for (std::size_t i = 0; i < scene().lights.size(); ++i)
+            tables->lights.insert(tables->lights.end(), points_of(scene().lights[i]), static_cast<int>(i));
+        return tables;
     }
 
     /// Returns whether bodies were left out whose numbers in T are those of another, which may differ in the scene.

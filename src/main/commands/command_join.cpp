@@ -39,7 +39,7 @@ int join_command(const JoinOptions& options) {
             if (options.output != "-" && ending_of(options.output) != header.ending)
                 throw UsageError("'" + path + "' is a part of a " + header.ending + " file; give -o that ending");
             writer = std::make_unique<PictureWriter>(layout.width, layout.height, layout.channels, header.ending,
-                                                     FileFormat{layout.bits, false, header.compression});
+                                                     FileFormat{layout.bits, false, header.compression}, layout.named);
         }
         header.part = first.part;
         if (const std::string key = header.difference(first); !key.empty())

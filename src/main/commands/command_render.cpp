@@ -20,6 +20,7 @@
 #include "main/commands/scene_file.h"
 #include "main/process/exit_status.h"
 #include "main/render/checkpoint.h"
+#include "main/render/layer_names.h"
 #include "main/render/renderer.h"
 #include "num/decimal.h"
 #include "scene/moving_scene.h"
@@ -31,10 +32,14 @@ namespace {
 /// Returns whether a file holds the whole picture, and then removes its checkpoint, which stays if a run was killed
 /// after writing the picture. A file that was cut off is reported, and made again. Throws UsageError for a picture of
 /// another size, which belongs to another film.
-bool is_finished(const std::string& path, const Lattice& part) {
+bool is_finished(const std::string& path, const Lattice& part, bool alpha) {
     if (!std::filesystem::exists(path)) return false;
     try {
-        const Picture picture = read_picture(path, 3 * std::uint64_t(part.columns) * part.rows);
+        const int channels = alpha ? 4 : 3;
+        const Picture picture = read_picture(path, 4 * std::uint64_t(part.columns) * part.rows);
+        if (picture.width == part.columns && picture.height == part.rows && picture.channels != channels)
+            throw UsageError("'" + path + "' is a picture with" + (alpha ? "out" : "") +
+                             " alpha; give --resume the options that the film was begun with, or another -o");
         if (picture.width == part.columns && picture.height == part.rows) {
             remove_checkpoint(path);
             return true;
@@ -48,8 +53,8 @@ bool is_finished(const std::string& path, const Lattice& part) {
     }
 }
 
-/// Reads the scene as it is at a time. Throws Interrupted once the flag is true.
-using SceneAt = std::function<Scene(double time, const std::atomic<bool>* stop)>;
+/// Reads the scene as it is at a time, with its layers. Throws Interrupted once the flag is true.
+using SceneAt = std::function<std::pair<Scene, NamedLayers>(double time, const std::atomic<bool>* stop)>;
 
 /// Renders the frames, or those of the share, to a file each or to a stream. Returns whether all are finished.
 bool render_frames(const RenderOptions& options, const Lattice& part, Renderer& renderer, const std::string& ending,
@@ -61,11 +66,13 @@ bool render_frames(const RenderOptions& options, const Lattice& part, Renderer& 
     return options.frames->each([&](int frame) {
         if (count++ % share.parts != share.part - 1) return true;
         const Destination destination{stream ? options.output : numbered(options.output, frame), ending, stream};
-        if (options.resume && !renderer.interrupted() && is_finished(destination.path, part)) return true;
+        if (options.resume && !renderer.interrupted() && is_finished(destination.path, part, options.layers.alpha))
+            return true;
         const std::string label = "frame " + std::to_string(count) + " of " + std::to_string(all) + " ";
         const double time = options.rate.moment(frame);
         if (scene_at && !renderer.interrupted()) try {
-                renderer.replace(scene_at(time, renderer.interrupt_flag()));
+                auto [scene, layers] = scene_at(time, renderer.interrupt_flag());
+                renderer.replace(std::move(scene), std::move(layers));
             } catch (const Interrupted&) {  // the flag is true, which the renderer tells
             }
         return renderer.render(shot_of(renderer.scene(), time), destination, label);
@@ -179,7 +186,7 @@ int render_command(const RenderOptions& asked) {
     const std::string ending = check(options);
     const std::string ffmpeg = is_film(options.output) ? find_ffmpeg("'" + options.output + "'") : "";
     const Lattice part = options.crop.value_or(Lattice{0, 0, options.opening.size.width, options.opening.size.height});
-    check_size(part, ending, options.output == "-" || !ffmpeg.empty());
+    check_size(part, ending, options.layers, options.output == "-" || !ffmpeg.empty());
     require_writable(options.numbered() ? numbered(options.output, options.frames->first()) : options.output);
     if (!options.stats.empty()) require_writable(options.stats);
     if (!options.prove.empty()) require_writable(options.prove), options.sampling = {.grid = 1};
@@ -192,8 +199,10 @@ int render_command(const RenderOptions& asked) {
     stats.size = options.opening.size;
     stats.crop = options.crop;
     Stopwatch watch;
-    options.opening.time = options.time;
+    options.opening.time = options.time, options.opening.alpha = options.layers.alpha;
     auto [opened, hash] = read_and_hash(options.scene, options.opening);
+    if (options.alpha_of_scene) options.layers.background = opened.background_opacity;
+    NamedLayers layers = named(options.layers, opened);
     Scene scene = std::move(opened.scene);
     stats.parse_seconds = watch.lap();
     if (!options.prove.empty() && scene.camera.projection != Projection::perspective)
@@ -222,14 +231,16 @@ int render_command(const RenderOptions& asked) {
     const Shot first =
         shot_of(scene, options.frames ? std::optional(options.rate.moment(options.frames->first())) : options.time);
     if (!options.prove.empty() && !options.time) scene = at(scene, 0);  // proofs need a scene in which nothing moves
-    Renderer renderer(options, std::move(scene), std::move(hash), first, part, format, stats);
+    Renderer renderer(options, std::move(scene), std::move(hash), first, part, format, std::move(layers), stats);
     // A scene that uses POV-Ray's clock is another one in each frame.
     SceneAt scene_at;
     if (opened.changes)
         scene_at = [&, text = read_scene_text(options.scene)](double time, const std::atomic<bool>* stop) {
             OpeningOptions opening = options.opening;
             opening.time = time, opening.stop = stop;
-            return open_scene(text, options.scene, opening, read_pixels).scene;
+            OpenedScene own = open_scene(text, options.scene, opening, read_pixels);
+            NamedLayers own_layers = named(options.layers, own);
+            return std::pair(std::move(own.scene), std::move(own_layers));
         };
     stats.finished = options.numbered() ? render_frames(options, part, renderer, ending, scene_at)
                      : options.frames   ? render_stream(options, part, renderer, ending, ffmpeg, stats, scene_at)

@@ -19,12 +19,20 @@
 namespace strahl {
 namespace {
 
+std::string layers_help() {
+    std::string help = "Layers of an .exr file besides light: a list with commas of";
+    for (const LayerKind& kind : layer_kinds)
+        help.append(&kind == &layer_kinds[0] ? " " : ", ").append(kind.name).append(" (").append(kind.help).append(")");
+    return help;
+}
+
 void add_render(CLI::App& app, ChosenCommand& chosen) {
     auto [command, o] = add_command(app, chosen, "render", "Render a scene to a picture file", render_command);
     add_scene(command, o->scene, o->opening, [o = o](const pov::IniFile& ini) {
         PictureSize& size = o->opening.size;
         size.width = ini.width.value_or(size.width), size.height = ini.height.value_or(size.height);
         if (ini.antialias == false) o->sampling = parse_samples("1");
+        o->layers.alpha = o->alpha_of_scene = ini.alpha == true;
     });
     add_file(command, "-o,--output", o->output,
              "The picture: .bmp, .png or .exr; or a film: .mp4, .mkv or .webm, which needs ffmpeg; - is standard "
@@ -67,6 +75,19 @@ void add_render(CLI::App& app, ChosenCommand& chosen) {
         command, "--compression", o->compression, {{"fast", Compression::fast}, {"small", Compression::small}},
         "Compression of .png: fast (default), or small, which takes about a second per megapixel", "KIND");
     add_exposure(command, o->exposure);
+    command->add_flag_callback(
+        "--alpha", [o = o] { o->layers.alpha = true, o->alpha_of_scene = false; },
+        "Make the background transparent, for .png and .exr; mirrors show it as it is. An .ini file does so by "
+        "Output_Alpha");
+    command
+        ->add_option_function<std::string>(
+            "--layers",
+            [o = o](const std::string& list) {
+                const bool alpha = o->layers.alpha;
+                o->layers = parse_layers(list), o->layers.alpha |= alpha;
+            },
+            layers_help())
+        ->type_name("LIST");
     add_choice<std::string>(
         command, "--format", o->format,
         {{"bmp", "bmp"}, {"png", "png"}, {"exr", "exr"}, {"ppm", "ppm"}, {"y4m", "y4m"}},

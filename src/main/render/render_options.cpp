@@ -43,6 +43,20 @@ void check_film(const RenderOptions& options) {
                          "; choose another --size or --crop");
 }
 
+/// Refuses formats that cannot hold the layers.
+void check_layers(const RenderOptions& options, const std::string& ending) {
+    const Layers& layers = options.layers;
+    if (!layers.any()) return;
+    if (!options.prove.empty()) throw UsageError("--prove proves light alone; leave --alpha and --layers out");
+    if (is_film(options.output))
+        throw UsageError("films hold no alpha and no layers; numbered pictures do: -o '" +
+                         std::filesystem::path(options.output).replace_extension().string() +
+                         "-%04d.exr' --frames LIST, with alpha alone also .png");
+    if ((layers.geometry() || layers.light) && ending != ".exr")
+        throw UsageError("--layers is for .exr files, and this is a " + ending + "; alpha alone is in .png as well");
+    if (ending != ".exr" && ending != ".png") throw UsageError("a " + ending + " holds no alpha; choose .png or .exr");
+}
+
 void check_proof(const RenderOptions& options) {
     if (!proves())
         throw UsageError("this program was built without what --prove needs; build it with -DSTRAHL_LEVELS=host");
@@ -95,6 +109,7 @@ std::string check(const RenderOptions& options) {
             "--exposure is for pictures of 8 bits per channel; .exr files and those of 16 bits hold light "
             "as it is");
     if (!options.prove.empty()) check_proof(options);
+    check_layers(options, ending_of(ending));
     if (!supported(options.simd)) {
         const char* const lacks =
             built(options.simd) ? "this processor does not support " : "this program was built without ";
@@ -104,13 +119,15 @@ std::string check(const RenderOptions& options) {
     return ending;
 }
 
-void check_size(const Lattice& part, const std::string& ending, bool to_pipe) {
+void check_size(const Lattice& part, const std::string& ending, const Layers& layers, bool to_pipe) {
     const std::string size = size_text(part.columns, part.rows);
     const double pixels = double(part.columns) * part.rows;
     if (ending == ".bmp" && 3 * pixels + 4. * part.rows > 2e9)
         throw UsageError(size + " pixels are too many for a .bmp file (2 GB); choose .png or .exr");
     // Memory holds some bands, each as traced, filtered and packed, and the whole file if it goes to a pipe.
-    const double row = (ending == ".exr" ? 12. : 6.) * part.columns, band = row * std::min(part.rows, band_rows);
+    const double channels = static_cast<double>(channels_of(layers, 1).size());
+    const double row = (ending == ".exr" ? 4 : 2) * channels * part.columns,
+                 band = row * std::min(part.rows, band_rows);
     const double needed = 12 * band + (to_pipe ? row * part.rows : 0), available = os::available_memory();
     if (needed > available)
         throw UsageError("a picture of " + size + " pixels needs " + bytes_in_words(needed) + " of memory, and " +

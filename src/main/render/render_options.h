@@ -9,6 +9,7 @@
 #include "image/transfer.h"
 #include "main/render/values.h"
 #include "pov/open_scene.h"
+#include "scene/layers.h"
 #include "trace/tracer.h"
 
 namespace strahl {
@@ -20,7 +21,9 @@ struct RenderOptions {
     std::string format;      // "bmp", "png", "exr", "ppm" or "y4m", for standard output only
     int bits = 0;            // per channel; 0 is the format's default
     Compression compression = Compression::fast;
-    Exposure exposure;  // of 8-bit files and films
+    Exposure exposure;            // of 8-bit files and films
+    Layers layers;                // without the numbers that stand for names
+    bool alpha_of_scene = false;  // the background is as opaque as an .ini file's scene says
     std::optional<Lattice> crop;
     bool fit = false;                    // widens the view of a camera with an aspectratio to that of the picture
     std::optional<int> depth;            // 1 to 256; by default the scene's max_trace_level
@@ -47,8 +50,8 @@ struct RenderOptions {
 /// following functions throw UsageError.
 std::string check(const RenderOptions& options);
 
-/// Refuses pictures that the format or the memory of this machine cannot hold.
-void check_size(const Lattice& part, const std::string& ending, bool to_pipe);
+/// Refuses pictures that the format or the memory of this machine cannot hold, of scenes with few lights.
+void check_size(const Lattice& part, const std::string& ending, const Layers& layers, bool to_pipe);
 
 /// Refuses options by which one output would overwrite another, or the scene.
 void require_different_files(const RenderOptions& options);

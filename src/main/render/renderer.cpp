@@ -26,6 +26,14 @@ std::uint64_t pixels(const std::vector<Lattice>& regions) {
     return sum;
 }
 
+/// Divides the light of pixels with alpha by that, unless it is 0.
+std::vector<float> straight(std::span<const float> pixels) {
+    std::vector<float> all(pixels.begin(), pixels.end());
+    for (std::size_t i = 0; i < all.size(); i += 4)
+        for (std::size_t c = 0; c < 3 && all[i + 3] > 0; ++c) all[i + c] /= all[i + 3];
+    return all;
+}
+
 /// Returns whether the path is a regular file, or free for one: not standard output, a pipe or a device.
 bool is_file(const std::string& path) {
     std::error_code error;
@@ -35,10 +43,11 @@ bool is_file(const std::string& path) {
 }  // namespace
 
 Renderer::Renderer(const RenderOptions& o, Scene scene, std::string own_scene_hash, const Shot& first,
-                   const Lattice& own_part, FileFormat own_format, Stats& sums)
+                   const Lattice& own_part, FileFormat own_format, NamedLayers own_layers, Stats& sums)
     : options(o),
       scene_hash(std::move(own_scene_hash)),
       format(own_format),
+      named(std::move(own_layers)),
       part(own_part),
       stats(sums),
       pool(o.threads),
@@ -57,7 +66,8 @@ bool Renderer::render(const Shot& shot, const Destination& destination, const st
     const auto& [path, ending, stream] = destination;
     const Share share = shared.value_or(Share{});
     const std::string file = shared ? part_path(path, share) : path;
-    PictureWriter writer(part.columns, part.rows, 3, ending, format);
+    const auto count = static_cast<int>(named.channels.names.size());
+    PictureWriter writer(part.columns, part.rows, count, ending, format, named.channels);
     const auto own_header = [&] { return header(shot, writer, ending, share); };
     Checkpoint checkpoint(writer, !stream && is_file(path) ? checkpoint_of(file) : "", own_header, options.checkpoint);
     const std::uint64_t all = pixels(missing(writer, share));
@@ -119,8 +129,9 @@ void Renderer::tell_interrupted(const std::string& done, const std::string& path
 /// scene, accuracy and sampling. SIMD levels that give the same picture are one.
 BandHeader Renderer::header(const Shot& shot, const PictureWriter& writer, const std::string& ending,
                             Share share) const {
-    const auto& [file, opening, output, for_stdout, bits, compression, exposure, crop, fit, depth, precision, error,
-                 sampling, simd, threads, time, frames, rate, shared, resumes, interval, map, report, quiet] = options;
+    const auto& [file, opening, output, for_stdout, bits, compression, exposure, layers, alpha_of_scene, crop, fit,
+                 depth, precision, error, sampling, simd, threads, time, frames, rate, shared, resumes, interval, map,
+                 report, quiet] = options;
     std::string words = "size " + size_text(opening.size.width, opening.size.height);
     const auto add = [&](const char* key, double value) {
         (words += " ").append(key).append(" ").append(text_of(value));
@@ -129,6 +140,9 @@ BandHeader Renderer::header(const Shot& shot, const PictureWriter& writer, const
     add("time", shot.time), add("fit", fit), add("depth", accuracy.depth), add("dropped", accuracy.dropped);
     add("grid", stats.sampling.grid), add("centre", stats.sampling.centre), add("error", stats.sampling.error);
     if (exposure) add("exposure", *exposure);
+    for (const LayerKind& kind : layer_kinds)
+        if (layers.*kind.wanted) words.append(" layer ").append(kind.name);
+    if (layers.alpha) add("background", named.layers.background);
     words.append(" precision ").append(name(accuracy.precision)).append(tracer.simd() == Simd::v2 ? " unfused" : "");
     return {hash_of_program(),
             scene_hash + " " + hash_of_meshes(scene()),
@@ -195,7 +209,8 @@ View Renderer::view(const Shot& shot, int depth, double dropped) const {
             .depth = depth,
             .error = dropped,
             .time = shot.time,
-            .prove = !options.prove.empty()};
+            .prove = !options.prove.empty(),
+            .layers = named.layers};
 }
 
 /// Returns the moments of the shutter around a shot, if averages are traced.
@@ -216,10 +231,16 @@ std::uint64_t Renderer::trace(const Shot& shot, const std::vector<Lattice>& regi
     std::atomic<std::uint64_t> done = all - pixels(regions);
     const auto keep = [&](const Tile& tile) {
         const Lattice& own = tile.lattice;
-        const auto put = [&](auto rgb) {
+        const auto put = [&](const auto& rgb) {
             writer.put(own.x - part.x, own.y - part.y, own.columns, own.rows, rgb.data());
         };
-        proof ? proof->keep(tile, writer) : std::visit(put, tile.rgb);
+        if (proof)
+            proof->keep(tile, writer);
+        else if (tile.layers.empty())
+            std::visit(put, tile.rgb);
+        else
+            put(writer.layout().bits == 32 ? std::vector<float>(tile.layers.begin(), tile.layers.end())
+                                           : straight(tile.layers));
         const std::uint64_t size = pixels(own);
         progress.advance(done.fetch_add(size) + size, all);
         if (!interrupted()) checkpoint.save_if_due();

@@ -12,6 +12,7 @@
 #include "image/picture_writer.h"
 #include "main/process/stopwatch.h"
 #include "main/render/checkpoint.h"
+#include "main/render/layer_names.h"
 #include "main/render/proof.h"
 #include "main/render/render_options.h"
 #include "main/render/stats.h"
@@ -34,13 +35,16 @@ struct Destination {
 class Renderer {
   public:
     /// `scene_hash` identifies the text and the pictures. Precision and pruning are chosen for the moment `first`;
-    /// `part` is the part of the picture that is traced. Times and rays are added to `sums`.
+    /// `part` is the part of the picture that is traced, with these layers. Times and rays are added to `sums`.
     Renderer(const RenderOptions& options, Scene scene, std::string scene_hash, const Shot& first, const Lattice& part,
-             FileFormat format, Stats& sums);
+             FileFormat format, NamedLayers layers, Stats& sums);
 
     const Scene& scene() const { return tracer.scene(); }
     /// Goes on with another scene, whose precision and pruning stay those of the first.
-    void replace(Scene scene) { tracer = Tracer(std::move(scene), accuracy.precision, options.simd); }
+    void replace(Scene scene, NamedLayers own) {
+        tracer = Tracer(std::move(scene), accuracy.precision, options.simd);
+        named = std::move(own);
+    }
     bool interrupted() const { return *interrupt.flag(); }
     /// Becomes true when the user interrupts the program.
     const std::atomic<bool>* interrupt_flag() const { return interrupt.flag(); }
@@ -65,6 +69,7 @@ class Renderer {
     const RenderOptions& options;
     const std::string scene_hash;
     const FileFormat format;
+    NamedLayers named;
     const Lattice part;
     Stats& stats;
     Stopwatch watch;

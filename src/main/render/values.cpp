@@ -166,6 +166,23 @@ FrameList parse_frames(std::string_view text) {
     }
 }
 
+Layers parse_layers(std::string_view text) {
+    Layers layers;
+    for (std::string_view rest = text;;) {
+        const std::size_t comma = rest.find(',');
+        const std::string_view name = rest.substr(0, comma);
+        const auto known = std::ranges::find(layer_kinds, name, &LayerKind::name);
+        if (known == layer_kinds.end()) {
+            std::string names;
+            for (const LayerKind& kind : layer_kinds) names.append(names.empty() ? "" : ", ").append(kind.name);
+            throw UsageError("--layers has no " + quoted(name) + "; layers are " + names);
+        }
+        layers.*known->wanted = true;
+        if (comma == rest.npos) return layers;
+        rest = rest.substr(comma + 1);
+    }
+}
+
 bool FrameList::has(int frame) const {
     return std::ranges::any_of(ranges, [&](const FrameRange& range) { return range.has(frame); });
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "image/frame_rate.h"
+#include "scene/layers.h"
 #include "scene/picture_size.h"
 #include "trace/cells/pixel_sampling.h"
 #include "trace/world/view.h"
@@ -41,6 +42,9 @@ Sampling parse_samples(std::string_view text);
 Share parse_share(std::string_view text);
 /// "1-100", "1-3,5,7-20:2" (every second one) or "1-100x2" (the same): 0 <= A <= B < 10^9.
 FrameList parse_frames(std::string_view text);
+
+/// "depth,normal": the layers of these names.
+Layers parse_layers(std::string_view text);
 
 /// "25", "59.94", "24000/1001" or "24000:1001": frames in each second, from 0.001 to 1000000. Decimals that are a rate
 /// of video rounded or cut off, 23.98 or 23.97, are that rate, 24000/1001.

@@ -25,6 +25,7 @@ struct InterpreterOptions {
     double clock = 0;
     bool clock_on = false;
     bool as_text = false;       // the scene becomes scene text: what that has no words for is approximated
+    bool alpha = false;         // the picture has alpha: mirrors show a background that lets light through as it is
     int width = 0, height = 0;  // image_width and image_height
     std::function<void(const std::string&)> print;  // called with the text of #debug, #warning and #render
     const std::atomic<bool>* stop = nullptr;        // reading ends with `Interrupted` once it is true

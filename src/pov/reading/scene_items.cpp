@@ -76,11 +76,13 @@ void PovReader::read_settings(Interpreter& in) {
     in.end_block();
 }
 
-/// Reads the colour of the background. From version 3.7 on it is before black where it lets light through.
-static Color read_background(Interpreter& in) {
+/// Reads the colour of the background. From version 3.7 on it is before black where it lets light through, but in a
+/// picture with alpha, and before that it is never opaque there.
+static Color read_background(Interpreter& in, double& opacity) {
     FilterColor own = in.read_color();
     const bool clear = in.version_given() && in.version() >= 3.7;
-    const float opaque = clear ? 1 - own.transmit : 1;
+    const float opaque = clear && !in.options().alpha ? 1 - own.transmit : 1;
+    opacity = clear ? std::clamp(1 - decimal(own.transmit), 0., 1.) : 0;
     own.red *= opaque, own.green *= opaque, own.blue *= opaque;
     return color_of(own);
 }
@@ -100,7 +102,7 @@ bool PovReader::read_item(Interpreter& in) {
             in.skip();
             in.form = "background { rgb <red, green, blue> }";
             in.begin_block();
-            contents.background = read_background(in);
+            contents.background = read_background(in, contents.background_opacity);
             in.end_block();
             in.form = "";
             return true;

@@ -127,6 +127,7 @@ struct PovContents {
     std::vector<FogThing> fogs;
     std::optional<SkyThing> sky;
     DVec3 background{0};
+    double background_opacity = 0;  // in a picture with alpha
     DVec3 ambient_light{1};
     int max_trace_level = 5;
     double adc_bailout = 1. / 255;

@@ -17,7 +17,9 @@ void CellPicture::begin(const Scene& scene, const View& view, const Lattice& new
     moments = view.moments ? static_cast<int>(view.moments->size()) : 0;
     const auto flies = [&](const Shot& moment) { return moment.camera != camera; };
     thin.reset();
-    if (!has_lens(camera) && (!view.moments || std::ranges::none_of(*view.moments, flies))) thin.emplace(scene, view);
+    // Layers are averages over nets where there is a shutter, for cells show one moment.
+    if (!has_lens(camera) && (!view.moments || (std::ranges::none_of(*view.moments, flies) && !view.layers.any())))
+        thin.emplace(scene, view);
     sum = {}, done = 0;
     // Tiles and cells are those of the whole view; of a crop those that it touches.
     const auto down = [](int x) { return x / coarsest_cell * coarsest_cell; };
@@ -41,18 +43,21 @@ std::unique_ptr<CellPicture::InWork> CellPicture::make() {
     return tile;
 }
 
-void CellPicture::refine(int i, int finest, const Job& job, const TraceAt& trace, const TraceLensRays& trace_lens) {
+void CellPicture::refine(int i, int finest, const Job& job, const TraceAt& trace, const TraceLensRays& trace_lens,
+                         LayerTile* layers) {
     const TilePlace& place = places[i];
     if (std::exchange(begun[i], true) && !made[i]) return;  // finished before
     const bool first = !made[i];
     if (first) made[i] = make();
     auto& [cells, nets, by_nets] = *made[i];
+    if (layers) layers->begin(place.columns * place.rows);
     const auto begin_nets = [&] {
         by_nets = true;
         nets.begin(place.x, place.y, place.columns, place.rows, error, camera, moments);
     };
     if (first && thin)
-        by_nets = false, cells.begin(place.x, place.y, place.columns, place.rows, most_contrast, largest_filled, *thin);
+        by_nets = false,
+        cells.begin(place.x, place.y, place.columns, place.rows, most_contrast, largest_filled, *thin, layers);
     else if (first)
         begin_nets();
     if (!by_nets) {
@@ -69,17 +74,22 @@ void CellPicture::refine(int i, int finest, const Job& job, const TraceAt& trace
     const int top = std::max(place.y, region.y), bottom = std::min(place.y + place.rows, region.y + region.rows);
     const Lattice part{.x = left, .y = top, .columns = right - left, .rows = bottom - top};
     const std::span<const double> rgb = by_nets ? nets.values() : cells.values();
-    if (part.columns == place.columns) {
-        const std::size_t first = std::size_t(3) * place.columns * (top - place.y);
-        job.sink({part, rgb.subspan(first, std::size_t(3) * part.columns * part.rows)});
-    } else {
-        std::vector<double> cut;
+    const std::vector<float> layered = layers ? layers->values(rgb) : std::vector<float>();
+    // Returns the values of the part, which may be a piece of `memory`.
+    const auto cut_out = [&](const auto& all, auto& memory) {
+        const std::size_t each = all.size() / place.columns / place.rows;
+        const auto row = [&](int y) { return each * place.columns * (y - place.y); };
+        if (part.columns == place.columns) return std::span(all).subspan(row(top), each * part.columns * part.rows);
         for (int y = top; y < bottom; ++y) {
-            const auto row = rgb.begin() + 3 * (std::ptrdiff_t(y - place.y) * place.columns + left - place.x);
-            cut.insert(cut.end(), row, row + 3 * part.columns);
+            const auto first = all.begin() + std::ptrdiff_t(row(y) + each * (left - place.x));
+            memory.insert(memory.end(), first, first + std::ptrdiff_t(each * part.columns));
         }
-        job.sink({part, std::span<const double>(cut)});
-    }
+        return std::span(std::as_const(memory));
+    };
+    std::vector<double> some_rgb;
+    std::vector<float> some_layers;
+    const std::span<const double> own_rgb = cut_out(rgb, some_rgb);
+    job.sink({part, own_rgb, {}, cut_out(layered, some_layers)});
     if (by_nets ? nets.finished() : cells.finished() && moments == 0) {
         const std::vector<std::uint32_t> counts = by_nets ? nets.counts() : cells.counts();
         const double share = checked / (double(region.columns) * region.rows);

@@ -12,9 +12,9 @@ double glint_range(const std::array<const CellSample*, 4>& corners) {
     return most - least;
 }
 
-double middle_off(const std::array<const CellSample*, 4>& corners, const CellSample& middle) {
+double middle_off(const std::array<const CellSample*, 4>& corners, const CellSample& middle, int channels) {
     double off = 0;
-    for (int c = 0; c < 3; ++c) {
+    for (int c = 0; c < channels; ++c) {
         double sum = 0;
         for (const CellSample* corner : corners) sum += corner->rgb[c];
         off = std::max(off, std::abs(sum / 4 - middle.rgb[c]));
@@ -32,8 +32,9 @@ double deviation_of(const std::array<const CellSample*, 4>& corners, const CellS
     return std::sqrt(most / 4);
 }
 
-std::array<std::array<double, 3>, 5> without_pattern(std::span<const CellSample* const> samples) {
-    std::array<std::array<double, 3>, 5> result{};
+std::array<std::array<double, 4>, 5> without_pattern(std::span<const CellSample* const> samples) {
+    std::array<std::array<double, 4>, 5> result{};
+    for (std::size_t i = 0; i < samples.size(); ++i) result[i][3] = samples[i]->rgb[3];
     for (int c = 0; c < 3; ++c) {
         const double per = 1 / static_cast<double>(samples.size());
         double color = 0, light = 0, variance = 0, covariance = 0;
@@ -50,10 +51,11 @@ std::array<std::array<double, 3>, 5> without_pattern(std::span<const CellSample*
     return result;
 }
 
-bool looks_smooth(const std::array<const CellSample*, 4>& corners, const CellSample& middle, double contrast) {
+bool looks_smooth(const std::array<const CellSample*, 4>& corners, const CellSample& middle, double contrast,
+                  int channels) {
     for (const CellSample* corner : corners)
         if (corner->signature != middle.signature) return false;
-    return glint_range(corners) <= most_glint && middle_off(corners, middle) <= contrast / 2;
+    return glint_range(corners) <= most_glint && middle_off(corners, middle, channels) <= contrast / 2;
 }
 
 }  // namespace strahl

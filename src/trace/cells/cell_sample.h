@@ -8,7 +8,7 @@
 namespace strahl {
 
 struct CellSample {
-    double rgb[3];            // linear, unclamped
+    double rgb[4];            // linear, unclamped, and alpha where cells are to look at it
     std::uint32_t signature;  // equal ones: see Sight
     float glint;
     // Values of the surface seen:
@@ -28,7 +28,7 @@ struct CellSample {
 /// Takes four corners and perhaps a middle, filtered samples of one signature. Returns their values as if the pattern
 /// had one colour, that of the middle or else the mean of all: the part of the differences that colours explain, by
 /// least squares, is taken out.
-std::array<std::array<double, 3>, 5> without_pattern(std::span<const CellSample* const> samples);
+std::array<std::array<double, 4>, 5> without_pattern(std::span<const CellSample* const> samples);
 
 /// The largest difference of highlights between samples of a cell in which none lies, times the cell's share of a
 /// pixel.
@@ -37,8 +37,8 @@ inline constexpr double most_glint = .1;
 /// Returns the largest difference of blunt highlights between corners.
 double glint_range(const std::array<const CellSample*, 4>& corners);
 
-/// Returns the largest difference of a channel between the middle and the mean of the corners.
-double middle_off(const std::array<const CellSample*, 4>& corners, const CellSample& middle);
+/// Returns the largest difference of one of so many channels between the middle and the mean of the corners.
+double middle_off(const std::array<const CellSample*, 4>& corners, const CellSample& middle, int channels = 3);
 
 /// Returns the largest standard deviation of a channel among all five samples.
 double deviation_of(const std::array<const CellSample*, 4>& corners, const CellSample& middle);
@@ -65,6 +65,7 @@ void interpolate(const std::array<const CellSample*, 4>& corners, int n, int col
 
 /// Returns whether a cell of a pixel or more may be filled between its corners: if all five samples saw the same, no
 /// highlight seems to lie between them, and the middle is off by no more than half the contrast.
-bool looks_smooth(const std::array<const CellSample*, 4>& corners, const CellSample& middle, double contrast);
+bool looks_smooth(const std::array<const CellSample*, 4>& corners, const CellSample& middle, double contrast,
+                  int channels = 3);
 
 }  // namespace strahl

@@ -50,7 +50,8 @@ ChordParts chord_of(const std::array<Crossing, 2>& crossings, std::int32_t size)
 }  // namespace
 
 void Cells::begin(int x, int y, int new_columns, int new_rows, double new_contrast, int largest_filled,
-                  const ThinBodies& bodies) {
+                  const ThinBodies& bodies, LayerTile* own_layers) {
+    layers = own_layers, channels = layers && layers->layers().alpha ? 4 : 3;
     left = x, top = y, columns = new_columns, rows = new_rows;
     contrast = new_contrast, largest = largest_filled * unit, thin = &bodies;
     samples.clear(), points.clear(), between.clear(), active.clear(), waiting.clear(), searches.clear(),
@@ -164,7 +165,7 @@ void Cells::look_at_large(const Cell& cell) {
     if (cell.size > largest) return divide(cell);
     const auto detailed = [](const CellSample* sample) { return sample->detailed(); };
     if (std::ranges::any_of(corners, detailed)) return divide(cell);  // half of the pattern lies between footprints
-    looks_smooth(corners, middle, contrast) && !hides_something(cell) ? fill(cell) : divide(cell);
+    looks_smooth(corners, middle, contrast, channels) && !hides_something(cell) ? fill(cell) : divide(cell);
 }
 
 /// Decides by the corners what happens to a cell of a pixel or less.
@@ -177,7 +178,7 @@ void Cells::look_at_corners(Cell& cell, int finest) {
     const bool rough =
         glints || hidden || !(equal ? difference <= std::min(16 * allowed, steepest_gradient) : difference <= allowed);
     const bool small = equal ? cell.size <= unit / 4 && !shows_pattern(cell) : cell.size < unit / 2;
-    if (!rough && small) return finish(cell, mean(cell));
+    if (!rough && small) return finish_smooth(cell);
     if (cell.size <= finest) return waiting.push_back(cell);
     if (part && begin_part(cell, *part)) return active.push_back(cell);
     if (rough) return !hidden && begin_search(cell) ? active.push_back(cell) : go_on(cell);
@@ -189,12 +190,12 @@ void Cells::look_at_corners(Cell& cell, int finest) {
 /// Divides a cell that is neither smooth nor crossed by one edge, or finishes it if it is one of the smallest.
 void Cells::go_on(Cell& cell) {
     if (cell.size > least_cell) return divide(cell);
-    finish(cell, mean(cell));
+    finish_smooth(cell);
 }
 
 void Cells::look_at_middle(Cell& cell) {
     const double s = double(cell.size) / unit, off = off_corners(cell);
-    if (off * s * s <= contrast_in(cell)) return finish(cell, mean(cell));
+    if (off * s * s <= contrast_in(cell)) return finish_smooth(cell);
     cell.middle = -1;
     if (begin_search(cell)) return active.push_back(cell);
     go_on(cell);
@@ -270,10 +271,12 @@ void Cells::look_beside(Cell& cell) {
     // Footprints of patterns reach beyond edges, so that both parts may be off in the same way.
     const double most = allowed < contrast ? allowed : 2 * allowed;
     std::array<double, 3> color{};
+    std::vector<int> used[2];  // of layers
     for (int part = 0; part < 2; ++part) {
-        double sum[3] = {}, low[3], high[3], count = 0;
+        double sum[4] = {}, low[4], high[4], count = 0;
         const auto add = [&](int sample) {
-            for (int c = 0; c < 3; ++c) {
+            if (layers) used[part].push_back(sample);
+            for (int c = 0; c < channels; ++c) {
                 const double value = samples[sample].rgb[c];
                 sum[c] += value;
                 low[c] = count > 0 ? std::min(low[c], value) : value;
@@ -286,12 +289,13 @@ void Cells::look_beside(Cell& cell) {
         for (const int end : ends[part]) add(end);
         add(probes[part]);
         const double area = part == 0 ? first_area : 1 - first_area;
-        for (int c = 0; c < 3; ++c) {
+        for (int c = 0; c < channels; ++c) {
             if (!((high[c] - low[c]) * area * s * s <= most)) return go_on(cell);
-            color[c] += area * sum[c] / count;
+            if (c < 3) color[c] += area * sum[c] / count;
         }
     }
     finish(cell, color);
+    if (layers) average_part(cell, used[0], first_area), average_part(cell, used[1], 1 - first_area);
 }
 
 /// Asks for samples of a flat body's part of a cell, if the corners beside it show one thing, and those in it another.
@@ -323,25 +327,26 @@ void Cells::look_at_part(Cell& cell) {
     const CellSample& first = samples[probes[0]];
     const double s = double(cell.size) / unit;
     std::array<double, 3> color{};
+    std::vector<int> both[2];
     for (const bool in : {false, true}) {
-        std::vector<const CellSample*> own;
+        std::vector<int>& own = both[in];
         for (int k = 0; k < 4; ++k)
-            if (bool(part.corners >> k & 1) == in) own.push_back(&samples[cell.corners[k]]);
-        if (in)
-            for (const int probe : probes) own.push_back(&samples[probe]);
+            if (bool(part.corners >> k & 1) == in) own.push_back(cell.corners[k]);
+        if (in) own.insert(own.end(), probes.begin(), probes.end());
         const double area = in ? part.share : 1 - part.share;
-        for (int c = 0; c < 3; ++c) {
-            double sum = 0, low = own[0]->rgb[c], high = low;
-            for (const CellSample* sample : own) {
-                if ((sample->signature == first.signature) != in) return go_on(cell);
-                const double value = sample->rgb[c];
+        for (int c = 0; c < channels; ++c) {
+            double sum = 0, low = samples[own[0]].rgb[c], high = low;
+            for (const int sample : own) {
+                if ((samples[sample].signature == first.signature) != in) return go_on(cell);
+                const double value = samples[sample].rgb[c];
                 sum += value, low = std::min(low, value), high = std::max(high, value);
             }
             if (!((high - low) * area * s * s <= contrast_in(cell))) return go_on(cell);
-            color[c] += area * sum / static_cast<double>(own.size());
+            if (c < 3) color[c] += area * sum / static_cast<double>(own.size());
         }
     }
     finish(cell, color);
+    if (layers) average_part(cell, both[0], 1 - part.share), average_part(cell, both[1], part.share);
 }
 
 bool Cells::equal_signatures(const Cell& cell) const {
@@ -375,9 +380,9 @@ auto Cells::with_values(const Cell& cell, const Use& use) const {
 
 /// Returns the largest difference of a channel between two corners.
 double Cells::spread(const Cell& cell) const {
-    return with_values(cell, [](const auto& value) {
+    return with_values(cell, [this](const auto& value) {
         double most = 0;
-        for (int c = 0; c < 3; ++c) {
+        for (int c = 0; c < channels; ++c) {
             double low = value(0, c), high = low;
             for (int k = 1; k < 4; ++k) low = std::min(low, value(k, c)), high = std::max(high, value(k, c));
             most = std::max(most, high - low);
@@ -405,7 +410,7 @@ std::array<double, 3> Cells::mean(const Cell& cell) const {
 double Cells::off_corners(const Cell& cell) const {
     const CellSample& middle = samples[cell.middle];
     const auto corners = corners_of(cell);
-    if (!shows_pattern(cell)) return middle_off(corners, middle);
+    if (!shows_pattern(cell)) return middle_off(corners, middle, channels);
     return with_values(cell, [&](const auto& value) {
         double loose = middle.loose;
         for (const CellSample* corner : corners) loose = std::max(loose, double(corner->loose));
@@ -424,11 +429,58 @@ void Cells::finish(const Cell& cell, const std::array<double, 3>& color) {
     for (int c = 0; c < 3; ++c) sum[c] += area * color[c];
 }
 
+void Cells::finish_smooth(const Cell& cell) {
+    finish(cell, mean(cell));
+    if (layers) average_layers(cell);
+}
+
+/// Averages layers as mean() does light.
+void Cells::average_layers(const Cell& cell) {
+    const double s = double(cell.size) / unit, of_corner = s * s * (cell.middle < 0 ? 1. / 4 : 1. / 6);
+    std::array<int, 5> all{cell.corners[0], cell.corners[1], cell.corners[2], cell.corners[3], cell.middle};
+    const int count = cell.middle < 0 ? 4 : 5, pixel = static_cast<int>(pixel_of(cell) / 3);
+    const auto weight = [&](int k) { return k < 4 ? of_corner : s * s / 3; };
+    // What without_pattern() takes out of the mean is a sum of the samples' light by weights.
+    std::array<double, 3> off{}, color{}, per{};
+    const bool patterned = count == 5 && shows_pattern(cell);
+    const auto color_of = [&](int k, std::size_t c) { return double(samples[all[k]].color[c]); };
+    for (std::size_t c = 0; c < 3 && patterned; ++c) {
+        double variance = 0;
+        for (int k = 0; k < 5; ++k) color[c] += color_of(k, c) / 5;
+        for (int k = 0; k < 5; ++k) variance += (color_of(k, c) - color[c]) * (color_of(k, c) - color[c]);
+        for (int k = 0; k < 4; ++k) off[c] += weight(k) * (color_of(k, c) - color_of(4, c));
+        per[c] = variance > 0 ? 1 / variance : 0;
+    }
+    for (int k = 0; k < count; ++k) {
+        std::array<double, 3> light{weight(k), weight(k), weight(k)};
+        for (std::size_t c = 0; c < 3 && patterned; ++c) light[c] -= off[c] * per[c] * (color_of(k, c) - color[c]);
+        layers->average(pixel, all[k], weight(k), light);
+    }
+}
+
+/// Averages layers over a part of a cell with this share of its area, in which these samples lie.
+void Cells::average_part(const Cell& cell, std::span<const int> part, double share) {
+    const double s = double(cell.size) / unit, weight = share * s * s / static_cast<double>(part.size());
+    for (const int sample : part) layers->average(static_cast<int>(pixel_of(cell) / 3), sample, weight);
+}
+
 /// Interpolates in a cell of a pixel or more.
 void Cells::fill(const Cell& cell) {
     const int n = cell.size / unit, x = cell.x / unit, y = cell.y / unit;
     interpolate(corners_of(cell), n, std::min(n, columns - x), std::min(n, rows - y), .5, &sums[pixel_of(cell)],
                 std::size_t(3) * columns);
+    if (layers) fill_layers(cell);
+}
+
+void Cells::fill_layers(const Cell& cell) {
+    const int n = cell.size / unit, x = cell.x / unit, y = cell.y / unit;
+    for (int row = 0; row < std::min(n, rows - y); ++row)
+        for (int column = 0; column < std::min(n, columns - x); ++column) {
+            const double u = (column + .5) / n, v = (row + .5) / n;
+            const double weights[4]{(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v};
+            const int pixel = (y + row) * columns + x + column;
+            for (int k = 0; k < 4; ++k) layers->average(pixel, cell.corners[k], weights[k]);
+        }
 }
 
 std::vector<std::uint32_t> Cells::counts() const {

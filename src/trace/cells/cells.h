@@ -15,6 +15,7 @@
 
 #include "trace/cells/cell_sample.h"
 #include "trace/cells/chord.h"
+#include "trace/cells/layer_tile.h"
 #include "trace/cells/pixel_sampling.h"
 #include "trace/cells/thin_bodies.h"
 
@@ -43,8 +44,10 @@ inline constexpr int coarsest_cell = 8;  // pixels; tiles begin at multiples of 
 class Cells {
   public:
     /// `contrast` is the difference of colour that a pixel may have, see contrast_for(). Cells of more than
-    /// `largest_filled` pixels are always divided.
-    void begin(int x, int y, int columns, int rows, double contrast, int largest_filled, const ThinBodies& thin);
+    /// `largest_filled` pixels are always divided. Layers, if any, are averaged with the samples' light; they must be
+    /// given all samples as they are traced.
+    void begin(int x, int y, int columns, int rows, double contrast, int largest_filled, const ThinBodies& thin,
+               LayerTile* layers = nullptr);
 
     /// Divides cells until no unfinished one is larger than `pixels`, or with 0 until all are finished.
     void refine(int pixels, const TracePoints& trace);
@@ -105,11 +108,17 @@ class Cells {
     double off_corners(const Cell& cell) const;
     void fill(const Cell& cell);
     void finish(const Cell& cell, const std::array<double, 3>& color);
+    void finish_smooth(const Cell& cell);
+    void average_layers(const Cell& cell);
+    void average_part(const Cell& cell, std::span<const int> part, double share);
+    void fill_layers(const Cell& cell);
 
     int left = 0, top = 0, columns = 0, rows = 0;
     std::int32_t largest = 0;
     double contrast = 0;
     const ThinBodies* thin = nullptr;
+    LayerTile* layers = nullptr;
+    int channels = 3;  // of samples that cells look at: light, and alpha where it is asked for
     std::vector<CellSample> samples;
     std::vector<Point> points;                       // of the samples
     std::vector<int> lattice;                        // samples at corners of pixels, -1 where there is none yet

@@ -7,6 +7,13 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
+/// Returns how bright POV-Ray takes a colour for.
+template <class S>
+STRAHL_INLINE S gray_of(const Vec3<S>& color) {
+    using T = Element<S>;
+    return fma(S(T(.297)), color.x, fma(S(T(.589)), color.y, S(T(.114)) * color.z));
+}
+
 /// Points of surfaces as rays see them. The normals are turned towards the rays.
 template <class S>
 struct SeenSurface {

@@ -60,13 +60,6 @@ STRAHL_INLINE S fresnel(const S& ior, const S& c) {
     return select(squared > S(0), S(Element<S>(.5)) * a * a * fma(b, b, S(1)), S(1));
 }
 
-/// Returns how bright POV-Ray takes a colour for.
-template <class S>
-STRAHL_INLINE S gray_of(const Vec3<S>& color) {
-    using T = Element<S>;
-    return fma(S(T(.297)), color.x, fma(S(T(.589)), color.y, S(T(.114)) * color.z));
-}
-
 /// Returns the colours that a thin film gives light, see Material; `cosines` is the sum of
 /// those of the angles at which it comes and goes.
 template <class S>

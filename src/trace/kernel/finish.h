@@ -66,6 +66,7 @@ void add_lights(const Shading<S, P>& shading, const Hit<S>& hit, const int* numb
     Hit<S> own_hit = hit;
     for (int i = 0; i < world.light_count; ++i) {
         const LightKernel<T>& light = world.lights[i];
+        if (notes_layers(shading)) note_light_before(shading, sum);
         if (world.finishes.groups) own_hit.active = hit.active & FinishCalls<S>::lit_by(world, numbers, light.group);
         const LightAt<S> at = light_at(shading, own_hit, light, flat, both);
         const auto own = P::light_of(shading, own_hit, light, at, flat, notes.own);
@@ -102,7 +103,9 @@ void push_through(const Shading<S, P>& shading, Hit<S> hit, const S& t, const Ca
     Branch<S, P> on = branch<P>(hit, hit.active, hit.direction, one, hit.medium);
     P::refract(shading, hit, notes.own, hit.active, first_lanes<S>(0), one, s, s * s, on);
     on.mask = on.mask & (on.weight >= S(shading.world.finishes.bailout));
+    Element<S>* const pixels = shading.refracted.pixel + shading.refracted.count;
     push_carried(shading, shading.refracted, hit, on, notes, carried);
+    if (notes_layers(shading)) compress(pixels, hit.pixel, on.mask);  // they came as they did before
 }
 
 /// Queues the rays that go on from hits with finishes, and are not pruned. `t` is the length of the rays that hit.
@@ -198,6 +201,7 @@ template <class S, class P>
     }
     Vec3<S> light = layers.ambient;
     add_lights(shading, lit, numbers, layers, notes, light);
+    const Vec3<S> sum = light;
     light = select(hit.active, scale(hit.weight, light), splat<S>(Vec3<Element<S>>(0)));
     if (world.fog.any) {
         light = light * tint_of_fog(world, medium_in_fog(shading, S(hit.medium)));
@@ -205,6 +209,11 @@ template <class S, class P>
     }
     light = light * before.tint;
     add_light(shading.batch, hit.pixel, pick.lanes, light);
+    if (notes_layers(shading)) {
+        Vec3<S> factor = scale(select(hit.active, hit.weight, S(0)), before.tint);
+        if (world.fog.any) factor = factor * tint_of_fog(world, medium_in_fog(shading, S(hit.medium)));
+        note_layers(shading, hit, t, pick.lanes, numbers, bend == 0, light, sum, factor);
+    }
     P::shade(shading, hit, from, pick, t, light, notes.own);
 }
 

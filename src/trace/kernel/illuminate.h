@@ -1,5 +1,6 @@
 // Direct illumination: the light of all lights that hits scatter.
 #pragma once
+#include "trace/kernel/layers.h"
 #include "trace/kernel/light_at.h"
 #include "trace/kernel/sight.h"
 
@@ -100,6 +101,8 @@ STRAHL_INLINE Vec3<S> illumination(const Shading<S, P>& shading, const Hit<S>& h
     const S faint = select(dim, S(faint_share) * strongest, zero);
     for (int i = 0; i < world.light_count; ++i) {
         const LightKernel<Element<S>>& light = world.lights[i];
+        if (notes_layers(shading)) [[unlikely]]
+            note_light_before(shading, Vec3<S>(sum));
         if (light.special) [[unlikely]] {
             if (light.area) P::area(shading, hit, light, notes.own);
             Vec3<S> copy = sum;

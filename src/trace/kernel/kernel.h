@@ -1,6 +1,7 @@
 // The interface between the tracer, compiled once, and its kernels, compiled once per precision and SIMD level: queues
 // of rays, batches of pixels, limits, and the function that traces a batch.
 #pragma once
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <limits>
@@ -43,7 +44,7 @@ template <class T>
 struct RayQueue {
     Vec3<T*> origin, direction;
     T* source;  // surface on which the ray starts, -1 for none
-    T* pixel;   // its number in the batch
+    T* pixel;   // its number in the batch; with layers its fraction says how the ray came, see layers.h
     T* weight;  // share of this ray's light that reaches the pixel
     T* medium;  // number of its medium stack; only in nested worlds
     T* t;       // where it leaves its body; only of rays inside an enclosed one
@@ -174,6 +175,21 @@ struct Footprints {
     bool made = false;             // the queue of camera rays has their differentials
 };
 
+/// What pixels show besides their light, a row of numbers for each (layers.h). A row begins with the share of the
+/// background that shows through. If it is longer, the first hit follows: its distance, position and normal in the
+/// world, its surface and its material, or infinity and -1. If it is longer still, it ends with colours: light that no
+/// light gave to that hit, or the background; what is reflected there, and what comes through; what each light gives.
+template <class T>
+struct LayerRows {
+    static constexpr int clear = 0, distance = 1, position = 2, normal = 5, surface = 8, material = 9;
+    static constexpr int own = 10, reflected = 13, refracted = 16, lights = 19;
+    T* values;
+    int length;  // of a row
+    T opacity;   // of the background
+    T* lit;      // at a pack of hits: the sum of light before each light is added, 3 packs for each
+    int lights_noted = 0;
+};
+
 /// The pixels that are traced at once.
 template <class T>
 struct PixelBatch {
@@ -184,6 +200,7 @@ struct PixelBatch {
     Sight<T>* sights = nullptr;                    // of each pixel, if that is wanted
     const Footprints<T>* footprints = nullptr;     // of each pixel, if that is wanted
     const T *lens_x = nullptr, *lens_y = nullptr;  // places on the lens, see lens_place(); its middle without them
+    LayerRows<T>* layers = nullptr;                // of each pixel, if that is wanted
 
     /// Forgets all that the pixels have brought back.
     void clear() const {
@@ -191,6 +208,16 @@ struct PixelBatch {
             sums[i] = {}, past[i] = 0;
             if (sights) sights[i] = {};
             if (footprints) footprints->seen[i] = {};
+        }
+        if (layers) clear_layers();
+    }
+    void clear_layers() const {
+        using Rows = LayerRows<T>;
+        for (T* row = layers->values; row < layers->values + layers->length * count; row += layers->length) {
+            std::fill_n(row, layers->length, T(0));
+            if (layers->length <= Rows::distance) continue;
+            row[Rows::distance] = std::numeric_limits<T>::infinity();
+            row[Rows::surface] = row[Rows::material] = -1;
         }
     }
 };

@@ -2,6 +2,7 @@
 #pragma once
 #include "trace/kernel/differentials.h"
 #include "trace/kernel/fog.h"
+#include "trace/kernel/layers.h"
 #include "trace/kernel/prune.h"
 
 namespace strahl::inline STRAHL_LEVEL {
@@ -59,9 +60,12 @@ STRAHL_INLINE void push(const Shading<S, P>& shading, RayQueue<Element<S>>& to, 
     using T = Element<S>;
     if (none(ray.mask)) return;
     const int n = to.count;
+    S pixel = hit.pixel;
+    if (notes_layers(shading)) [[unlikely]]
+        pixel = pixel_of_way(S(pixel), Vec3<S>(ray.direction), Vec3<S>(flat_normal(shading, hit, notes)));
     const auto put_with = [&](const auto& put) {
         for (int c = 0; c < 3; ++c) put(to.origin[c] + n, hit.position[c]), put(to.direction[c] + n, ray.direction[c]);
-        put(to.source + n, hit.surface), put(to.pixel + n, hit.pixel), put(to.weight + n, ray.weight);
+        put(to.source + n, hit.surface), put(to.pixel + n, pixel), put(to.weight + n, ray.weight);
         if (shading.world.nested) put(to.medium + n, ray.medium);
         P::put(put, shading.world, to, ray.own);
     };

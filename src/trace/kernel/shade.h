@@ -43,20 +43,29 @@ void shade_misses(const Shading<S, P>& shading) {
             color = filters(shading) ? filtered_sky(shading, pick)
                                      : PatternCalls<S>::sky(world, {pick(d.x), pick(d.y), pick(d.z)});
         }
+        S clear(0);
+        if (notes_layers(shading)) [[unlikely]]
+            clear = clear_share(shading, S(pixel)), color = scale(S(1) - clear, color);
         if (world.fog.any) [[unlikely]] {
             const Vec3<S> fog = splat<S>(world.fog.color);
             const S medium = medium_in_fog(shading, S(pick(shading.rays.open.medium)));
             if (world.fog.even) {
                 color = world.nested ? select(medium == S(0), fog, color) : fog;
+                clear = world.nested ? select(medium == S(0), S(0), clear) : S(0);
             } else {
                 const S left = fog_before_sky(shading, pick, medium);
                 color = color * tint_of_fog(world, medium);
                 for (int c = 0; c < 3; ++c) color[c] = fma(left, color[c] - fog[c], fog[c]);
+                clear = clear * left * gray_of(tint_of_fog(world, medium));
             }
         }
         if (world.finishes.carries) [[unlikely]]
             color = color * carried_by(shading, shading.rays.open, pick).tint;
         add_light(shading.batch, pixel, pick.lanes, scale(weight, color));
+        if (notes_layers(shading)) [[unlikely]]
+            note_clear(shading, S(pixel), pick.lanes,
+                       S(weight * clear * gray_of(carried_by(shading, shading.rays.open, pick).tint)),
+                       scale(weight, color));
         P::miss(shading, pick, weight, pixel, color);
     }
 }
@@ -142,6 +151,16 @@ STRAHL_INLINE Hit<S> make_hit(const Shading<S, P>& shading, int bin, bool finish
             material.values,
             material.uniform(),
             bin};
+}
+
+/// Returns by what the light of hits is multiplied on its way to the eye.
+template <class S, class P>
+Vec3<S> factor_of(const Shading<S, P>& shading, const Hit<S>& hit, const RayQueue<Element<S>>& from,
+                  const LaneIndices<S>& pick) {
+    Vec3<S> factor = scale(hit.weight, carried_by(shading, from, pick).tint);
+    if (shading.world.finishes.carries)
+        factor = factor * tint_of_fog(shading.world, medium_in_fog(shading, S(hit.medium)));
+    return factor;
 }
 
 /// Returns the mean directions of bent normals over footprints. Light that falls on all of them is less than on one in
@@ -230,7 +249,8 @@ bool shade_bin(const Shading<S, P>& shading, const BinHits<Element<S>>& own) {
             truncate(shading, hit);
         if (world.finishes.carries) [[unlikely]]
             hit.active = first_lanes<S>(pick.lanes), hit.weight = weight;
-        Vec3<S> light = scale(hit.weight, illumination(shading, hit, dim, notes));
+        const Vec3<S> sum = illumination(shading, hit, dim, notes);
+        Vec3<S> light = scale(hit.weight, sum);
         if (world.finishes.carries) [[unlikely]]
             light = light * tint_of_fog(world, medium_in_fog(shading, S(hit.medium)));
         if (world.fog.any) [[unlikely]]
@@ -238,6 +258,9 @@ bool shade_bin(const Shading<S, P>& shading, const BinHits<Element<S>>& own) {
         if (world.finishes.carries) [[unlikely]]
             light = light * carried_by(shading, from, pick).tint;
         add_light(shading.batch, hit.pixel, pick.lanes, light);
+        if (notes_layers(shading)) [[unlikely]]
+            note_layers(shading, Hit<S>(hit), pick(t), pick.lanes, material.numbers, true, Vec3<S>(light), Vec3<S>(sum),
+                        factor_of(shading, Hit<S>(hit), from, pick));
         P::shade(shading, hit, from, pick, pick(t), light, notes.own);
     }
     next.inside_end[bin] = next.inside.count;

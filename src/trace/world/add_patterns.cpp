@@ -130,6 +130,7 @@ void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement
                 return;
             }
             materials.push_back(MaterialKernel<T>(materials[leaf.material]));
+            copied_materials.push_back(leaf.material);
             PatternKernel<T> kernel = kernel_of<T>(material, matrices.material, placement);
             if (by_uv) kernel.places = add_places(leaf.shape, surface);
             kernel.first_stop = ranges[leaf.material].first_stop, kernel.stops = ranges[leaf.material].stops;

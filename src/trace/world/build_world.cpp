@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <numeric>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -352,6 +353,15 @@ std::vector<int> BuiltWorld<T>::bodies_around(const DVec3& eye) const {
             std::ranges::find(bodies, body.medium) == bodies.end())
             bodies.push_back(body.medium);
     return bodies;
+}
+
+template <class T>
+std::vector<int> BuiltWorld<T>::materials() const {
+    const auto& copies = arrays->copied_materials;
+    std::vector<int> all(arrays->materials.size() - copies.size());
+    std::iota(all.begin(), all.end(), 0);
+    all.insert(all.end(), copies.begin(), copies.end());
+    return all;
 }
 
 std::int64_t surfaces_of(const Scene& scene) {

@@ -53,6 +53,8 @@ class BuiltWorld {
     const World<T>& world() const;
     /// Returns the surface numbers of the transparent bodies that a point of the scene is in, in the order declared.
     std::vector<int> bodies_around(const DVec3& point) const;
+    /// Returns the material of the scene that each material of the world is or is a copy of.
+    std::vector<int> materials() const;
 
   private:
     std::unique_ptr<WorldArrays<T>> arrays;

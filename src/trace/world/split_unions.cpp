@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
+#include <numeric>
 #include <utility>
 
 #include "scene/leaves.h"
@@ -45,7 +46,8 @@ void repaint(Primitive& primitive, int material) {
 
 /// Returns the part with its pattern where it was, in a space from which `shared` steps of the way to the pattern are
 /// still to come. It gets a material of its own if the others are not.
-Primitive painted(const UnionPart& part, std::size_t shared, std::vector<Material>& materials) {
+Primitive painted(const UnionPart& part, std::size_t shared, std::vector<Material>& materials,
+                  std::vector<int>* copied) {
     Primitive own = part.primitive;
     Material material = materials[static_cast<std::size_t>(own.material)];
     if (!material.patterned() || part.to_pattern.size() == shared) return own;
@@ -61,6 +63,7 @@ Primitive painted(const UnionPart& part, std::size_t shared, std::vector<Materia
     };
     move(material);
     std::ranges::for_each(material.coats, move);
+    if (copied) copied->push_back(own.material);
     repaint(own, static_cast<int>(materials.size()));
     materials.push_back(std::move(material));
     return own;
@@ -68,11 +71,11 @@ Primitive painted(const UnionPart& part, std::size_t shared, std::vector<Materia
 
 }  // namespace
 
-std::vector<Primitive> split_union(const Primitive& whole, std::vector<Material>& materials) {
+std::vector<Primitive> split_union(const Primitive& whole, std::vector<Material>& materials, std::vector<int>* copied) {
     std::vector<Primitive> pieces;
     for (const UnionGroup& group : union_groups(whole, materials)) {
         if (group.size() == 1) {
-            pieces.push_back(painted(group[0], 0, materials));
+            pieces.push_back(painted(group[0], 0, materials, copied));
             append(pieces.back().transformations, whole.transformations);
             continue;
         }
@@ -80,7 +83,7 @@ std::vector<Primitive> split_union(const Primitive& whole, std::vector<Material>
         for (const UnionPart& part : group) {
             // In a union the material, if it is that of the union, has the union's space.
             const bool of_whole = part.primitive.material == whole.material;
-            parts.push_back(painted(part, of_whole ? part.primitive.transformations.size() : 0, materials));
+            parts.push_back(painted(part, of_whole ? part.primitive.transformations.size() : 0, materials, copied));
         }
         pieces.push_back({Union{std::make_shared<const std::vector<Primitive>>(std::move(parts))}, whole.material,
                           whole.transformations});
@@ -89,19 +92,30 @@ std::vector<Primitive> split_union(const Primitive& whole, std::vector<Material>
     return pieces;
 }
 
-Scene with_split_unions(Scene scene) {
+Scene with_split_unions(Scene scene, DeclaredAs* declared) {
     const auto is_union = [](const Primitive& primitive) { return std::holds_alternative<Union>(primitive.shape); };
     if (std::ranges::none_of(scene.primitives, is_union)) return scene;
+    DeclaredAs own;
+    own.materials.resize(scene.materials.size());
+    std::iota(own.materials.begin(), own.materials.end(), 0);
     std::vector<Primitive> all;
     const auto around_eye = [&](const Primitive& body) {
         return contains(body, scene.camera.position) && leaves_of(body.shape) <= most_leaves;
     };
-    for (Primitive& primitive : scene.primitives)
-        if (is_union(primitive) && !around_eye(primitive))
-            std::ranges::move(split_union(primitive, scene.materials), std::back_inserter(all));
-        else
+    for (std::size_t i = 0; i < scene.primitives.size(); ++i) {
+        Primitive& primitive = scene.primitives[i];
+        if (is_union(primitive) && !around_eye(primitive)) {
+            std::vector<int> copied;
+            std::ranges::move(split_union(primitive, scene.materials, &copied), std::back_inserter(all));
+            for (const int material : copied)
+                own.materials.push_back(own.materials[static_cast<std::size_t>(material)]);
+        } else {
             all.push_back(std::move(primitive));
+        }
+        own.bodies.resize(all.size(), static_cast<int>(i));
+    }
     scene.primitives = std::move(all);
+    if (declared) *declared = std::move(own);
     return scene;
 }
 

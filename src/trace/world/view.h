@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "scene/camera.h"
+#include "scene/layers.h"
 #include "scene/motion/track.h"
 
 namespace strahl {
@@ -38,6 +39,9 @@ struct Tile {
     std::variant<std::span<const float>, std::span<const double>> rgb;
     /// With View::prove, of each pixel: no channel is further than this from what exact arithmetic would give.
     std::span<const double> bounds{};
+    /// With View::layers, of each pixel: all that channels_of() names. Its light is that of `rgb`, in float, or the sum
+    /// of the layers of light.
+    std::span<const float> layers{};
 };
 /// Copies a tile to its place among the values of the lattice that is being traced, 3 for each pixel, row by row.
 template <class T>
@@ -67,6 +71,9 @@ struct View {
     /// through the pixel's middle; what a shift changes is in the bound.
     bool prove = false;
     std::shared_ptr<const std::vector<Track>> tracks{};  // if any, these replace the scene's
+    /// What tiles hold besides light. With alpha the background is black, as far as it is not opaque, but in mirrors;
+    /// light is multiplied by alpha. Resolution levels and lists of places have no layers.
+    Layers layers{};
     /// If any, averages over pixels are also averages over these (shutter.h). One ray in each pixel sees `time` alone.
     std::shared_ptr<const std::vector<Shot>> moments{};
     bool operator==(const View&) const = default;  // of tracks and moments: the same ones

@@ -174,6 +174,7 @@ struct WorldArrays {
     std::vector<SweepPiece> sweep_pieces;
     std::unordered_map<const void*, T> first_pieces;
     PatternArrays<T> patterns;
+    std::vector<std::int32_t> copied_materials;  // what materials beyond those of the scene are copies of
     MediumArrays<T> media;
     FinishArrays<T> finishes;
     double reach = 0;  // the largest coordinate of a bounded body
