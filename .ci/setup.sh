@@ -3,7 +3,8 @@
 # shellcheck disable=SC2034  # the lists are for those scripts
 
 build_packages=(g++ cmake ninja-build pkg-config libglfw3-dev libgl-dev libglm-dev libopenimageio-dev zlib1g-dev
-    libfreetype-dev libimgui-dev libcli11-dev nlohmann-json3-dev libopenal-dev libvorbis-dev)
+    libpng-dev libturbojpeg0-dev libfreetype-dev libimgui-dev libcli11-dev nlohmann-json3-dev libopenal-dev
+    libvorbis-dev)
 test_packages=(doctest-dev povray povray-includes ffmpeg xvfb xauth libgl1-mesa-dri xdotool imagemagick
     openimageio-tools parallel dpkg-dev clang-format)
 attack_packages=(clang-16 libclang-rt-16-dev)
@@ -18,6 +19,8 @@ libgl-dev         mesa-libGL-devel        libglvnd         Mesa-libGL-devel
 libglm-dev        glm-devel               glm              glm-devel
 libopenimageio-dev OpenImageIO-devel      openimageio      OpenImageIO-devel
 zlib1g-dev        zlib-devel              zlib             zlib-devel
+libpng-dev        libpng-devel            libpng           libpng16-devel
+libturbojpeg0-dev turbojpeg-devel         libjpeg-turbo    libjpeg8-devel
 libfreetype-dev   freetype-devel          freetype2        freetype2-devel
 libimgui-dev      -                       imgui            imgui-devel
 libcli11-dev      cli11-devel             cli11            cli11-devel

@@ -45,6 +45,7 @@ struct Plan {
     bool bumps_by_uv = false;     // some material has a bump by uv
     bool moves = false;           // bodies or lights do, in an animation
     bool sharp_lens = false;      // a lens that POV-Ray has not
+    bool shutter = false;
 };
 
 Plan plan_for(const Scene& scene, const PovRequest& request) {
@@ -65,6 +66,7 @@ Plan plan_for(const Scene& scene, const PovRequest& request) {
     if (!plan.moves) look(scene, request.cameras);
     const Camera& camera = request.cameras[0];
     plan.sharp_lens = has_lens(camera) && (camera.blades || camera.projection != Projection::perspective);
+    plan.shutter = camera.shutter > 0;
     plan.scale = scale_for(sizes);
     plan.scaled = plan.scale.factor != 1;
     plan.materials = pov_materials(scene, request.depth, plan.scaled);
@@ -111,6 +113,7 @@ std::vector<std::string> warnings_of(const Plan& plan) {
          "POV-Ray bends normals by uv as if u and v grew along x and y; the picture is right only for meshes on which "
          "they do"},
         {plan.sharp_lens, "POV-Ray has round lenses of perspective cameras alone"},
+        {plan.shutter, "POV-Ray has no shutter; what moves is sharp, as it is in the middle of the time it is open"},
         {plan.bodies_overlap,
          "transparent bodies may share space; where a ray leaves one that it did not enter last, it continues "
          "unrefracted, which POV-Ray does not count as a generation: this shows only at the depth limit"}};

@@ -1,10 +1,13 @@
-# Pictures, written with zlib, and a module with OpenImageIO that is loaded only when a compressed picture is read.
+# Pictures: .png and .jpg by libraries whose versions are compatible over all releases of Debian and Ubuntu, and a module
+# with OpenImageIO, whose are not; it is loaded only when an .exr, a .gif or a .bmp with run lengths is read.
 pkg_check_modules(ZLIB REQUIRED IMPORTED_TARGET zlib)
+pkg_check_modules(PNG REQUIRED IMPORTED_TARGET libpng)
+pkg_check_modules(TURBOJPEG REQUIRED IMPORTED_TARGET libturbojpeg)
 strahl_module(image src/image strahl_text)
 get_target_property(sources strahl_image SOURCES)
 list(FILTER sources EXCLUDE REGEX "/oiio/")
 set_property(TARGET strahl_image PROPERTY SOURCES ${sources})
-target_link_libraries(strahl_image PRIVATE PkgConfig::ZLIB)
+target_link_libraries(strahl_image PRIVATE PkgConfig::ZLIB PkgConfig::PNG PkgConfig::TURBOJPEG)
 
 # Not find_package(OpenImageIO): that of Debian 12 is broken (it requires a missing iconvert).
 pkg_check_modules(OIIO REQUIRED IMPORTED_TARGET OpenImageIO>=2.4)

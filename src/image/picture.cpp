@@ -1,4 +1,4 @@
-// Reads and writes picture files, and loads the module that reads compressed ones.
+// Reads and writes picture files, and loads the module that reads .exr, .gif and packed .bmp files.
 #include "image/picture.h"
 
 #include <algorithm>
@@ -18,7 +18,6 @@
 #include "image/picture_writer.h"
 #include "image/recognise.h"
 #include "image/transfer.h"
-#include "image/uncompressed.h"
 
 #if defined(__SANITIZE_ADDRESS__)
 #include <sanitizer/lsan_interface.h>
@@ -123,11 +122,12 @@ void write_picture(const Picture& picture, const std::string& path, FileFormat f
 
 Picture read_picture(const std::string& path, std::uint64_t most) {
     const RegularFile file(path);
-    const auto [format, possible] = recognised(file);
-    if (!format) return read_uncompressed(file, std::min(most, possible));
+    const PictureFormat format = recognised(file);
+    most = std::min(most, format.most);
+    if (format.read) return format.read(file, most);
     Picture picture;
     std::string reason;
-    if (!library().decode({path, format, std::min(most, possible), os::available_memory()}, picture, reason))
+    if (!library().decode({path, format.library_name, most, os::available_memory()}, picture, reason))
         throw FileError("cannot read '" + path + "' as a picture: " + reason.substr(0, reason.find('\n')));
     return picture;
 }

@@ -10,7 +10,7 @@ namespace strahl {
 /// A file to read, and how much may be allocated for it.
 struct Wanted {
     const std::string& path;
-    const char* format;  // "bmp", "png", "openexr", "jpeg" or "gif"
+    const char* format;  // "bmp", "openexr" or "gif"
     std::uint64_t most_values;
     double memory;  // in bytes
 };

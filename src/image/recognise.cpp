@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "image/compressed.h"
 #include "image/uncompressed.h"
 
 namespace strahl {
@@ -57,7 +58,7 @@ PictureFormat recognised(const RegularFile& file) {
     const std::string start = file.bytes(0, BmpHeader::size);
     const std::string pieces = "its header announces more than is in the file",
                       pixels = "its header announces more pixels than fit into such a file";
-    if (is_uncompressed(start)) return {nullptr, file.size()};
+    if (is_uncompressed(start)) return {file.size(), read_uncompressed};
     if (start.starts_with("BM")) {
         const std::uint64_t most = file.size() << 9;  // run lengths make 255 of two bytes, a palette three of each
         // OpenImageIO unpacks run lengths while it opens the file, before it could be asked for the size.
@@ -66,32 +67,32 @@ PictureFormat recognised(const RegularFile& file) {
         // Run lengths are of 8 or 4 bits; OpenImageIO unpacks them to that and then reads as many bits as `bits` says.
         if ((header.compression == 1 && header.bits != 8) || (header.compression == 2 && header.bits != 4))
             fail("its run lengths do not have as many bits as its pixels");
-        return {"bmp", most};
+        return {most, nullptr, "bmp"};
     }
     if (start.starts_with("\xff\xd8\xff")) {
         const std::uint64_t most = file.size() << 12;  // a bit for a block of 64 values, up to 16 of which share theirs
         const auto values = jpeg_values(file);
         if (!values) fail("it has no size");
         if (*values > most) fail(pixels);
-        return {"jpeg", most};
+        return {most, read_jpeg};
     }
     if (start.starts_with("GIF87a") || start.starts_with("GIF89a")) {
         const std::uint64_t most = file.size() << 14;  // 12 bits make up to 4096 pixels, a palette 4 values of each
         const auto side = [&](std::size_t at) { return std::uint64_t(get_little<std::uint16_t>(start, at)); };
         if (start.size() < 10 || 4 * side(6) * side(8) > most) fail(pixels);
-        return {"gif", most};
+        return {most, nullptr, "gif"};
     }
     const std::uint64_t most = file.size() << 15;  // deflate makes 1032 of one byte, a palette 24 values of each
     if (start.starts_with("\x89PNG\r\n\x1a\n")) {
         if (!png_chunks_fit(file)) fail(pieces);
-        return {"png", most};
+        return {most, read_png};
     }
     if (start.starts_with("\x76\x2f\x31\x01")) {
         if (!exr_attributes_fit(file)) fail(pieces);
-        return {"openexr", most};
+        return {most, nullptr, "openexr"};
     }
     // Run lengths make up to 128 pixels of two bytes, a palette 4 values of each.
-    if (TargaHeader(start).valid()) return {nullptr, file.size() << 8};
+    if (TargaHeader(start).valid()) return {file.size() << 8, read_uncompressed};
     throw FileError("'" + file.path() + "' is not a .bmp, .png, .exr, .jpg, .gif, .tga, .ppm, .pgm or .pfm file");
 }
 

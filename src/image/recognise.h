@@ -3,12 +3,14 @@
 #include <cstdint>
 
 #include "files/regular_file.h"
+#include "image/picture.h"
 
 namespace strahl {
 
 struct PictureFormat {
-    const char* library_name = nullptr;  // as OpenImageIO calls it; null for what image/uncompressed.h reads
-    std::uint64_t most = 0;              // values that a file of this size can hold
+    std::uint64_t most;                                                      // values that a file of this size can hold
+    Picture (*read)(const RegularFile& file, std::uint64_t most) = nullptr;  // null: OpenImageIO reads it
+    const char* library_name = nullptr;                                      // as OpenImageIO calls it
 };
 
 /// Recognises .bmp, .png, .exr, .jpg, .gif, .tga, .ppm, .pgm and .pfm files, whatever their names end in, and no

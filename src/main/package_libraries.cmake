@@ -1,5 +1,5 @@
 # Read by cpack: finds the packages of the libraries that the program needs, and of those that only its module for
-# reading pictures needs, without which it works.
+# reading .exr and .gif files needs, without which it works.
 find_program(SHLIBDEPS dpkg-shlibdeps)
 if(NOT SHLIBDEPS)
   message(FATAL_ERROR "a Debian package needs dpkg-shlibdeps: install the package dpkg-dev")
@@ -32,6 +32,7 @@ foreach(package ${recommends})
     list(REMOVE_ITEM recommends ${package})
   endif()
 endforeach()
+list(TRANSFORM depends REPLACE "^(libturbojpeg)0( .*)?$" "\\0 | \\1")  # as Ubuntu calls it
 list(JOIN depends ", " CPACK_DEBIAN_PACKAGE_DEPENDS)
 list(APPEND recommends povray-includes)  # what scenes of POV-Ray include
 list(JOIN recommends ", " CPACK_DEBIAN_PACKAGE_RECOMMENDS)

@@ -64,8 +64,11 @@ STRAHL_INLINE void look_up_four(const double* table, const Whole<S>& at, S (&to)
         for (int k = 0; k < width<S>; ++k) from[k] = table + at[k];
         load_fields(from, to);
     } else {
-        for (int f = 0; f < 4; ++f)
-            for (int k = 0; k < width<S>; ++k) to[f].v[k] = table[at[k] + f];
+        for (int f = 0; f < 4; ++f) {
+            double lanes[width<S>];
+            for (int k = 0; k < width<S>; ++k) lanes[k] = table[at[k] + f];
+            to[f] = S(load_register<typename S::Register>(lanes));
+        }
     }
 }
 

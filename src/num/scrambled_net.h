@@ -1,18 +1,20 @@
-// Points of a scrambled net, which fill the unit cube of four dimensions evenly.
+// Points of a scrambled net, which fill the unit cube of up to five dimensions evenly.
 #pragma once
 #include <array>
 #include <cstdint>
 
 namespace strahl {
 
-using NetDirections = std::array<std::array<std::uint32_t, 4>, 32>;  // by bit, then by dimension
+inline constexpr std::uint32_t most_net_dimensions = 5;
+using NetDirections = std::array<std::array<std::uint32_t, most_net_dimensions>, 32>;  // by bit, then by dimension
 /// Makes the direction numbers: of the first dimension they are those of van der Corput's sequence, of the others
-/// they follow from the polynomials x + 1, x^2 + x + 1 and x^3 + x + 1 (S. Joe and F. Kuo, 2008).
+/// they follow from the polynomials x + 1, x^2 + x + 1, x^3 + x + 1 and x^3 + x^2 + 1 (S. Joe and F. Kuo, 2008).
 constexpr NetDirections net_directions() {
     NetDirections all{};
-    constexpr std::array<std::uint32_t, 4> degree{0, 1, 2, 3}, inner{0, 0, 1, 1};
-    constexpr std::array<std::array<std::uint32_t, 3>, 4> first{{{}, {1}, {1, 3}, {1, 3, 1}}};
-    for (std::uint32_t d = 0; d < 4; ++d)
+    constexpr std::array<std::uint32_t, most_net_dimensions> degree{0, 1, 2, 3, 3}, inner{0, 0, 1, 1, 2};
+    constexpr std::array<std::array<std::uint32_t, 3>, most_net_dimensions> first{
+        {{}, {1}, {1, 3}, {1, 3, 1}, {1, 1, 1}}};
+    for (std::uint32_t d = 0; d < most_net_dimensions; ++d)
         for (std::uint32_t k = 0; k < 32; ++k) {
             std::uint32_t& own = all[k][d];
             if (d == 0 || k < degree[d]) {
@@ -26,7 +28,7 @@ constexpr NetDirections net_directions() {
 }
 inline constexpr NetDirections directions_of_nets = net_directions();
 
-/// The first four dimensions of Sobol's sequence, scrambled by A. Owen's method: each seed gives other points, which
+/// The first dimensions of Sobol's sequence, scrambled by A. Owen's method: each seed gives other points, which
 /// are as evenly spread, and their mean is right on average ("Randomly Permuted (t,m,s)-Nets and (t,s)-Sequences",
 /// 1995). Bits are scrambled by a hash (B. Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020).
 class ScrambledNet {
@@ -34,13 +36,15 @@ class ScrambledNet {
     explicit ScrambledNet(std::uint32_t from) : seed(from) {}
 
     /// Returns point i, with coordinates in [0, 1). The first 2^k points are a net.
-    std::array<double, 4> point(std::uint32_t i) const {
+    template <std::uint32_t dimensions = 4>
+    std::array<double, dimensions> point(std::uint32_t i) const {
         const std::uint32_t shuffled = scrambled(i, seed);
-        std::array<std::uint32_t, 4> bits{};
+        std::array<std::uint32_t, dimensions> bits{};
         for (std::uint32_t k = 0; k < 32; ++k)
-            for (std::uint32_t d = 0; d < 4; ++d) bits[d] ^= (0u - (shuffled >> k & 1)) & directions_of_nets[k][d];
-        std::array<double, 4> place;
-        for (std::uint32_t d = 0; d < 4; ++d)
+            for (std::uint32_t d = 0; d < dimensions; ++d)
+                bits[d] ^= (0u - (shuffled >> k & 1)) & directions_of_nets[k][d];
+        std::array<double, dimensions> place;
+        for (std::uint32_t d = 0; d < dimensions; ++d)
             place[d] = scrambled(bits[d], mix(seed + 0x9e3779b9u * (d + 1))) * 0x1p-32;
         return place;
     }

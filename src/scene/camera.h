@@ -46,7 +46,14 @@ struct Camera {
     std::optional<double> focus;    // the distance of the plane that is sharp, along the viewing direction,
     std::optional<DVec3> focus_on;  // or a point of it; without either it goes through look_at
     std::optional<double> blades;   // corners of a lens that is a regular polygon; without them it is round
+    double shutter = 0;             // seconds for which it is open, half of them before its time; 0: a moment
     bool operator==(const Camera&) const = default;
+};
+/// A moment of a scene, in seconds, as its camera sees it.
+struct Shot {
+    Camera camera;
+    double time = 0;
+    bool operator==(const Shot&) const = default;
 };
 /// Returns whether the rays of a pixel start all over a lens.
 constexpr bool has_lens(const Camera& camera) { return camera.aperture > 0; }

@@ -41,6 +41,7 @@ void follow(Camera& camera, const std::vector<Follow>& follows, const TrackValue
                : name == "focus"       ? target(now.focus)
                : name == "focus_on"    ? target(now.focus_on)
                : name == "blades"      ? target(now.blades)
+               : name == "shutter"     ? target(now.shutter)
                                        : FollowTarget{};
     });
     if (!degenerate(now)) camera = now;

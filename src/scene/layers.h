@@ -21,6 +21,7 @@ struct Layers {
 
     bool geometry() const { return depth || normal || position || body || material; }
     bool any() const { return alpha || geometry() || light; }
+    bool operator==(const Layers&) const = default;  // of ids: the same ones
 };
 
 /// A layer: its name, what it holds, and its channels. What is by light has three channels for each.

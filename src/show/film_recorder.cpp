@@ -14,6 +14,7 @@
 #include "show/work/stills.h"
 #include "text/reading/scene_files.h"
 #include "trace/tracer.h"
+#include "trace/world/shutter.h"
 
 namespace strahl {
 namespace {
@@ -87,10 +88,14 @@ FilmRecorder::FilmEnd FilmRecorder::make(const FilmOrder& order, const std::atom
     append(stream_head(".y4m", {view.width, view.height}, film_rate));
     ThreadPool pool(options.threads);
     Tracer tracer(order.scene, Precision::float64);
+    const auto camera_of = [&](double time) {
+        const Camera own = camera_at(order.scene, time);
+        return order.fit ? filled_view(own, double(view.width) / view.height) : own;
+    };
     int frame = 0;
     for (; frame < count; ++frame) {
-        view.time = film_rate.moment(frame), view.camera = camera_at(order.scene, view.time);
-        if (order.fit) view.camera = filled_view(view.camera, double(view.width) / view.height);
+        view.time = film_rate.moment(frame), view.camera = camera_of(view.time);
+        view.moments = shutter_moments(order.scene, view.time, view.camera.shutter, camera_of);
         PictureWriter writer(view.width, view.height, 3, ".y4m", format);
         std::atomic<int> pixels = 0;
         const auto keep = [&](const Tile& tile) {

@@ -253,7 +253,9 @@ std::string write_camera(const Camera& camera, const std::vector<Follow>& follow
     if (camera.focus) text += "  focus " + text_of(*camera.focus, follows, "focus");
     if (camera.focus_on) text += "  focus_on " + text_of(*camera.focus_on, follows, "focus_on");
     if (camera.blades) text += "  blades " + text_of(*camera.blades, follows, "blades");
-    return text + (has_lens(camera) ? "\n}\n" : "}\n");
+    if (has_lens(camera)) text += "\n";
+    if (camera.shutter > 0) text += "  shutter " + text_of(camera.shutter, follows, "shutter") + "\n";
+    return text + "}\n";
 }
 
 std::string write_key(const Keyframe& key, EyeWords words) {

@@ -50,8 +50,9 @@ class Batches {
         rows = {layer_values.data(), layers->length(), static_cast<T>(layers->opacity()), lit.data()};
     }
 
-    LayerTile* const layers;  // null if there are none
-    Counts counts;            // its own memory: threads that count beside each other wait for each other
+    LayerTile* const layers;     // null if there are none
+    std::span<Batches> moments;  // of the same thread: at the moments of a shutter, and last at the time of the view
+    Counts counts;               // its own memory: threads that count beside each other wait for each other
 
     /// Traces a tile of pixels, one ray each; a tile that was stopped is not handed on.
     void trace_tile(const Lattice& tile, const Sink& sink) {
@@ -112,14 +113,23 @@ class Batches {
         workspace.lens_x.clear(), workspace.lens_y.clear();
     }
 
-    /// Traces a tile of pixels with rays all over a lens: in each as many as a grid has.
-    void trace_lens_grid(const Lattice& tile, int grid, const Camera& camera, const Sink& sink) {
+    /// Traces rays of nets, see TraceLensRays, of a tile.
+    void trace_nets(int moment, std::span<const LensRay> rays, std::span<std::array<double, 3>> rgb, bool check,
+                    const Lattice& tile) {
+        Batches& own = moments.empty() ? *this : moments[moment];
+        const Counts before = own.counts;
+        own.trace_lens(rays, rgb, check || !layers ? nullptr : &tile);
+        if (check) own.counts = before;
+    }
+
+    /// Traces a tile of pixels with rays all over a lens, or a shutter's moments: in each as many as a grid has.
+    void trace_net_grid(const Lattice& tile, int grid, const Camera& camera, const Sink& sink) {
         LensPixels pixels;
-        pixels.begin(tile.x, tile.y, tile.columns, tile.rows, 1, camera);
+        pixels.begin(tile.x, tile.y, tile.columns, tile.rows, 1, camera,
+                     std::max(static_cast<int>(moments.size()) - 1, 0));
         if (layers) layers->begin(tile.columns * tile.rows);
-        pixels.take(grid * grid, [&](std::span<const LensRay> rays, std::span<std::array<double, 3>> rgb, bool) {
-            trace_lens(rays, rgb, layers ? &tile : nullptr);
-        });
+        pixels.take(grid * grid, [&](int moment, std::span<const LensRay> rays, std::span<std::array<double, 3>> rgb,
+                                     bool check) { trace_nets(moment, rays, rgb, check, tile); });
         if (!limits.stopped()) hand_on(tile, pixels.values(), sink);
     }
 

@@ -27,6 +27,7 @@ class SceneInTime {
         move_others(now, *moving, *movers, start);
     }
     const Scene& scene() const { return now; }
+    const Scene& declared() const { return moving ? *moving : now; }
     bool moves() const { return moving.has_value(); }
 
     /// Moves what moves, by all threads. `tracks`, if any, are in place of the scene's. Returns whether the scene is
@@ -46,7 +47,31 @@ class SceneInTime {
         return true;
     }
 
+    /// Does what set does, and returns whether anything is another than before.
+    bool change(double wanted, const std::shared_ptr<const std::vector<Track>>& wanted_tracks, ThreadPool& pool) {
+        if (!moving) return set(wanted, wanted_tracks, pool);
+        const Moved before = moved();
+        return set(wanted, wanted_tracks, pool) && !(moved() == before);
+    }
+
   private:
+    /// All that moves, as it is now.
+    struct Moved {
+        std::vector<Primitive> bodies;
+        std::vector<Light> lights;
+        std::vector<Material> materials;
+        Pigment background;
+        std::optional<Fog> fog;
+        bool operator==(const Moved&) const = default;
+    };
+    Moved moved() const {
+        Moved all{{}, {}, {}, now.background, now.fog};
+        for (const std::int32_t i : movers->bodies) all.bodies.push_back(now.primitives[i]);
+        for (const std::int32_t i : movers->lights) all.lights.push_back(now.lights[i]);
+        for (const std::int32_t i : movers->materials) all.materials.push_back(now.materials[i]);
+        return all;
+    }
+
     void begin() {
         movers.emplace(now);
         if (movers->any()) moving = now;

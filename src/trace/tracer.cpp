@@ -2,6 +2,7 @@
 
 #include <cassert>
 #include <cmath>
+#include <deque>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -80,12 +81,11 @@ class TracerOf : public AnyTracer {
         const Placement wanted = placement(extent, view.camera.position);
         if (built && wanted == placed && !moved && (proves == view.prove || std::is_same_v<T, float>)) return;
         light_buffers.reset(), traced_pixels = 0;
-        known.reset();
+        known.reset(), moments.clear();
         if (moved) capsules.reset();
         built.reset(), slack.reset(), bound.reset();
-        built = std::make_unique<BuiltWorld<T>>(scene(), wanted, pool, in_time.moves() ? &moving : nullptr, images,
-                                                view.prove, kernel.lanes);
         placed = wanted, proves = view.prove;
+        built = build(pool);
     }
 
     Counts trace(const Job& job, const TracedPixels& pixels) override {
@@ -102,11 +102,23 @@ class TracerOf : public AnyTracer {
         std::vector<int> bodies;
     };
 
+    /// A view of a world as kernels read it. It stays in its place, as parts of it point at others.
+    struct ReadyView {
+        View view;
+        std::shared_ptr<const BuiltWorld<T>> built;
+        std::vector<int> bodies;   // transparent ones that the eye is in
+        std::vector<T> brightest;  // see Limits
+        World<T> world;
+        Eye<T> eye;
+        std::optional<CameraRays<T>> rays;
+        ProvingLimits<T> limits;
+    };
+
     /// Traces a piece of a picture in the thread whose number is given.
     template <class Piece>
     using Work = std::function<void(Batches<T>&, const Piece&, int)>;
-    /// Says what pieces are made of: rays through single places, cells, or rays all over a lens.
-    enum class RayPlaces { single, cells, lens };
+    /// Says what pieces are made of: rays through single places, cells and nets, or nets alone.
+    enum class RayPlaces { single, cells, nets };
 
     Counts traced(const Job& job, const Lattice& lattice) { return each_pixel(job, lattice, 0); }
     Counts each_pixel(const Job& job, const Lattice& lattice, double footprint) {
@@ -168,13 +180,13 @@ class TracerOf : public AnyTracer {
     Counts traced(const Job& job, const SampledRegion& sampled) {
         const auto& [region, sampling] = sampled;
         if (sampling.grid == 1 && !sampling.centre) return traced(job, region);
-        if (sampling.grid > 0 && has_lens(job.view.camera))
+        if (sampling.grid > 0 && (has_lens(job.view.camera) || job.view.moments))
             return each_tile(
                 job, region, lattice_tile, 0,
                 [&](Batches<T>& batches, const Lattice& tile, int) {
-                    batches.trace_lens_grid(tile, sampled.sampling.grid, job.view.camera, job.sink);
+                    batches.trace_net_grid(tile, sampled.sampling.grid, job.view.camera, job.sink);
                 },
-                0, RayPlaces::lens);
+                0, RayPlaces::nets);
         if (sampling.grid > 0)
             return each_tile(job, region, lattice_tile, 0, [&](Batches<T>& batches, const Lattice& tile, int) {
                 batches.trace_grid(tile, sampled.sampling, job.sink);
@@ -193,14 +205,12 @@ class TracerOf : public AnyTracer {
                     batches.trace_points(x, y, placed.scale, points, side, samples);
                     if (side > 0) batches.counts = before;  // a check is no part of the picture
                 },
-                [&](std::span<const LensRay> rays, std::span<std::array<double, 3>> rgb, bool check) {
-                    const Counts before = batches.counts;
-                    batches.trace_lens(rays, rgb, check || !batches.layers ? nullptr : &place);
-                    if (check) batches.counts = before;
+                [&](int moment, std::span<const LensRay> rays, std::span<std::array<double, 3>> rgb, bool check) {
+                    batches.trace_nets(moment, rays, rgb, check, place);
                 },
                 batches.layers);
         };
-        const auto way = pass.picture.through_lens() ? RayPlaces::lens : RayPlaces::cells;
+        const auto way = pass.picture.by_nets() ? RayPlaces::nets : RayPlaces::cells;
         return each(job, pass.picture.tiles(), pass.picture.contrast(), refine, 0, way);
     }
 
@@ -231,50 +241,59 @@ class TracerOf : public AnyTracer {
 
         // Kept with the world: to look at thousands of materials takes longer than to trace some pixels.
         if (!bound || bound->depth != job.view.depth) bound = bound_for(scene(), job.view.depth);
-        std::vector<T> brightest;
-        for (const double most : bound->brightest) brightest.push_back(upper<T>(most));
-        find_eye(job.view.camera);
-        View view = job.view;
-        view.camera.position = known->eye;
-        Eye<T> eye = eye_of<T>(view, placed);
-        std::optional<CameraRays<T>> rays;
-        if (way == RayPlaces::lens || view.camera.projection != Projection::perspective)
-            rays.emplace(scene(), view, *built, placed);
-        if (rays) eye.rays = &*rays;
-        World<T> world = built->world();
-        world.eye = eye.position;
+        if (!known || known->camera != job.view.camera) known = eye_of_camera(job.view.camera, *built);
+        ReadyView now;
+        make_ready(now, job.view, built, *known, *bound, way == RayPlaces::nets);
+        World<T>& world = now.world;
         traced_pixels += std::int64_t(tiles) * lattice_tile * lattice_tile;
-        if (!light_buffers && LightBuffers<T>::pay(world, traced_pixels, view.prove))
-            light_buffers = std::make_unique<LightBuffers<T>>(world, pool, view.prove);
+        if (!light_buffers && LightBuffers<T>::pay(world, traced_pixels, job.view.prove))
+            light_buffers = std::make_unique<LightBuffers<T>>(world, pool, job.view.prove);
         if (light_buffers) world.light_buffers = light_buffers->buffers();
         if (means) world.patterns.mip_maps = images->mip_maps();
         world.patterns.quick = side > 0;
         const bool filters =
             side > 0 ? world.patterns.has_quick_means : means && (world.patterns.list || world.patterns.sky);
-        const ProvingLimits<T> limits{{.depth = view.depth,
-                                       .generations = static_cast<int>(bound->brightest.size()) - 1,
-                                       .error = static_cast<T>(view.error),
-                                       .brightest = brightest.data(),
-                                       .noticed = static_cast<T>(noticed),
-                                       .brightest_limit = upper<T>(bound->limit),
-                                       .queue = std::min(job.queue, batch_rays),
-                                       .stop = job.stop},
-                                      view.prove ? slack_for(view, world, bound->gain) : Slack<T>{}};
-        const std::shared_ptr<const LayerTables> tables = view.layers.any() ? layer_tables() : nullptr;
+        now.limits.noticed = static_cast<T>(noticed);
+        if (job.view.prove) now.limits.slack = slack_for(now.view, world, bound->gain);
+        const bool in_time_too = way != RayPlaces::single && job.view.moments;
+        if (in_time_too) prepare_moments(job);
+        const auto set_limits = [&](ReadyView& ready) {
+            ready.limits.queue = std::min(job.queue, batch_rays), ready.limits.stop = job.stop;
+        };
+        set_limits(now);
+        std::ranges::for_each(moments, set_limits);
+        const std::shared_ptr<const LayerTables> tables = job.view.layers.any() ? layer_tables() : nullptr;
         std::atomic<int> next{0};
         std::vector<Counts> counts(pool.size());
         const auto take = [&](int thread) {
             Workspace<T>& workspace = *workspaces[thread];
-            Eye<T> own = eye;
-            int list = 0;
-            for (const int body : known->bodies) list = push(workspace.mediums, list, body);
-            own.medium = static_cast<T>(list);
-            std::optional<LayerTile> layers;
-            if (tables) layers.emplace(view.layers, tables);
-            Batches<T> batches(world, view.prove ? proving : kernel, own, limits, workspace, view.prove, filters, side,
-                               placed, layers ? &*layers : nullptr);
-            for (int i; !limits.stopped() && (i = next++) < tiles;) work(batches, i, thread);
+            const auto eye_in = [&](const ReadyView& ready) {
+                Eye<T> own = ready.eye;
+                int list = 0;
+                for (const int body : ready.bodies) list = push(workspace.mediums, list, body);
+                own.medium = static_cast<T>(list);
+                return own;
+            };
+            const Eye<T> own = eye_in(now);
+            const bool prove = job.view.prove;
+            std::optional<LayerTile> layered;
+            if (tables) layered.emplace(job.view.layers, tables);
+            LayerTile* const layers = layered ? &*layered : nullptr;
+            Batches<T> batches(world, prove ? proving : kernel, own, now.limits, workspace, prove, filters, side,
+                               placed, layers);
+            std::vector<Eye<T>> eyes;
+            std::vector<Batches<T>> others;
+            eyes.reserve(moments.size()), others.reserve(moments.size());
+            if (in_time_too)
+                for (const ReadyView& ready : moments) {
+                    eyes.push_back(eye_in(ready));
+                    others.emplace_back(ready.world, kernel, eyes.back(), ready.limits, workspace, false, false, 0,
+                                        placed, layers);
+                }
+            batches.moments = others;
+            for (int i; !now.limits.stopped() && (i = next++) < tiles;) work(batches, i, thread);
             counts[thread] = batches.counts;
+            for (const Batches<T>& other : others) counts[thread] += other.counts;
         };
         pool.run([&](int thread) {
             try {
@@ -289,15 +308,60 @@ class TracerOf : public AnyTracer {
         return sum;
     }
 
-    void find_eye(const Camera& camera) {
-        if (known && known->camera == camera) return;
+    std::shared_ptr<const BuiltWorld<T>> build(ThreadPool& pool) {
+        return std::make_shared<const BuiltWorld<T>>(scene(), placed, pool, in_time.moves() ? &moving : nullptr, images,
+                                                     proves, kernel.lanes);
+    }
+
+    /// Makes a view of the scene as it is now ready, if there are nets with rays all over a lens.
+    void make_ready(ReadyView& ready, const View& view, std::shared_ptr<const BuiltWorld<T>> world, const KnownEye& eye,
+                    const Bound& light, bool nets) {
+        ready.view = view, ready.view.camera.position = eye.eye;
+        ready.built = std::move(world), ready.bodies = eye.bodies;
+        for (const double most : light.brightest) ready.brightest.push_back(upper<T>(most));
+        ready.eye = eye_of<T>(ready.view, placed);
+        if ((nets && has_lens(view.camera)) || view.camera.projection != Projection::perspective)
+            ready.rays.emplace(scene(), ready.view, *ready.built, placed);
+        if (ready.rays) ready.eye.rays = &*ready.rays;
+        ready.world = ready.built->world(), ready.world.eye = ready.eye.position;
+        ready.limits = {{.depth = view.depth,
+                         .generations = static_cast<int>(light.brightest.size()) - 1,
+                         .error = static_cast<T>(view.error),
+                         .brightest = ready.brightest.data(),
+                         .brightest_limit = upper<T>(light.limit)}};
+    }
+
+    /// Makes the moments of a view ready, and behind them its time, unless they are. What does not change from one to
+    /// the next is shared.
+    void prepare_moments(const Job& job) {
+        const View& view = job.view;
+        if (!moments.empty() && moments_of == view) return;
+        moments.clear();
+        std::shared_ptr<const BuiltWorld<T>> world = built;
+        Bound light = *bound;
+        const auto add = [&](const Shot& moment) {
+            if (in_time.change(moment.time, view.tracks, job.pool))
+                world = build(job.pool), light = bound_for(scene(), view.depth);
+            View own = view;
+            own.camera = moment.camera, own.time = moment.time;
+            make_ready(moments.emplace_back(), own, world, eye_of_camera(own.camera, *world), light, true);
+        };
+        for (const Shot& moment : *view.moments)
+            if (!job.stopped()) add(moment);
+        in_time.set(view.time, view.tracks, job.pool);
+        if (job.stopped()) return moments.clear();
+        make_ready(moments.emplace_back(), view, built, *known, *bound, true);
+        moments_of = view;
+    }
+
+    KnownEye eye_of_camera(const Camera& camera, const BuiltWorld<T>& world) const {
         constexpr std::size_t most = 1000;  // bodies; among more it would take too long for each picture of a film
         const bool looks = scene().primitives.size() <= most;
         // In proportion to the scene, whatever its unit of length.
         const double reach = 1e-12 * length(camera.position) + 1e-16 * length(camera.look_at - camera.position);
         constexpr double rounding = 16. * std::numeric_limits<T>::epsilon();
         const DVec3 eye = looks ? off_faces(scene(), camera, reach, rounding) : camera.position;
-        known = {camera, eye, built->bodies_around(eye)};
+        return {camera, eye, world.bodies_around(eye)};
     }
 
     Slack<T> slack_for(const View& view, const World<T>& world, double gain) {
@@ -352,7 +416,9 @@ class TracerOf : public AnyTracer {
     std::optional<Bound> bound;  // of the scene's light, for as many generations as were last asked for
     Placement placed;
     bool proves = false;  // is the world one for proofs?
-    std::unique_ptr<BuiltWorld<T>> built;
+    std::shared_ptr<const BuiltWorld<T>> built;
+    std::deque<ReadyView> moments;                   // of a shutter and, last, the time of the view
+    View moments_of;                                 // the view whose moments these are
     std::unique_ptr<LightBuffers<T>> light_buffers;  // made when they are worth it
     std::int64_t traced_pixels = 0;                  // in this world
     std::shared_ptr<const CapsuleTree> capsules;     // made when first needed
@@ -383,6 +449,7 @@ Tracer::~Tracer() = default;
 Tracer::Tracer(Tracer&&) noexcept = default;
 Tracer& Tracer::operator=(Tracer&&) noexcept = default;
 const Scene& Tracer::scene() const { return own->scene(); }
+const Scene& Tracer::declared() const { return own->in_time.declared(); }
 Precision Tracer::precision() const { return own->precision; }
 Simd Tracer::simd() const { return own->simd; }
 void Tracer::prepare(const View& view, ThreadPool& pool) { own->prepare(view, pool); }

@@ -83,6 +83,8 @@ class Tracer {
     /// Returns the scene at the time of the last view, with unions split (split_unions.h). At time 0 motions may be as
     /// declared.
     const Scene& scene() const;
+    /// Returns the scene with its motions as declared.
+    const Scene& declared() const;
     Precision precision() const;
     Simd simd() const;
 

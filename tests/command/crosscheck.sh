@@ -20,6 +20,11 @@ expect 0 "| clock.pov " crosscheck clock.pov --size 32x24 --clock .3
 echo 'camera { position <0,-5,0> look_at <0,0,0> sky <0,0,1> angle 50  aperture .3  focus 2 }
     light { position <-5,-5,5> color <1,1,1> } sphere { <0,0,0>, 1 }' >lens.rt
 expect 0 "lens.rt: compared through the middle of its lens" crosscheck lens.rt --size 32x24
+sed -e 's/aperture .3  focus 2/shutter .1/' -e 's/, 1 }/, 1 motion { key { time 0 } key { time 1 translate <9,0,0> } } }/' \
+    lens.rt >shutter.rt
+expect 0 "shutter.rt: compared in the middle of the time its shutter is open" crosscheck shutter.rt --size 32x24
+expect 0 "POV-Ray has no shutter" pov shutter.rt -o shutter.pov
+grep -q "POV-Ray has no shutter" shutter.pov || fault "shutter.pov has no word about its shutter"
 echo 'camera { location -5*z look_at 0 aperture 1 focal_point 2*z blur_samples 9 } sphere { 0, 1 }' >lens.pov
 expect 1 "lens.pov: its camera has an aperture" crosscheck lens.pov --size 32x24
 

@@ -107,7 +107,7 @@ TEST_CASE("four touching mirror balls") {
     const Scene scene = wada();
     for (const int depth : {5, 20, 50}) {
         CAPTURE(depth);
-        const Shot shot{.width = 64, .height = 48, .depth = depth};
+        const Still shot{.width = 64, .height = 48, .depth = depth};
         const Frame exact = shoot(scene, Precision::extended, shot), single = shoot(scene, Precision::float32, shot),
                     twice = shoot(scene, Precision::float64, shot);
         CHECK(not_finite(single) + not_finite(twice) + not_finite(exact) == 0);
@@ -127,7 +127,7 @@ TEST_CASE("two flat mirrors do not multiply errors: 200 bounces") {
     shiny.diffuse = .01, shiny.rgb = {1, .5, .2};
     stage.put(Plane{{0, 2, 0}, {0, 2, 1}, {1, 2, 0}}, shiny).put(Plane{{0, -2, 0}, {1, -2, 0}, {0, -2, 1}}, shiny);
     stage.put(Sphere{{.3, 1, .2}, .25}, paint({.2, .4, .8}));
-    const Shot shot{.depth = 200};
+    const Still shot{.depth = 200};
     const Frame exact = shoot(stage.scene, Precision::extended, shot);
     CHECK(share_apart(shoot(stage.scene, Precision::float64, shot), exact, 1e-9) < .005);
     CHECK(share_apart(shoot(stage.scene, Precision::float32, shot), exact, 1. / 255) < .02);

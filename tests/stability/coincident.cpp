@@ -161,7 +161,7 @@ std::vector<Shape> tubes(int count, double apart) {
 TEST_CASE("bodies that nearly coincide: float has the shadows and reflections of double") {
     Material shiny = paint({.8, .6, .4});
     shiny.reflection = .5;
-    const Shot shot{.width = 160, .height = 120, .depth = 5};
+    const Still shot{.width = 160, .height = 120, .depth = 5};
     // Up to 64 bodies are tested in a loop, more of them in a hierarchy.
     for (const auto& shapes : {balls_in_a_row(50, .02), balls_in_a_row(1000, .001), balls_in_a_row(300, 1e-6),
                                shells(40, 1e-6), shells(200, 1e-7), tubes(20, 1e-5), tubes(100, 1e-6)})

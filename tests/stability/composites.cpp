@@ -218,7 +218,7 @@ void compare(Dice& dice, bool meshes, Precision precision, R unsure, Count& sum)
     Tree tree(dice, meshes);
     Camera& camera = tree.stage.scene.camera;
     tree.stage.look(dice.direction() * dice(7, 12), DVec3(dice(-1, 1), dice(-1, 1), dice(-1, 1)), 30, dice.direction());
-    const Frame frame = shoot(tree.stage.scene, precision, Shot{});
+    const Frame frame = shoot(tree.stage.scene, precision, Still{});
     const CameraFrame view = frame_of(camera, double(frame.width) / frame.height);
     for (int y = 0; y < frame.height; ++y)
         for (int x = 0; x < frame.width; ++x) {

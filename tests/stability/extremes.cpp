@@ -13,14 +13,14 @@ using namespace strahl::stability;
 
 namespace {
 
-void finite_in_all(const Scene& scene, const Shot& shot = {33, 25, 5}) {
+void finite_in_all(const Scene& scene, const Still& shot = {33, 25, 5}) {
     for (const Precision precision : precisions) {
         CAPTURE(std::string(name(precision)));
         CHECK(not_finite(shoot(scene, precision, shot)) == 0);
     }
 }
 
-void finite_and_at_most_one(const Scene& scene, const Shot& shot) {
+void finite_and_at_most_one(const Scene& scene, const Still& shot) {
     for (const Precision precision : precisions) {
         CAPTURE(std::string(name(precision)));
         const Frame frame = shoot(scene, precision, shot);
@@ -250,7 +250,7 @@ TEST_CASE("noise in float, so far from the eye") {
     };
     const auto off = [&](const std::string& kind, double away) {
         const Scene scene = patch(kind, away);
-        const Shot shot{160, 120, 1};
+        const Still shot{160, 120, 1};
         return largest_difference(shoot(scene, Precision::float32, shot), shoot(scene, Precision::float64, shot));
     };
     for (const auto& [kind, reach] : {std::pair("noise { octaves 1", 10000.), std::pair("noise { octaves 6", 4000.),

@@ -129,7 +129,7 @@ TEST_CASE("indices of refraction from 1e-9 to 1e9: right, and the same with any 
             body.rgb = {.9, .8, .7}, body.diffuse = 1;
             stage.put(Cylinder{{0, 0, 1}, {0, 1, 0}, 3}, body);
             if (nested) stage.put(Sphere{{0, 2, 1}, 1}, glass(1 / ior)).put(Sphere{{0, 4, 1}, 1.5}, glass(1e9));
-            const Shot shot{48, 36, 10, 1, Simd::scalar};
+            const Still shot{48, 36, 10, 1, Simd::scalar};
             const Frame exact = shoot(stage.scene, Precision::extended, shot);
             for (const Precision precision : {Precision::float32, Precision::float64}) {
                 const Frame frame = shoot(stage.scene, precision, shot);

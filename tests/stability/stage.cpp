@@ -60,7 +60,7 @@ Stage& Stage::background(const Color& color) {
     return *this;
 }
 
-Frame shoot(const Scene& scene, Precision precision, const Shot& shot) {
+Frame shoot(const Scene& scene, Precision precision, const Still& shot) {
     const View view{.camera = scene.camera, .width = shot.width, .height = shot.height, .depth = shot.depth};
     return render(scene, view, precision, shot.threads, shot.simd);
 }

@@ -23,11 +23,11 @@ struct Stage {
     Stage& background(const Color& color);
 };
 
-struct Shot {
+struct Still {
     int width = 64, height = 48, depth = 4, threads = 2;
     Simd simd = Simd::automatic;
 };
-Frame shoot(const Scene& scene, Precision precision, const Shot& shot = {});
+Frame shoot(const Scene& scene, Precision precision, const Still& shot = {});
 
 inline constexpr Precision precisions[]{Precision::float32, Precision::float64, Precision::extended};
 

@@ -48,7 +48,7 @@ const std::map<std::string, Module> modules{
 };
 /// Headers of libraries and of the system, and the only modules or rooms that may include them.
 const std::vector<std::pair<std::regex, std::vector<std::string>>> libraries{
-    {std::regex("OpenImageIO/.*|zlib\\.h"), {"image"}},
+    {std::regex("OpenImageIO/.*|(zlib|png|turbojpeg)\\.h"), {"image"}},
     {std::regex("(GLFW|GL|GLES[0-9]*|EGL|AL|vorbis)/.*|imgui.*"), {"show"}},
     {std::regex("CLI(11)?/.*"), {"main"}},
     {std::regex("nlohmann/.*"), {"main", "import"}},

@@ -118,8 +118,8 @@ class Collection {
     std::set<std::string> given;
 };
 
-/// Writes a picture without compression, so that the bundle need not have OpenImageIO, which needs hundreds of
-/// libraries. Returns its name.
+/// Writes a picture without compression, so that the bundle need not have OpenImageIO, which .exr and .gif files need
+/// and which needs hundreds of libraries. Returns its name.
 std::string plain_picture(const std::string& path, Collection& bundle) {
     Picture picture = read_picture(path);
     const int channels = picture.channels < 3 ? 1 : 3;  // without alpha, which scenes do not use

@@ -99,7 +99,9 @@ bool check(const CrosscheckOptions& options, const std::string& path, const std:
         return false;
     }
     if (has_lens(camera)) std::cerr << show(path).text << ": compared through the middle of its lens\n";
-    camera.aperture = 0;
+    if (camera.shutter > 0)
+        std::cerr << show(path).text << ": compared in the middle of the time its shutter is open\n";
+    camera.aperture = camera.shutter = 0;
     const View view{.camera = camera,
                     .width = options.opening.size.width,
                     .height = options.opening.size.height,

@@ -209,6 +209,8 @@ int render_command(const RenderOptions& asked) {
         throw UsageError("--prove knows the rays of perspective cameras only, and this scene has another one");
     if (!options.prove.empty() && has_lens(scene.camera))
         throw UsageError("--prove knows the rays of pinholes only, and this scene's camera has an aperture");
+    if (!options.prove.empty() && scene.camera.shutter > 0)
+        std::cerr << "strahl: --prove proves the picture in the middle of the time that the camera's shutter is open\n";
     check_aspect(options, scene);
     if (options.compression != Compression::fast && ending_of(ending) != ".png")
         std::cerr << "strahl: warning: --compression is for .png files; this picture is written without it\n";

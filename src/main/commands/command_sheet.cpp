@@ -20,6 +20,7 @@
 #include "num/thread_pool.h"
 #include "scene/moving_scene.h"
 #include "trace/tracer.h"
+#include "trace/world/shutter.h"
 
 namespace strahl {
 namespace {
@@ -101,12 +102,15 @@ int sheet_command(const SheetOptions& options, const std::atomic<bool>* stop) tr
         if (opened.changes && i > 0)
             tracer = Tracer(open_scene(text, options.scene, opening, read_pixels).scene, Precision::float64);
         const Scene& scene = tracer.scene();
-        const View view{.camera = camera_at(scene, time),
+        const Camera camera = camera_at(scene, time);
+        const View view{.camera = camera,
                         .width = width,
                         .height = height,
                         .depth = options.depth.value_or(scene.settings.max_trace_level),
                         .error = half_step(format),
-                        .time = time};
+                        .time = time,
+                        .moments = shutter_moments(tracer.declared(), time, camera.shutter,
+                                                   [&](double moment) { return camera_at(scene, moment); })};
         const Picture picture{width, height, 3,
                               values_of(tracer, view, {.columns = width, .rows = height}, pool, sampling, stop)};
         if (stop && *stop) throw Interrupted("interrupted");

@@ -13,6 +13,7 @@
 #include "scene/camera.h"
 #include "trace/cells/cell_picture.h"
 #include "trace/measure/prove_again.h"
+#include "trace/world/shutter.h"
 
 namespace strahl {
 
@@ -212,6 +213,17 @@ View Renderer::view(const Shot& shot, int depth, double dropped) const {
             .layers = named.layers};
 }
 
+/// Returns the moments of the shutter around a shot, if averages are traced.
+std::shared_ptr<const std::vector<Shot>> Renderer::moments(const Shot& shot) const {
+    if (stats.sampling.grid == 1 || !options.prove.empty()) return nullptr;
+    const bool flies = options.time || options.frames;
+    const auto camera = [&](double time) {
+        Shot moment{flies ? camera_at(scene(), time) : own_camera_at(scene(), time), time};
+        return view(moment, 1, 0).camera;
+    };
+    return shutter_moments(tracer.declared(), shot.time, shot.camera.shutter, camera);
+}
+
 /// Traces the regions. Returns the number of finished pixels, of `all` in the picture or the share.
 std::uint64_t Renderer::trace(const Shot& shot, const std::vector<Lattice>& regions, std::uint64_t all,
                               PictureWriter& writer, Checkpoint& checkpoint, const std::string& label) {
@@ -233,7 +245,8 @@ std::uint64_t Renderer::trace(const Shot& shot, const std::vector<Lattice>& regi
         progress.advance(done.fetch_add(size) + size, all);
         if (!interrupted()) checkpoint.save_if_due();
     };
-    const Job job{view(shot, accuracy.depth, accuracy.dropped), pool, keep, interrupt.flag()};
+    Job job{view(shot, accuracy.depth, accuracy.dropped), pool, keep, interrupt.flag()};
+    job.view.moments = moments(shot);
     for (const Lattice& region : regions) {
         if (interrupted()) break;
         if (stats.sampling.grid > 0) {

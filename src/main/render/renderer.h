@@ -22,11 +22,6 @@
 
 namespace strahl {
 
-/// A moment of the scene as its camera sees it.
-struct Shot {
-    Camera camera;
-    double time;
-};
 inline Shot shot_of(const Scene& scene, std::optional<double> time) {
     return {camera_at(scene, time), time.value_or(0)};
 }
@@ -62,6 +57,7 @@ class Renderer {
   private:
     Accuracy choose(const Scene& scene, const Shot& shot);
     View view(const Shot& shot, int depth, double dropped) const;
+    std::shared_ptr<const std::vector<Shot>> moments(const Shot& shot) const;
     BandHeader header(const Shot& shot, const PictureWriter& writer, const std::string& ending, Share share) const;
     std::vector<Lattice> missing(const PictureWriter& writer, Share share) const;
     std::uint64_t trace(const Shot& shot, const std::vector<Lattice>& regions, std::uint64_t all, PictureWriter& writer,

@@ -17,7 +17,8 @@ ScreenArea fitted(double aspect, int window_width, int window_height) {
 
 bool same_picture(const View& a, const View& b) {
     return a.camera == b.camera && a.width == b.width && a.height == b.height && a.depth == b.depth &&
-           a.time == b.time && a.tracks == b.tracks;
+           a.time == b.time && a.tracks == b.tracks &&
+           (a.moments == b.moments || (a.moments && b.moments && *a.moments == *b.moments));
 }
 
 Framing framing(const Camera& camera, int window_width, int window_height, bool fill) {

@@ -12,6 +12,7 @@
 #include "scene/moving_scene.h"
 #include "show/session/framing.h"
 #include "text/reading/parameter.h"
+#include "trace/world/shutter.h"
 
 namespace strahl {
 namespace {
@@ -364,13 +365,17 @@ void Session::path_changed(double now) {
 
 View Session::view(int window_width, int window_height) const {
     const Framing frame = framing(camera, window_width, window_height, fill);
+    const auto camera_of = [&](double moment) {
+        return framing(bound() ? flight_camera(moment) : camera, window_width, window_height, fill).camera;
+    };
     return {.camera = frame.camera,
             .width = frame.area.width,
             .height = frame.area.height,
             .depth = depth(),
             .error = half_step({.bits = 8, .gamma = scene->settings.assumed_gamma, .exposure = exposure}),
             .time = time,
-            .tracks = tracks};
+            .tracks = tracks,
+            .moments = shutter_moments(*scene, time, camera.shutter, camera_of)};
 }
 
 bool Session::go_to(double seconds, double now) {
@@ -416,10 +421,10 @@ Answer Session::turn_wheel(double notches, bool faster, double now) {
     return ended;
 }
 
-Camera Session::flight_camera() const {
-    const Camera own = own_camera_at(*scene, time, tracks.get());
+Camera Session::flight_camera(double moment) const {
+    const Camera own = own_camera_at(*scene, moment, tracks.get());
     const Flythrough& path = flight.flying() ? *flight.path() : editor.path();
-    return path.keys.empty() ? own : camera_at(path, own, time);
+    return path.keys.empty() ? own : camera_at(path, own, moment);
 }
 
 std::optional<Answer> Session::follow(double now) {

@@ -80,8 +80,9 @@ class Session {
     bool bound() const {
         return !outside && flight.flying() && (!flight.path()->keys.empty() || !scene->camera_follows.empty());
     }
-    /// Returns the camera of the flight at `time`; that of the scene if there is no path.
-    Camera flight_camera() const;
+    /// Returns the camera of the flight at a moment; that of the scene if there is no path.
+    Camera flight_camera(double moment) const;
+    Camera flight_camera() const { return flight_camera(time); }
     /// Returns what can be flown: the path as it is edited, or a path without keys if only bodies move. Unless it loops
     /// it lasts at least until the last key of motions and tracks. Nothing if nothing moves.
     std::optional<Flythrough> path_to_fly() const;

@@ -75,11 +75,11 @@ struct CameraText {
     EyeText eye;
     std::optional<double> aspectratio, fisheye, ultra_wide_angle, spherical, cylinder, cylinder2, cylinder3, cylinder4;
     bool orthographic = false, panoramic = false;
-    std::optional<double> aperture, focus, blades;
+    std::optional<double> aperture, focus, blades, shutter;
     std::optional<DVec3> focus_on;
 };
-inline std::array<Parameter, 20> camera_parameters(CameraText& camera) {
-    const std::array<Parameter, 14> more{
+inline std::array<Parameter, 21> camera_parameters(CameraText& camera) {
+    const std::array<Parameter, 15> more{
         {{"aspectratio", &camera.aspectratio, positive, "width / height of what the camera sees", "the picture's"},
          {projection_words[1],
           &camera.orthographic,
@@ -107,7 +107,9 @@ inline std::array<Parameter, 20> camera_parameters(CameraText& camera) {
           "that of `look_at`", "focus_on"},
          {"focus_on", &camera.focus_on, coordinates, "a point of that plane", "`look_at`"},
          {"blades", &camera.blades, blade_counts, "corners of a lens that is a regular polygon, one of them on top",
-          "a round lens"}}};
+          "a round lens"},
+         {"shutter", &camera.shutter, lengths, "for how many seconds it is open; what moves meanwhile is blurred",
+          "a moment"}}};
     return joined(eye_parameters(camera.eye, required), more);
 }
 /// The time of a key: in seconds or, in place of that, in beats of the music.

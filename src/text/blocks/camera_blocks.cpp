@@ -56,7 +56,8 @@ void CameraBlocks::camera(std::string_view word) {
                   text.aperture.value_or(0),
                   text.focus,
                   text.focus_on,
-                  text.blades};
+                  text.blades,
+                  text.shutter.value_or(0)};
     by_sky = eye.sky.has_value();
     const std::string fault = fault_of(the_camera, by_sky);
     if (!fault.empty()) reader.diagnostics.add(word, "invalid camera: " + fault);

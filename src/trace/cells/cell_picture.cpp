@@ -13,10 +13,12 @@ void CellPicture::begin(const Scene& scene, const View& view, const Lattice& new
     for (auto& tile : made)
         if (tile) spare.push_back(std::move(tile));
     places.clear(), made.clear(), begun.clear();
-    lens.reset(), thin.reset();
-    if (has_lens(view.camera))
-        lens = view.camera;
-    else
+    camera = view.camera;
+    moments = view.moments ? static_cast<int>(view.moments->size()) : 0;
+    const auto flies = [&](const Shot& moment) { return moment.camera != camera; };
+    const bool layers_in_time = view.moments && view.layers.any();  // nets alone average these
+    thin.reset();
+    if (!has_lens(camera) && !layers_in_time && (!view.moments || std::ranges::none_of(*view.moments, flies)))
         thin.emplace(scene, view);
     sum = {}, done = 0;
     // Tiles and cells are those of the whole view; of a crop those that it touches.
@@ -47,24 +49,32 @@ void CellPicture::refine(int i, int finest, const Job& job, const TraceAt& trace
     if (std::exchange(begun[i], true) && !made[i]) return;  // finished before
     const bool first = !made[i];
     if (first) made[i] = make();
-    auto& [cells, lens_pixels] = *made[i];
+    auto& [cells, nets, by_nets] = *made[i];
     if (layers) layers->begin(place.columns * place.rows);
-    if (first && lens)
-        lens_pixels.begin(place.x, place.y, place.columns, place.rows, error, *lens);
-    else if (first)
+    const auto begin_nets = [&] {
+        by_nets = true;
+        nets.begin(place.x, place.y, place.columns, place.rows, error, camera, moments);
+    };
+    if (first && thin) {
+        by_nets = false;
         cells.begin(place.x, place.y, place.columns, place.rows, most_contrast, largest_filled, *thin, layers);
-    if (lens)
-        lens_pixels.refine(finest == 0, trace_lens);
-    else
+    } else if (first) {
+        begin_nets();
+    }
+    if (!by_nets) {
         cells.refine(finest, [&](std::span<const Point> points, CellSample* samples) {
             trace(place.x, place.y, points, 0, samples);
         });
+        if (moments > 0 && finest == 0 && !job.stopped())
+            begin_nets(), nets.keep_still(cells.values(), cells.counts(), trace_lens);
+    }
+    if (by_nets) nets.refine(finest == 0, trace_lens);
     if (job.stopped()) return;
     // Only the part of the tile that is in the crop is handed on.
     const int left = std::max(place.x, region.x), right = std::min(place.x + place.columns, region.x + region.columns);
     const int top = std::max(place.y, region.y), bottom = std::min(place.y + place.rows, region.y + region.rows);
     const Lattice part{.x = left, .y = top, .columns = right - left, .rows = bottom - top};
-    const std::span<const double> rgb = lens ? lens_pixels.values() : cells.values();
+    const std::span<const double> rgb = by_nets ? nets.values() : cells.values();
     const std::vector<float> layered = layers ? layers->values(rgb) : std::vector<float>();
     // Returns the values of the part, which may be a piece of `memory`.
     const auto cut_out = [&](const auto& all, auto& memory) {
@@ -81,12 +91,12 @@ void CellPicture::refine(int i, int finest, const Job& job, const TraceAt& trace
     std::vector<float> some_layers;
     const std::span<const double> own_rgb = cut_out(rgb, some_rgb);
     job.sink({part, own_rgb, {}, cut_out(layered, some_layers)});
-    if (lens ? lens_pixels.finished() : cells.finished()) {
-        const std::vector<std::uint32_t> counts = lens ? lens_pixels.counts() : cells.counts();
+    if (by_nets ? nets.finished() : cells.finished() && moments == 0) {
+        const std::vector<std::uint32_t> counts = by_nets ? nets.counts() : cells.counts();
         const double share = checked / (double(region.columns) * region.rows);
         MeasuredError off;
-        if (checked > 0 && lens)
-            off = lens_pixels.measured(std::min(1., 32 * share), trace_lens);
+        if (checked > 0 && by_nets)
+            off = nets.measured(std::min(1., 32 * share), trace_lens);
         else if (checked > 0)
             off = measured_error({place.columns, rgb, counts}, share,
                                  static_cast<std::uint32_t>(place.y * 65536 + place.x + 1),

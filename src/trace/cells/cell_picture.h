@@ -1,4 +1,5 @@
-// Keeps an averaged picture between passes: its tiles, which are in cells or made by a lens, and what they know.
+// Keeps an averaged picture between passes: its tiles, which are in cells or made by a lens or a shutter, and what they
+// know.
 #pragma once
 #include <algorithm>
 #include <atomic>
@@ -32,7 +33,8 @@ class CellPicture {
     bool finished() const { return done == tiles(); }
 
     int tiles() const { return static_cast<int>(places.size()); }
-    bool through_lens() const { return lens.has_value(); }
+    /// Returns whether nets of rays make all of it. Of other pictures with a shutter they make what changes meanwhile.
+    bool by_nets() const { return !thin; }
     double contrast() const { return most_contrast; }
     /// Measures the error as well, see measured_error(): about `pixels` pixels are checked for each sample that pixels
     /// take on average. By default this takes at most half as many rays as the picture.
@@ -40,9 +42,9 @@ class CellPicture {
     void check() { check(std::min(96., double(region.columns) * region.rows / 256)); }
     /// Traces points of the tile whose corner is (x, y). Footprints have this side, in pixels; 0 for side_of() each.
     using TraceAt = std::function<void(int x, int y, std::span<const Point>, double side, CellSample*)>;
-    /// Refines tile i and hands it to the job's sink, unless the job is stopped: then the tile cannot go on. Of a
-    /// picture through a lens the second function traces all. Tiles with layers are finished at once, with `finest` 0;
-    /// both functions add their samples to `layers`, those of lenses with their pixels, which are in `place`.
+    /// Refines tile i and hands it to the job's sink, unless the job is stopped: then the tile cannot go on. The second
+    /// function traces the rays of nets. Tiles with layers are finished at once, with `finest` 0; both functions add
+    /// their samples to `layers`.
     void refine(int i, int finest, const Job& job, const TraceAt& trace, const TraceLensRays& trace_lens,
                 LayerTile* layers = nullptr);
     /// Returns the rectangle of tile i in the view.
@@ -56,7 +58,8 @@ class CellPicture {
     };
     struct InWork {
         Cells cells;
-        LensPixels lens;
+        LensPixels nets;
+        bool by_nets = false;  // cells have done their part
     };
 
     std::unique_ptr<InWork> make();
@@ -69,8 +72,9 @@ class CellPicture {
     std::vector<std::unique_ptr<InWork>> made, spare;  // tiles in work; memory of finished tiles, to reuse
     std::vector<char> begun;
     double error = 0;
-    std::optional<Camera> lens;      // the camera of a picture through a lens
-    std::optional<ThinBodies> thin;  // for pictures without a lens
+    Camera camera;
+    int moments = 0;                 // of a shutter
+    std::optional<ThinBodies> thin;  // for pictures in cells
     std::mutex mutex;                // of spare and sum
     Sampled sum;
     std::atomic<int> done = 0;

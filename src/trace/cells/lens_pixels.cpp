@@ -1,6 +1,7 @@
 #include "trace/cells/lens_pixels.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "num/scrambled_net.h"
 #include "trace/cells/cells.h"
@@ -28,10 +29,11 @@ double variance_of(const Sums& sums, double taken) {
 
 }  // namespace
 
-void LensPixels::begin(int x, int y, int own_columns, int own_rows, double error, const Camera& own_camera) {
-    left = x, top = y, columns = own_columns, rows = own_rows;
-    limit = allowed_deviation(error) * allowed_deviation(error);
-    camera = own_camera;
+void LensPixels::begin(int x, int y, int own_columns, int own_rows, double error, const Camera& own_camera,
+                       int own_moments) {
+    left = x, top = y, columns = own_columns, rows = own_rows, moments = own_moments;
+    aim = error;
+    camera = own_camera, lens = has_lens(camera);
     const auto count = static_cast<std::size_t>(columns) * rows;
     pixels.assign(count, {});
     means.assign(3 * count, 0);
@@ -44,31 +46,117 @@ std::uint32_t LensPixels::seed_of(int pixel) const {
     return ScrambledNet::mix(static_cast<std::uint32_t>(y) * 65536u + static_cast<std::uint32_t>(x));
 }
 
-/// Traces these parts, many rays at once.
-void LensPixels::trace_nets(std::span<const NetPart> parts, const TraceLensRays& trace, bool check) const {
-    constexpr std::size_t many = 4096;
-    std::vector<LensRay> rays;
-    std::vector<double*> to;  // of each ray
-    std::vector<std::array<double, 3>> rgb;
-    const auto flush = [&] {
-        rgb.assign(rays.size(), {});
-        trace(rays, rgb, check);
-        for (std::size_t i = 0; i < rays.size(); ++i)
-            for (int c = 0; c < 3; ++c) to[i][c] += rgb[i][c];
-        rays.clear(), to.clear();
+/// Collects rays by their moments, and traces many at once.
+class LensPixels::Rays {
+  public:
+    Rays(const LensPixels& pixels, const TraceLensRays& own_trace, bool own_check)
+        : tile(pixels), trace(own_trace), check(own_check), buckets(pixels.moments + 1) {}
+    /// Adds the light of the ray through this place to `sum` later.
+    void add(double x, double y, double across, double below, int moment, double* sum) {
+        buckets[moment].rays.push_back({x, y, across, below}), buckets[moment].to.push_back(sum), ++count;
+    }
+    /// To be called between pixels, so that sums do not depend on the tile.
+    void flush_if_many() {
+        if (count >= 128 * std::max<std::size_t>(32, tile.moments)) flush();
+    }
+    void flush() {
+        for (int moment = 0; moment <= tile.moments; ++moment) {
+            auto& [rays, to] = buckets[moment];
+            if (rays.empty()) continue;
+            rgb.assign(rays.size(), {});
+            trace(moment, rays, rgb, check);
+            for (std::size_t i = 0; i < rays.size(); ++i)
+                for (int c = 0; c < 3; ++c) to[i][c] += rgb[i][c];
+            rays.clear(), to.clear();
+        }
+        count = 0;
+    }
+
+  private:
+    struct Bucket {
+        std::vector<LensRay> rays;
+        std::vector<double*> to;  // of each ray
     };
+    const LensPixels& tile;
+    const TraceLensRays& trace;
+    const bool check;
+    std::vector<Bucket> buckets;  // by moment
+    std::vector<std::array<double, 3>> rgb;
+    std::size_t count = 0;
+};
+
+void LensPixels::trace_nets(std::span<const NetPart> parts, const TraceLensRays& trace, bool check) const {
+    Rays rays(*this, trace, check);
     for (const NetPart& part : parts) {
-        const int x = left + part.pixel % columns, y = top + part.pixel / columns;
+        const double x = left + part.pixel % columns - .5, y = top + part.pixel / columns - .5;
         const ScrambledNet net(part.seed);
         for (std::uint32_t i = part.first; i < part.last; ++i) {
-            const auto [u, v, s, t] = net.point(i);
-            const auto [across, below] = lens_place(camera, s, t);
-            rays.push_back({x + u - .5, y + v - .5, across, below});
-            to.push_back((*part.sums)[std::uint64_t(i) * eighths / part.last].data());
+            double* const sum = (*part.sums)[std::uint64_t(i) * eighths / part.last].data();
+            if (!lens) {
+                const auto [u, v, time] = net.point<3>(i);
+                rays.add(x + u, y + v, 0, 0, static_cast<int>(time * moments), sum);
+                continue;
+            }
+            const auto add = [&](double u, double v, double s, double t, double time) {
+                const auto [across, below] = lens_place(camera, s, t);
+                rays.add(x + u, y + v, across, below, static_cast<int>(time * moments), sum);
+            };
+            if (moments > 0) {
+                const auto [u, v, s, t, time] = net.point<5>(i);
+                add(u, v, s, t, time);
+            } else {
+                const auto [u, v, s, t] = net.point(i);
+                add(u, v, s, t, 0);
+            }
         }
-        if (rays.size() >= many) flush();
+        rays.flush_if_many();
     }
-    flush();
+    rays.flush();
+}
+
+void LensPixels::keep_still(std::span<const double> values, std::span<const std::uint32_t> counts,
+                            const TraceLensRays& trace) {
+    constexpr std::uint32_t tests = 2 * coarsest_cell * coarsest_cell;
+    const double unseen = aim / 4;
+    struct Block {
+        int x, y, columns, rows;
+        std::array<std::array<std::array<double, 3>, 2>, tests> rgb{};  // at a moment, and at the view's time
+    };
+    std::vector<Block> blocks;
+    for (int y = 0; y < rows; y += coarsest_cell)
+        for (int x = 0; x < columns; x += coarsest_cell)
+            blocks.push_back({x, y, std::min(coarsest_cell, columns - x), std::min(coarsest_cell, rows - y)});
+    Rays rays(*this, trace, false);
+    for (Block& block : blocks) {
+        const ScrambledNet net(ScrambledNet::mix(seed_of(block.y * columns + block.x) + 4));
+        for (std::uint32_t i = 0; i < tests; ++i) {
+            const auto [u, v, time] = net.point<3>(i);
+            const double x = left + block.x + u * block.columns - .5, y = top + block.y + v * block.rows - .5;
+            rays.add(x, y, 0, 0, static_cast<int>(time * moments), block.rgb[i][0].data());
+            rays.add(x, y, 0, 0, moments, block.rgb[i][1].data());
+        }
+        rays.flush_if_many();
+    }
+    rays.flush();
+    const auto changes = [&](const auto& pair) {
+        for (int c = 0; c < 3; ++c)
+            if (!(std::abs(pair[0][c] - pair[1][c]) <= unseen)) return true;
+        return false;
+    };
+    open.clear();
+    for (const Block& block : blocks) {
+        const bool moving = std::ranges::any_of(block.rgb, changes);
+        for (int y = block.y; y < block.y + block.rows; ++y)
+            for (int x = block.x; x < block.x + block.columns; ++x) {
+                const int number = y * columns + x;
+                if (moving) {
+                    open.push_back(number);
+                    continue;
+                }
+                pixels[number].taken = std::max<std::uint32_t>(counts[number], 1);
+                std::copy_n(&values[std::size_t(3) * number], 3, &means[std::size_t(3) * number]);
+            }
+    }
 }
 
 void LensPixels::take(std::uint32_t rays, const TraceLensRays& trace) {
@@ -102,6 +190,7 @@ void LensPixels::refine(bool all, const TraceLensRays& trace) {
 
 /// Finds the pixels that need more rays. Few rays may all have missed what a neighbour has found.
 void LensPixels::settle() {
+    const double limit = allowed_deviation(aim) * allowed_deviation(aim);
     open.clear();
     for (int y = 0; y < rows; ++y)
         for (int x = 0; x < columns; ++x) {
@@ -126,6 +215,7 @@ std::vector<std::uint32_t> LensPixels::counts() const {
 }
 
 MeasuredError LensPixels::measured(double chance, const TraceLensRays& trace) const {
+    const auto checks = [&](int pixel) { return 2 * std::max(pixels[pixel].taken, first_rays); };
     std::vector<int> chosen;
     for (int i = 0; i < columns * rows; ++i)
         if (ScrambledNet::mix(seed_of(i) + 1) * 0x1p-32 < chance) chosen.push_back(i);
@@ -133,8 +223,8 @@ MeasuredError LensPixels::measured(double chance, const TraceLensRays& trace) co
     std::vector<NetPart> parts;
     for (std::size_t k = 0; k < chosen.size(); ++k)
         for (std::uint32_t half = 0; half < 2; ++half)
-            parts.push_back({chosen[k], ScrambledNet::mix(seed_of(chosen[k]) + 2 + half), 0,
-                             2 * pixels[chosen[k]].taken, &sums[k][half]});
+            parts.push_back(
+                {chosen[k], ScrambledNet::mix(seed_of(chosen[k]) + 2 + half), 0, checks(chosen[k]), &sums[k][half]});
     trace_nets(parts, trace, true);
     MeasuredError error{.checked = chosen.size()};
     for (std::size_t k = 0; k < chosen.size(); ++k) {
@@ -143,7 +233,7 @@ MeasuredError LensPixels::measured(double chance, const TraceLensRays& trace) co
             double off[2];
             for (int half = 0; half < 2; ++half) {
                 off[half] = -means[std::size_t(3) * chosen[k] + c];
-                for (const auto& sum : sums[k][half]) off[half] += sum[c] / (2. * pixels[chosen[k]].taken);
+                for (const auto& sum : sums[k][half]) off[half] += sum[c] / checks(chosen[k]);
             }
             product += off[0] * off[1] / 3;
         }

@@ -1,9 +1,10 @@
-// A tile of a picture that a lens makes: each pixel is the average over its square and over the lens.
+// A tile of a picture that a lens or a shutter makes: each pixel is the average over its square, and over the lens, the
+// time, or both.
 //
-// Cells cannot say where such a picture is smooth: each of its rays has four coordinates, two in the pixel and two on
-// the lens. Each pixel therefore has a scrambled net of its own (num/scrambled_net.h). Its eighths are nets as well,
-// and how far their means differ says how wrong the mean of all may be. As long as that is too much, the net is
-// doubled.
+// Cells cannot say where such a picture is smooth: each of its rays has up to five coordinates, two in the pixel, two
+// on the lens, and the time. Each pixel therefore has a scrambled net of its own (num/scrambled_net.h). Its eighths are
+// nets as well, and how far their means differ says how wrong the mean of all may be. As long as that is too much, the
+// net is doubled.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -20,8 +21,10 @@ namespace strahl {
 struct LensRay {
     double x, y, across, below;
 };
-/// Traces rays, and writes the light that each brings. Rays of a check are not counted.
-using TraceLensRays = std::function<void(std::span<const LensRay>, std::span<std::array<double, 3>> rgb, bool check)>;
+/// Traces rays at a moment of the view, by its number, and writes the light that each brings. Rays of a check are not
+/// counted. Number `moments` is the time of the view itself.
+using TraceLensRays =
+    std::function<void(int moment, std::span<const LensRay>, std::span<std::array<double, 3>> rgb, bool check)>;
 
 /// A tile of columns x rows pixels at (x, y) in the view; one after the other in the same memory. What a pixel does
 /// depends on the square of 8x8 pixels around it alone, of those that lie side by side from the view's corner on.
@@ -29,8 +32,12 @@ class LensPixels {
   public:
     static constexpr int eighths = 8;
 
-    /// `error` is the RMS error aimed at.
-    void begin(int x, int y, int columns, int rows, double error, const Camera& camera);
+    /// `error` is the RMS error aimed at; `moments` is the number of moments of a shutter, or 0.
+    void begin(int x, int y, int columns, int rows, double error, const Camera& camera, int moments);
+    /// Gives squares of 8x8 pixels in which nothing changes while the shutter is open the values and the numbers of
+    /// samples of a picture of the view's time, and takes no rays there. Finds that out by two rays for each pixel at
+    /// moments, and two of the same at the view's time.
+    void keep_still(std::span<const double> values, std::span<const std::uint32_t> counts, const TraceLensRays& trace);
     /// Doubles the samples of pixels that are not good enough: once or, with `all`, until none is left.
     void refine(bool all, const TraceLensRays& trace);
     bool finished() const { return open.empty(); }
@@ -59,12 +66,15 @@ class LensPixels {
         Sums* sums;
     };
     std::uint32_t seed_of(int pixel) const;
+    class Rays;
+    /// Traces these parts, many rays at once.
     void trace_nets(std::span<const NetPart> parts, const TraceLensRays& trace, bool check) const;
     void settle();
 
-    int left = 0, top = 0, columns = 0, rows = 0;
-    double limit = 0;  // of the variance
+    int left = 0, top = 0, columns = 0, rows = 0, moments = 0;
+    double aim = 0;  // the RMS error
     Camera camera;
+    bool lens = false;
     std::vector<LensPixel> pixels;
     std::vector<int> open;  // numbers of the pixels that need more
     std::vector<double> means;

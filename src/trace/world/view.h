@@ -74,6 +74,9 @@ struct View {
     /// What tiles hold besides light. With alpha the background is black, as far as it is not opaque, but in mirrors;
     /// light is multiplied by alpha. Resolution levels and lists of places have no layers.
     Layers layers{};
+    /// If any, averages over pixels are also averages over these (shutter.h). One ray in each pixel sees `time` alone.
+    std::shared_ptr<const std::vector<Shot>> moments{};
+    bool operator==(const View&) const = default;  // of tracks and moments: the same ones
 };
 
 /// Work for the threads of a pool: all of it is done when it returns, or `stop` became true. Tiles that were handed to

@@ -275,15 +275,25 @@ TEST_CASE("rows that a file promises and does not have cost no memory") {
     CHECK(memory() - before < 200);
 }
 
-TEST_CASE("a picture that says it lies at the end of all numbers is refused") {
+TEST_CASE("a picture at the end of all numbers is refused, and read where its place is not asked for") {
     const Scratch folder;
+    write_picture(picture(4, 4), folder / "a.exr", {});
+    std::string bytes = bytes_of(folder / "a.exr");
+    const std::string window = std::string("dataWindow\0box2i\0", 17);
+    const std::size_t at = bytes.find(window);
+    REQUIRE(at != bytes.npos);
+    const int far = 1 << 25;
+    bytes.replace(at + window.size() + 4, 16, little_endian(0, far, 3, far + 3));
+    write_file(folder / "a.exr", bytes);
+    CHECK(says(fault_in(folder / "a.exr"), "lies too far"));
+
     write_picture(picture(4, 4), folder / "a.png", {});
-    std::string bytes = bytes_of(folder / "a.png");
+    bytes = bytes_of(folder / "a.png");
     // The chunk with the place on a page, after the header.
     constexpr std::size_t header_end = 8 + 12 + 13;
     bytes.insert(header_end, std::string("\0\0\0\x9oFFs\0\0\0\0\x7f\xff\0\0\0\x7f\xad\xc7\x21", 21));
-    write_file(folder / "a.png", bytes);
-    CHECK(says(fault_in(folder / "a.png"), "lies too far"));
+    write_file(folder / "b.png", bytes);
+    CHECK(read_picture(folder / "b.png").values == read_picture(folder / "a.png").values);
 }
 
 TEST_CASE("run lengths of other bits than the pixels are refused") {

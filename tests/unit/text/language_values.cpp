@@ -56,6 +56,8 @@ TEST_CASE("values out of range") {
     CHECK(lens("fov 1 aperture 1 focus 3 focus_on <0,4,0>").size() == 1);
     CHECK(lens("fov 1 aperture 1 focus_on <0,-4,0>") ==
           Faults{"x.rt:2:18: this point is not before the camera, so nothing could be sharp"});
+    CHECK(lens("fov 1 shutter 0") ==
+          Faults{"x.rt:2:15: 'shutter' of 'camera' must be greater than 0 and at most 1e9, not '0'"});
     CHECK(lens("fisheye 90 aperture 1") == Faults{"x.rt:2:12: only perspective and orthographic cameras have a lens"});
     // A wrong value does not hide a missing parameter.
     CHECK(faults("camera { position <0,0,0> look_at <0,1,0> fov 95 }") ==

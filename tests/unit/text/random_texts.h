@@ -240,6 +240,7 @@ class RandomScenes {
             else if (chance(2))
                 result.focus_on = result.look_at;
         }
+        if (chance(3)) result.shutter = positive();
         return degenerate(result) ? camera() : result;
     }
     Flythrough flythrough(const Camera& scene_camera) {

@@ -124,6 +124,20 @@ TEST_CASE("what follows tracks is written as it was read") {
     CHECK(picture(scene, scene.camera) == picture(without_tracks(scene, 0), scene.camera));
 }
 
+TEST_CASE("a lens and a shutter follow tracks") {
+    Scene scene = parse(R"(
+camera { position <0, -9, 1>  look_at <0, 0, 0>  sky <0, 0, 1>  angle 50
+         aperture track "a" 1  focus track "b" 5  blades track "c" 6  shutter track "d" .1 }
+music { bpm 60  rows 1 })");
+    CHECK(parse(write_scene(scene)) == scene);
+    scene.tracks = {{"a", {{0, .5}}}, {"b", {{0, 7}}}, {"c", {{0, 9}}}, {"d", {{0, .25}, {4, .75}}}};
+    const Camera camera = camera_at(scene, 5.);
+    CHECK(camera.aperture == .5);
+    CHECK(camera.focus == 7);
+    CHECK(camera.blades == 9);
+    CHECK(camera.shutter == .75);
+}
+
 TEST_CASE("pictures are those of the values at the moment") {
     Scene scene = parse(followers);
     scene.tracks = tracks_named("abcdefghij", {{0, .25, Interpolation::linear}, {4, .75, Interpolation::step}});

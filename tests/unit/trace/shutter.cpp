@@ -1,0 +1,241 @@
+// Pictures through a shutter: against a closed form, against means of many pictures of single moments, which share no
+// code with it, and the same bits however they are cut.
+#include "trace/world/shutter.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "num/thread_pool.h"
+#include "num/vec_math.h"
+#include "scene/moving_scene.h"
+#include "tests/referee/dice.h"
+#include "tests/referee/random_scene.h"
+#include "tests/unit/text/language.h"
+#include "trace/cells/cell_picture.h"
+#include "trace/tracer.h"
+
+namespace strahl::shutter {
+
+/// A view of the scene while its shutter is open around a time.
+View view_of(const Scene& scene, double time, int width, int height) {
+    const Camera camera = camera_at(scene, time);
+    return {.camera = camera,
+            .width = width,
+            .height = height,
+            .depth = 6,
+            .time = time,
+            .moments = shutter_moments(scene, time, camera.shutter, [&](double t) { return camera_at(scene, t); })};
+}
+Lattice whole(const View& view) { return {.columns = view.width, .rows = view.height}; }
+
+std::vector<double> picture(const Scene& scene, const View& view, const Lattice& part, int threads, double error,
+                            Sampled* sampled = nullptr, Simd simd = Simd::automatic) {
+    ThreadPool pool(threads);
+    Tracer tracer(scene, Precision::float64, simd);
+    tracer.prepare(view, pool);
+    CellPicture cells(tracer.scene(), view, part, error);
+    if (sampled) cells.check(1000);
+    std::vector<double> values(std::size_t(3) * part.columns * part.rows);
+    const auto keep = [&](const Tile& tile) { place(tile, part, values); };
+    for (const int finest : {1, 0}) tracer.trace({view, pool, keep}, CellPass{cells, finest});
+    CHECK(cells.finished());
+    if (sampled) *sampled = cells.sampled();
+    return values;
+}
+
+/// Averages pictures of n moments of the time that the shutter is open, each with m x m rays in a pixel, which are at
+/// other places of it at each moment; through a lens, each from another place of it (the sequence R4 of M. Roberts,
+/// 2018).
+std::vector<double> by_pictures(const Scene& scene, const View& view, int n, int m) {
+    ThreadPool pool;
+    std::vector<double> sum(std::size_t(3) * view.width * view.height);
+    for (int i = 0; i < n; ++i) {
+        const auto part = [&](double step) { return std::fmod((i + .5) * step, 1); };
+        View own = view;
+        own.moments = nullptr;
+        own.time = view.time + view.camera.shutter * ((i + .5) / n - .5);
+        own.camera = camera_at(scene, own.time);
+        own.shift_x = (part(.8566748838545029) - .5) / m, own.shift_y = (part(.7338918566271260) - .5) / m;
+        if (has_lens(own.camera)) {
+            const CameraFrame frame = frame_of(own.camera, double(view.width) / view.height);
+            const double angle = 2 * std::numbers::pi * part(.5385972572236101), sharp = focal_distance(own.camera);
+            const double radius = own.camera.aperture * std::sqrt(part(.6287067210378087));
+            const double x = radius * std::cos(angle), y = radius * std::sin(angle);
+            own.camera.aperture = 0;
+            own.camera.position = own.camera.position + x * frame.right + y * frame.down;
+            own.camera.look_at = own.camera.position + frame.forward;
+            own.shift_x -= x / sharp / frame.tan_x * view.width / 2;
+            own.shift_y -= y / sharp / frame.tan_y * view.height / 2;
+        }
+        Tracer tracer(at(scene, own.time), Precision::float64);
+        const std::vector<double> one = values_of(tracer, own, whole(own), pool, {.grid = m});
+        for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += one[k] / n;
+    }
+    return sum;
+}
+
+double rms(const std::vector<double>& a, const std::vector<double>& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+    return std::sqrt(sum / static_cast<double>(a.size()));
+}
+
+/// A random world in which half of the bodies and lights move and, every other time, the camera flies.
+Scene world(int seed) {
+    Dice dice(seed);
+    Scene scene = random_scene(seed, {.lights = seed % 2 == 1, .patterns = seed % 3 == 0, .any_kind = .5});
+    const auto motion = [&](double far, double turn) {
+        Motion all;
+        for (int i = 0; i < 3; ++i) all.keys.push_back({double(i), dice.vector(-far, far), dice.vector(-turn, turn)});
+        return all;
+    };
+    for (Primitive& body : scene.primitives)
+        if (dice.chance(.5)) body.transformations.emplace_back(motion(1, 60));
+    for (Light& light : scene.lights)
+        if (dice.chance(.5)) light.motion = motion(2, 10);
+    if (seed % 2 == 0) {
+        const Camera& own = scene.camera;
+        const DVec3 by = .05 * length(own.look_at - own.position) * dice.direction();
+        scene.flythrough = {.duration = 2,
+                            .keys = {{0, own.position, own.look_at}, {2, own.position + by, own.look_at}}};
+    }
+    scene.camera.shutter = dice.in(.1, 1);
+    return scene;
+}
+
+TEST_CASE("a moving edge is as bright as the share of the time for which it covers a place") {
+    // The edge of a glowing wall goes from -1 to 1 in a second, at the distance 10.
+    Scene scene = language::parse(R"(
+camera { position <0, 0, 0>  look_at <0, 1, 0>  sky <0, 0, 1>  fov 20  shutter .5 }
+background { color <0, 0, 0> }
+box { <0, 10, -100>, <100, 10.000001, 100>  material { rgb <1, 1, 1>  ambient 1  diffuse 0  specular 0  reflection 0 }
+      motion { key { time 0  translate <-1, 0, 0> }  key { time 1  translate <1, 0, 0> } } })");
+    const View view = view_of(scene, .5, 64, 8);
+    const std::vector<double> values = picture(scene, view, whole(view), 2, 1. / 510);
+    const double tan_x = frame_of(scene.camera, 8).tan_x;
+    double squares = 0;
+    for (int x = 0; x < view.width; ++x) {
+        double exact = 0;
+        constexpr int parts = 1000;
+        for (int i = 0; i < parts; ++i) {
+            const double place = 10 * ((x + (i + .5) / parts) / view.width * 2 - 1) * tan_x;
+            exact += std::clamp(place + .5, 0., 1.) / parts;
+        }
+        for (int y = 0; y < view.height; ++y) {
+            const double wrong = values[std::size_t(3) * (y * view.width + x)] - exact;
+            squares += wrong * wrong / (view.width * view.height);
+        }
+    }
+    CHECK(std::sqrt(squares) * 510 < 1.5);
+}
+
+TEST_CASE("mirrors, shadows, turning patterns and flashes of light are means over the time") {
+    const Scene scene = language::parse(R"(
+camera { position <0, -10, 3>  look_at <0, 0, 1>  sky <0, 0, 1>  fov 20  shutter .4 }
+background { color <.1, .2, .4> }
+music { bpm 60  rows 8 }
+light { position <-4, -8, 8>  color <1, .8, .6>
+        motion { key { time 0 }  key { time 1  translate <8, 0, 0> } } }
+light { position <4, -3, 5>  color <track "flash", track "flash", 0> }
+plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0>  material { rgb <.8, .8, .8>  reflection .2 } }
+sphere { <1, 2, 1>, 1  material { rgb <.1, .1, .1>  reflection .8  diffuse .1 } }
+sphere { <-1, -1, .6>, .5  material { rgb <.9, .3, .2> }
+         motion { key { time 0  translate <-1, 0, 0> }  key { time 1  translate <4, 0, 1> } } }
+box { <-.5, -.5, -.5>, <.5, .5, .5>  material { rgb checker { <1, 1, 1>, <.1, .1, .1>  scale .3 } }
+      motion { key { time 0 }  key { time 1  rotate <0, 0, 170> } }  translate <-2, 2, .6> })");
+    Scene flashing = scene;
+    flashing.tracks = {{"flash", {{0, 0}, {4, 1}, {5, 0}}}};  // from .5 s to .625 s
+    const View view = view_of(flashing, .55, 40, 30);
+    Sampled sampled;
+    const std::vector<double> values = picture(flashing, view, whole(view), 2, 1. / 200, &sampled);
+    const std::vector<double> exact = by_pictures(flashing, view, 200, 2);
+    CHECK(rms(values, exact) < 1.4 / 200);
+    CHECK(sampled.error() < 2 * rms(values, exact));
+    CHECK(rms(values, exact) < 2 * sampled.error());
+    View sharp = view;
+    sharp.moments = nullptr;
+    CHECK(rms(picture(flashing, sharp, whole(view), 2, 1. / 200), exact) > 10. / 200);
+}
+
+TEST_CASE("random worlds are the mean of many moments, and the error is what is said") {
+    double all = 0, said = 0;
+    for (const int seed : {2, 7, 12, 23}) {
+        const Scene scene = world(seed);
+        const View view = view_of(scene, .8, 27, 19);
+        Sampled sampled;
+        const std::vector<double> values = picture(scene, view, whole(view), 2, 1. / 100, &sampled);
+        const double off = rms(values, by_pictures(scene, view, 150, 2));
+        CAPTURE(seed);
+        CHECK(off < 1.6 / 100);
+        all += off * off, said += sampled.error() * sampled.error();
+    }
+    CHECK(std::sqrt(all) < 2 * std::sqrt(said));
+    CHECK(std::sqrt(said) < 2 * std::sqrt(all));
+}
+
+TEST_CASE("a lens and a shutter together are the mean of lenses at many moments") {
+    Scene scene = world(31);
+    const double distance = length(scene.camera.look_at - scene.camera.position);
+    scene.camera.projection = Projection::perspective;
+    scene.camera.aperture = .02 * distance, scene.camera.focus = .7 * distance;
+    const View view = view_of(scene, .8, 27, 19);
+    const std::vector<double> values = picture(scene, view, whole(view), 2, 1. / 100);
+    CHECK(rms(values, by_pictures(scene, view, 600, 1)) < 1.6 / 100);
+}
+
+TEST_CASE("pictures through a shutter do not depend on threads, crops, lanes and passes") {
+    for (const int seed : {5, 14}) {
+        const Scene scene = world(seed);
+        const View view = view_of(scene, .8, 75, 21);
+        const std::vector<double> values = picture(scene, view, whole(view), 1, 1. / 50);
+        CHECK(picture(scene, view, whole(view), 3, 1. / 50) == values);
+        CHECK(picture(scene, view, whole(view), 1, 1. / 50, nullptr, Simd::scalar) == values);
+        ThreadPool pool(2);
+        Tracer tracer(scene, Precision::float64);
+        CHECK(values_of(tracer, view, whole(view), pool, {.error = 1. / 50}) == values);
+        const Lattice part{.x = 61, .y = 5, .columns = 9, .rows = 11};
+        const std::vector<double> crop = picture(scene, view, part, 2, 1. / 50);
+        for (int y = 0; y < part.rows; ++y)
+            for (int i = 0; i < 3 * part.columns; ++i)
+                CHECK(crop[std::size_t(3) * part.columns * y + i] ==
+                      values[std::size_t(3) * ((part.y + y) * view.width + part.x) + i]);
+    }
+}
+
+TEST_CASE("what stands still is as it is without a shutter, and takes few rays more") {
+    Scene scene = language::parse(R"(
+camera { position <0, -10, 3>  look_at <0, 0, 1>  sky <0, 0, 1>  fov 20  shutter .4 }
+background { color <.1, .2, .4> }
+light { position <-4, -8, 8>  color <1, .8, .6> }
+plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0>  material { rgb checker { <1, 1, 1>, <.1, .1, .1> }  reflection .2 } }
+sphere { <1, 2, 1>, 1  material { rgb <.1, .5, .1>  reflection .4 } }
+sphere { <1, 2, 1>, .5  motion { key { time 0 }  key { time 1  translate <.2, 0, 0> } } })");  // in the other one
+    const View view = view_of(scene, .5, 64, 48);
+    REQUIRE(view.moments);
+    View sharp = view;
+    sharp.moments = nullptr;
+    Sampled with, without;
+    CHECK(picture(scene, view, whole(view), 2, 1. / 510, &with) ==
+          picture(scene, sharp, whole(view), 2, 1. / 510, &without));
+    CHECK(with.pixels == without.pixels);
+    ThreadPool pool(2);
+    Tracer tracer(scene, Precision::float64);
+    const auto rays = [&](const View& own) {
+        return tracer.trace({own, pool, [](const Tile&) {}}, SampledRegion{whole(own), {}}).camera;
+    };
+    CHECK(rays(view) <= rays(sharp) + 4 * 64 * 48);
+
+    // Without anything that moves there is no shutter, nor one with a ray in each pixel.
+    const std::vector<double> one = values_of(tracer, sharp, whole(view), pool);
+    CHECK(values_of(tracer, view, whole(view), pool) == one);
+    scene.primitives.pop_back();
+    CHECK(!view_of(scene, .5, 64, 48).moments);
+    scene.flythrough = {.duration = 1, .keys = {{0, {0, -10, 3}, DVec3(0)}, {1, {1, -10, 3}, DVec3(0)}}};
+    CHECK(view_of(scene, .5, 64, 48).moments);
+}
+
+}  // namespace strahl::shutter
