@@ -113,7 +113,7 @@ class Batches {
         workspace.lens_x.clear(), workspace.lens_y.clear();
     }
 
-    /// Traces rays of nets in a tile, see TraceLensRays.
+    /// Traces rays of nets, see TraceLensRays, of a tile.
     void trace_nets(int moment, std::span<const LensRay> rays, std::span<std::array<double, 3>> rgb, bool check,
                     const Lattice& tile) {
         Batches& own = moments.empty() ? *this : moments[moment];

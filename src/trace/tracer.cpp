@@ -276,11 +276,11 @@ class TracerOf : public AnyTracer {
             };
             const Eye<T> own = eye_in(now);
             const bool prove = job.view.prove;
-            std::optional<LayerTile> layers;
-            if (tables) layers.emplace(job.view.layers, tables);
-            LayerTile* const tile = layers ? &*layers : nullptr;
+            std::optional<LayerTile> layered;
+            if (tables) layered.emplace(job.view.layers, tables);
+            LayerTile* const layers = layered ? &*layered : nullptr;
             Batches<T> batches(world, prove ? proving : kernel, own, now.limits, workspace, prove, filters, side,
-                               placed, tile);
+                               placed, layers);
             std::vector<Eye<T>> eyes;
             std::vector<Batches<T>> others;
             eyes.reserve(moments.size()), others.reserve(moments.size());
@@ -288,7 +288,7 @@ class TracerOf : public AnyTracer {
                 for (const ReadyView& ready : moments) {
                     eyes.push_back(eye_in(ready));
                     others.emplace_back(ready.world, kernel, eyes.back(), ready.limits, workspace, false, false, 0,
-                                        placed, tile);
+                                        placed, layers);
                 }
             batches.moments = others;
             for (int i; !now.limits.stopped() && (i = next++) < tiles;) work(batches, i, thread);

@@ -188,7 +188,7 @@ taken() { printf '%s\n' whole.exr --ch "$1R,$1G,$1B" --chnames R,G,B; }
 if command -v oiiotool >/dev/null; then
     oiiotool --info -v whole.exr >info || fault "oiiotool does not read whole.exr"
     for text in 'cryptomatte/.*/hash: "MurmurHash3_32"' 'cryptomatte/.*/name: "CryptoBody"' \
-        'cryptomatte/.*/manifest: .*sphere 2'; do
+        'cryptomatte/b973c59/manifest: .*sphere 2.*87b966c9'; do
         grep -q "$text" info || fault "its header lacks '$text': $(<info)"
     done
     mapfile -t sum < <(taken own.)

@@ -16,9 +16,9 @@ void CellPicture::begin(const Scene& scene, const View& view, const Lattice& new
     camera = view.camera;
     moments = view.moments ? static_cast<int>(view.moments->size()) : 0;
     const auto flies = [&](const Shot& moment) { return moment.camera != camera; };
+    const bool layers_in_time = view.moments && view.layers.any();  // nets alone average these
     thin.reset();
-    // Layers are averages over nets where there is a shutter, for cells show one moment.
-    if (!has_lens(camera) && (!view.moments || (std::ranges::none_of(*view.moments, flies) && !view.layers.any())))
+    if (!has_lens(camera) && !layers_in_time && (!view.moments || std::ranges::none_of(*view.moments, flies)))
         thin.emplace(scene, view);
     sum = {}, done = 0;
     // Tiles and cells are those of the whole view; of a crop those that it touches.
@@ -55,11 +55,12 @@ void CellPicture::refine(int i, int finest, const Job& job, const TraceAt& trace
         by_nets = true;
         nets.begin(place.x, place.y, place.columns, place.rows, error, camera, moments);
     };
-    if (first && thin)
-        by_nets = false,
+    if (first && thin) {
+        by_nets = false;
         cells.begin(place.x, place.y, place.columns, place.rows, most_contrast, largest_filled, *thin, layers);
-    else if (first)
+    } else if (first) {
         begin_nets();
+    }
     if (!by_nets) {
         cells.refine(finest, [&](std::span<const Point> points, CellSample* samples) {
             trace(place.x, place.y, points, 0, samples);

@@ -44,7 +44,7 @@ class CellPicture {
     using TraceAt = std::function<void(int x, int y, std::span<const Point>, double side, CellSample*)>;
     /// Refines tile i and hands it to the job's sink, unless the job is stopped: then the tile cannot go on. The second
     /// function traces the rays of nets. Tiles with layers are finished at once, with `finest` 0; both functions add
-    /// their samples to `layers`, those of nets with their pixels, which are in `place`.
+    /// their samples to `layers`.
     void refine(int i, int finest, const Job& job, const TraceAt& trace, const TraceLensRays& trace_lens,
                 LayerTile* layers = nullptr);
     /// Returns the rectangle of tile i in the view.

@@ -50,6 +50,8 @@ TEST_CASE("an .ini file gives options, switches and sections; all else is read o
     CHECK(fault_of([] { pov::parse_ini("[a]", "x.ini", "c"); }) == "x.ini: there is no section 'c'");
     CHECK(pov::is_ini("x.ini[a]"));
     CHECK(!pov::is_ini("x.ini[a].pov"));
+    CHECK(pov::parse_ini("+UA", "x.ini").alpha == true);
+    CHECK(pov::parse_ini("Output_Alpha=on\n-UA", "x.ini").alpha == false);
     const pov::IniFile marked = pov::parse_ini("\xEF\xBB\xBFWidth=5\n", "x.ini");  // as editors of Windows save it
     CHECK(marked.width == 5);
     CHECK(marked.notes.empty());

@@ -489,6 +489,25 @@ TEST_CASE("POV-Ray: errors have their place") {
     CHECK(fault_of([] { opened("mesh2 { vertex_vectors { 1, 0 } face_indices { 1, <0, 1, 2> } }"); }) != "");
 }
 
+TEST_CASE("POV-Ray: with alpha the background is opaque from version 3.7 on, by what it does not transmit") {
+    // As POV-Ray 3.7 with +UA writes it.
+    const auto opacity = [](const std::string& text, Color* color = nullptr) {
+        pov::InterpreterOptions options;
+        options.alpha = true;
+        const pov::OpenedPov opened = pov::open_pov(text, options, {});
+        if (color) *color = opened.scene.background.color;
+        return opened.background_opacity;
+    };
+    Color color;
+    CHECK(opacity("#version 3.7; background { rgbt <.2, .4, .8, .5> }", &color) == .5);
+    CHECK(std::abs(color.z - .8) < 1e-6);  // mirrors show it as it is
+    CHECK(opacity("#version 3.7; background { rgb <.2, .4, .8> }") == 1);
+    CHECK(opacity("#version 3.7;") == 0);
+    CHECK(opacity("#version 3.6; background { rgb <.2, .4, .8> }") == 0);
+    CHECK(opacity("#version 3.7; sky_sphere { pigment { rgb x } }") == 1);
+    CHECK(opacity("#version 3.6; sky_sphere { pigment { rgb x } }") == 0);
+}
+
 TEST_CASE("POV-Ray: from version 3.7 on a background that lets light through is before black") {
     const auto background = [](const char* version, const char* color) {
         return whole(std::string(version) + " background { " + color + " }").background.color;
