@@ -13,8 +13,8 @@
 #include "scene/moving_scene.h"
 #include "show/work/stills.h"
 #include "text/reading/scene_files.h"
+#include "trace/shutter.h"
 #include "trace/tracer.h"
-#include "trace/world/shutter.h"
 
 namespace strahl {
 namespace {

@@ -19,8 +19,8 @@
 #include "num/decimal.h"
 #include "num/thread_pool.h"
 #include "scene/moving_scene.h"
+#include "trace/shutter.h"
 #include "trace/tracer.h"
-#include "trace/world/shutter.h"
 
 namespace strahl {
 namespace {

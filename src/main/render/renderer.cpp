@@ -13,7 +13,7 @@
 #include "scene/camera.h"
 #include "trace/cells/cell_picture.h"
 #include "trace/measure/prove_again.h"
-#include "trace/world/shutter.h"
+#include "trace/shutter.h"
 
 namespace strahl {
 

@@ -12,7 +12,7 @@
 #include "scene/moving_scene.h"
 #include "show/session/framing.h"
 #include "text/reading/parameter.h"
-#include "trace/world/shutter.h"
+#include "trace/shutter.h"
 
 namespace strahl {
 namespace {

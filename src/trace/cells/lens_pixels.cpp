@@ -118,22 +118,22 @@ void LensPixels::keep_still(std::span<const double> values, std::span<const std:
                             const TraceLensRays& trace) {
     constexpr std::uint32_t tests = 2 * coarsest_cell * coarsest_cell;
     const double unseen = aim / 4;
-    struct Block {
+    struct StillSquare {
         int x, y, columns, rows;
         std::array<std::array<std::array<double, 3>, 2>, tests> rgb{};  // at a moment, and at the view's time
     };
-    std::vector<Block> blocks;
+    std::vector<StillSquare> squares;
     for (int y = 0; y < rows; y += coarsest_cell)
         for (int x = 0; x < columns; x += coarsest_cell)
-            blocks.push_back({x, y, std::min(coarsest_cell, columns - x), std::min(coarsest_cell, rows - y)});
+            squares.push_back({x, y, std::min(coarsest_cell, columns - x), std::min(coarsest_cell, rows - y)});
     Rays rays(*this, trace, false);
-    for (Block& block : blocks) {
-        const ScrambledNet net(ScrambledNet::mix(seed_of(block.y * columns + block.x) + 4));
+    for (StillSquare& square : squares) {
+        const ScrambledNet net(ScrambledNet::mix(seed_of(square.y * columns + square.x) + 4));
         for (std::uint32_t i = 0; i < tests; ++i) {
             const auto [u, v, time] = net.point<3>(i);
-            const double x = left + block.x + u * block.columns - .5, y = top + block.y + v * block.rows - .5;
-            rays.add(x, y, 0, 0, static_cast<int>(time * moments), block.rgb[i][0].data());
-            rays.add(x, y, 0, 0, moments, block.rgb[i][1].data());
+            const double x = left + square.x + u * square.columns - .5, y = top + square.y + v * square.rows - .5;
+            rays.add(x, y, 0, 0, static_cast<int>(time * moments), square.rgb[i][0].data());
+            rays.add(x, y, 0, 0, moments, square.rgb[i][1].data());
         }
         rays.flush_if_many();
     }
@@ -144,16 +144,16 @@ void LensPixels::keep_still(std::span<const double> values, std::span<const std:
         return false;
     };
     open.clear();
-    for (const Block& block : blocks) {
-        const bool moving = std::ranges::any_of(block.rgb, changes);
-        for (int y = block.y; y < block.y + block.rows; ++y)
-            for (int x = block.x; x < block.x + block.columns; ++x) {
+    for (const StillSquare& square : squares) {
+        const bool moving = std::ranges::any_of(square.rgb, changes);
+        for (int y = square.y; y < square.y + square.rows; ++y)
+            for (int x = square.x; x < square.x + square.columns; ++x) {
                 const int number = y * columns + x;
                 if (moving) {
                     open.push_back(number);
                     continue;
                 }
-                pixels[number].taken = std::max<std::uint32_t>(counts[number], 1);
+                pixels[number].taken = counts[number];
                 std::copy_n(&values[std::size_t(3) * number], 3, &means[std::size_t(3) * number]);
             }
     }

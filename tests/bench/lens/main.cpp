@@ -26,8 +26,8 @@
 #include "scene/moving_scene.h"
 #include "text/parse.h"
 #include "trace/cells/cell_picture.h"
+#include "trace/shutter.h"
 #include "trace/tracer.h"
-#include "trace/world/shutter.h"
 
 namespace {
 
@@ -114,7 +114,8 @@ void measure(const char* name, bool shutter) {
         if (!flight_of(scene)) {
             const DVec3 eye = scene.camera.position, at = scene.camera.look_at;
             const DVec3 by = .3 * length(at - eye) * frame_of(scene.camera, 4. / 3).right;
-            scene.flythrough = {.duration = 1, .loop = false, .keys = {{0, eye - by, at}, {1, eye + by, at}}};
+            scene.flythrough = {
+                .duration = 1, .loop = false, .keys = {{0, eye - by, at, {}, {}}, {1, eye + by, at, {}, {}}}};
         }
         view.time = flight_for("--shutter", scene, name).duration / 3;
         view.camera = camera_at(scene, view.time);

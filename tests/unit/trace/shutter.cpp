@@ -1,6 +1,6 @@
 // Pictures through a shutter: against a closed form, against means of many pictures of single moments, which share no
 // code with it, and the same bits however they are cut.
-#include "trace/world/shutter.h"
+#include "trace/shutter.h"
 
 #include <doctest/doctest.h>
 
@@ -100,8 +100,9 @@ Scene world(int seed) {
     if (seed % 2 == 0) {
         const Camera& own = scene.camera;
         const DVec3 by = .05 * length(own.look_at - own.position) * dice.direction();
-        scene.flythrough = {.duration = 2,
-                            .keys = {{0, own.position, own.look_at}, {2, own.position + by, own.look_at}}};
+        scene.flythrough = {
+            .duration = 2,
+            .keys = {{0, own.position, own.look_at, {}, {}}, {2, own.position + by, own.look_at, {}, {}}}};
     }
     scene.camera.shutter = dice.in(.1, 1);
     return scene;
@@ -234,7 +235,8 @@ sphere { <1, 2, 1>, .5  motion { key { time 0 }  key { time 1  translate <.2, 0,
     CHECK(values_of(tracer, view, whole(view), pool) == one);
     scene.primitives.pop_back();
     CHECK(!view_of(scene, .5, 64, 48).moments);
-    scene.flythrough = {.duration = 1, .keys = {{0, {0, -10, 3}, DVec3(0)}, {1, {1, -10, 3}, DVec3(0)}}};
+    scene.flythrough = {.duration = 1,
+                        .keys = {{0, {0, -10, 3}, DVec3(0), {}, {}}, {1, {1, -10, 3}, DVec3(0), {}, {}}}};
     CHECK(view_of(scene, .5, 64, 48).moments);
 }
 

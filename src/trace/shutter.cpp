@@ -1,4 +1,4 @@
-#include "trace/world/shutter.h"
+#include "trace/shutter.h"
 
 #include <algorithm>
 
