@@ -33,7 +33,7 @@ struct PartFace {
     }
 };
 /// A place on a surface of a part, with a normal of length 1.
-struct SurfacePoint {
+struct PointOnPart {
     DVec3 p, normal;
 };
 
@@ -83,8 +83,8 @@ void each_part_face(const Shape& shape, double reach, const Add& add) {
 }
 
 /// Returns points on the curved surface of a sphere, a cylinder or a cone in its own space.
-std::vector<SurfacePoint> points_on(const Shape& shape) {
-    std::vector<SurfacePoint> points;
+std::vector<PointOnPart> points_on(const Shape& shape) {
+    std::vector<PointOnPart> points;
     const auto add_rings = [&](const DVec3& base, const DVec3& way, double base_radius, double cap_radius) {
         const DVec3 axis = normalize(way);
         const DVec3 u = normalize(cross_product(std::fabs(axis.x) < .5 ? DVec3(1, 0, 0) : DVec3(0, 1, 0), axis));
@@ -152,13 +152,13 @@ class SharedFaces {
 
     bool found() {
         if (keeps) return false;
-        struct Leaf {
+        struct PlacedLeaf {
             std::size_t part;
             const Primitive* body;
             glm::dmat4 matrix;
         };
         std::vector<PartFace> faces;
-        std::vector<Leaf> leaves;
+        std::vector<PlacedLeaf> leaves;
         for (std::size_t i = 0; i < parts.size(); ++i)
             for_each_leaf(*parts[i], [&](const Primitive& leaf, const glm::dmat4& matrix) {
                 leaves.push_back({i, &leaf, matrix});
@@ -172,14 +172,14 @@ class SharedFaces {
                 if (faces[a].part != faces[b].part && (faces[a].there || faces[b].there) &&
                     faces[a].may_meet(faces[b]) && decides_on(faces[a], faces[b]))
                     return true;
-        std::ranges::stable_sort(leaves, {}, [](const Leaf& leaf) { return leaf.matrix[3].x; });
+        std::ranges::stable_sort(leaves, {}, [](const PlacedLeaf& leaf) { return leaf.matrix[3].x; });
         for (std::size_t a = 0; a < leaves.size(); ++a)
             for (std::size_t b = a + 1; b < leaves.size() && leaves[b].matrix[3].x == leaves[a].matrix[3].x; ++b) {
-                const Leaf &one = leaves[a], &other = leaves[b];
+                const PlacedLeaf &one = leaves[a], &other = leaves[b];
                 if (one.part == other.part || one.matrix != other.matrix || one.body->shape != other.body->shape)
                     continue;
                 const glm::dmat3 turn = glm::transpose(glm::inverse(glm::dmat3(one.matrix)));
-                for (const SurfacePoint& own : points_on(one.body->shape))
+                for (const PointOnPart& own : points_on(one.body->shape))
                     if (decides(one.part, other.part, transform_point(one.matrix, own.p), normalize(turn * own.normal)))
                         return true;
             }
