@@ -278,6 +278,7 @@ std::string light_section(const Scene& scene, const std::vector<Camera>& cameras
             if (light.adaptive != Light{}.adaptive) items.push_back("adaptive " + text_of(light.adaptive));
             if (light.circular) items.push_back("circular");
             if (light.orient) items.push_back("orient");
+            if (light.jitter) items.push_back("jitter");
         }
         if (light.spot) {
             items.insert(items.end(), {"spotlight", "point_at " + placed(light.spot->look_at)});

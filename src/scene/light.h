@@ -45,8 +45,9 @@ struct Light {
     /// It shines from its middle, and only its shadows are those of its area, as of POV-Ray's area_light. With a grid
     /// these are means over its points as POV-Ray takes them, by corners of quarters: with `adaptive` quarters are
     /// divided so often, and from then on only if the light of their corners differs. `circular` rounds the grid, and
-    /// `orient` turns it towards the points that it lights.
-    bool soft = false, circular = false, orient = false;
+    /// `orient` turns it towards the points that it lights. With `jitter` the light of each point comes evenly from all
+    /// places up to half way to the next points, as much as those points count if all quarters are divided.
+    bool soft = false, circular = false, orient = false, jitter = false;
     double adaptive = 100;
     std::optional<DVec3> from{};
     /// With `beam` above 0, parallel light from that plane shines only around the axis through `from`: at a distance d
@@ -75,6 +76,8 @@ struct Light {
         Field{"circular", &Light::circular, "makes that grid round", Range::any, Given::optional, "it is square"},
         Field{"orient", &Light::orient, "turns that grid towards each point that it lights", Range::any,
               Given::optional, "it stays as it is"},
+        Field{"jitter", &Light::jitter, "spreads the points of that grid evenly up to half way to the next", Range::any,
+              Given::optional, "they are points"},
         Field{"beam", &Light::beam,
               "the distance from its axis, through `from`, beyond which parallel light does not shine", Range::length,
               Given::optional, "it is as wide as the plane"},

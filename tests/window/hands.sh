@@ -21,7 +21,7 @@ await 'finished 320x160'
 echo "-- nobody has to wait for a pipe; what comes through it is shown, as from standard input"
 [[ $(cat log) != *'finished 320x240'* ]] || fault "a picture of nothing was traced"
 quit
-printf '#while (1)\n#end\n' >long.rt
+printf '#declare i = 0;\n#while (1)\n#declare i = i + 1;\n#end\n' >long.rt
 start_log 'reading long.rt' long.rt --size 320x240
 xdotool key Escape
 timeout 20 tail --pid="$pid" -f /dev/null || fault "the window closes only when the scene has been read"

@@ -242,6 +242,7 @@ void Interpreter::State::call(std::uint16_t function, Components& result) {
         case word("version"):
             return set(version);
         case word("now"):
+            ++changes;
             return set((std::time(nullptr) - 946684800) / 86400.);  // days since 2000
         case word("rand"): {
             const double stream = parameter();
@@ -249,9 +250,11 @@ void Interpreter::State::call(std::uint16_t function, Components& result) {
                 fail(at, "rand needs a number that seed() gave");
             std::uint32_t& state = streams[static_cast<std::size_t>(stream)];
             state = 1812433253u * state + 12345u;
+            ++changes;
             return set(state / 4294967295.);
         }
         case word("seed"):
+            ++changes;
             streams.push_back(static_cast<std::uint32_t>(static_cast<std::int32_t>(cut_off(parameter()))));
             if ((streams.size() & 0xFFFFF) == 0) *bytes += 4 << 20;
             return set(static_cast<double>(streams.size() - 1));
@@ -385,6 +388,7 @@ void Interpreter::State::call(std::uint16_t function, Components& result) {
                 if (in.kind() == ValueKind::none || in.kind() > ValueKind::color)
                     expected("the identifier of a vector");
                 *next.value = {ValueKind::vector, {normal.x, normal.y, normal.z}, nullptr};
+                ++changes;
                 take();
             }
             expect(')');

@@ -1,6 +1,7 @@
 // Directives: declarations, conditions, loops, macros and messages.
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "files/error.h"
 #include "files/words.h"
@@ -11,13 +12,22 @@ namespace {
 
 using Control = Interpreter::State::Control;
 
+/// Can a directive change what the condition of a loop around it finds?
+bool changes_conditions(std::uint16_t directive) {
+    constexpr std::array only_read{word("if"),    word("ifdef"),  word("ifndef"),     word("else"),   word("elseif"),
+                                   word("while"), word("switch"), word("case"),       word("range"),  word("break"),
+                                   word("end"),   word("debug"),  word("statistics"), word("render"), word("warning")};
+    return std::ranges::find(only_read, directive) == only_read.end();
+}
+
 }  // namespace
 
 void Interpreter::State::directive(const RawToken& raw) {
     const Depth guard(*this);
     const TextPlace at = place_of(raw);
+    changes += changes_conditions(raw.directive);
     const auto open = [&](Control::ControlType type) -> Control& {
-        controls.push_back({type, false, &raw, nullptr, 0, 0, 0});
+        controls.push_back({.type = type, .opener = &raw});
         return controls.back();
     };
     const auto print = [&](const std::string& text) {
@@ -35,7 +45,10 @@ void Interpreter::State::directive(const RawToken& raw) {
             break;
         case word("while"):
             open(Control::ControlType::loop_while);
-            if (!is_true(parenthesised_number())) leave(raw);
+            if (!is_true(parenthesised_number()))
+                leave(raw);
+            else
+                controls.back().changes = changes;
             break;
         case word("for"): {
             expect('(');
@@ -56,7 +69,14 @@ void Interpreter::State::directive(const RawToken& raw) {
             loop.end = end;
             loop.step = step;
             loop.body = cursor;
-            if (!within(loop, first)) leave(raw);
+            if (!within(loop, first)) {
+                leave(raw);
+            } else if (const double count = (end - first) / step;
+                       !(count <= static_cast<double>(options.limits.steps)) && !is_left(raw)) {
+                std::ostringstream text;
+                text << "invalid #for: it never ends, with " << count << " steps";
+                fail(at, text.str());
+            }
             break;
         }
         case word("switch"): {
@@ -207,7 +227,11 @@ void Interpreter::State::end_block(const RawToken& raw) {
     Control& control = controls.back();
     if (control.type == Control::ControlType::loop_while) {
         cursor = control.opener + 1;
-        if (!is_true(parenthesised_number())) leave(*controls.back().opener);
+        if (!is_true(parenthesised_number())) return leave(*controls.back().opener);
+        Control& loop = controls.back();
+        if (loop.changes == changes)
+            fail(place_of(*loop.opener), "invalid #while: it never ends, since nothing in it changes its condition");
+        loop.changes = changes;
     } else if (control.type == Control::ControlType::loop_for) {
         Symbol* symbol = symbols.find(control.variable);
         if (!symbol || value_of(*symbol).kind != ValueKind::number)
@@ -221,6 +245,12 @@ void Interpreter::State::end_block(const RawToken& raw) {
     } else {
         controls.pop_back();
     }
+}
+
+bool Interpreter::State::is_left(const RawToken& loop) const {
+    const RawToken* const end = text().tokens.data() + loop.index;
+    return std::any_of(&loop, end,
+                       [](const RawToken& raw) { return raw.code == '#' && raw.directive == word("break"); });
 }
 
 void Interpreter::State::break_block(const RawToken& raw) {

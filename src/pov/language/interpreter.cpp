@@ -55,11 +55,23 @@ static std::string limit_of(std::size_t bytes) { return "; more than " + std::to
 void Interpreter::State::check_limits() {
     if (options.stop && options.stop->load(std::memory_order_relaxed)) throw Interrupted("reading was stopped");
     if (steps > options.limits.steps)
-        fail(last, "the scene does not end: more than " + std::to_string(options.limits.steps) + " words were read");
+        fail(place_of_loop(),
+             "the scene does not end: more than " + std::to_string(options.limits.steps) + " words were read");
     if (*bytes > options.limits.bytes)
         fail(last, "the scene's arrays and strings need too much memory" + limit_of(options.limits.bytes));
     if (readings.size() + controls.size() > 2 * static_cast<std::size_t>(options.limits.nesting))
         fail(last, "macros, files and loops are nested too deeply");
+}
+
+TextPlace Interpreter::State::place_of_loop() const {
+    for (std::size_t i = 0; i < readings.size(); ++i) {
+        const std::size_t end = i + 1 < readings.size() ? readings[i + 1].controls : controls.size();
+        for (std::size_t k = readings[i].controls; k < end; ++k)
+            if (controls[k].type == Control::ControlType::loop_while ||
+                controls[k].type == Control::ControlType::loop_for)
+                return {readings[i].file, controls[k].opener->at};
+    }
+    return last;
 }
 
 void Interpreter::State::advance() {

@@ -11,7 +11,7 @@ namespace strahl::pov {
 
 /// More than these is an error. A scene is a program, which may never end.
 struct InterpreterLimits {
-    std::size_t steps = 500'000'000;           // tokens that are read, those of loops and macros each time
+    std::size_t steps = 200'000'000;           // tokens that are read, those of loops and macros each time
     std::size_t bytes = std::size_t(4) << 30;  // of bodies, of values of identifiers, and of arrays and strings
     int nesting = 400;                         // of macro calls, loops, conditions, files, blocks and parentheses
 };

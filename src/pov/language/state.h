@@ -56,6 +56,7 @@ struct Interpreter::State {
         const RawToken* body = nullptr;    // of #for: after its parentheses
         std::uint32_t variable = 0;        // of #for
         double end = 0, step = 0;          // of #for; `end` is the value of a #switch
+        std::uint64_t changes = 0;         // of #while: State::changes when its condition was last read
     };
     /// A block of the scene that is open: the token before its '{', and its '{'.
     struct OpenBlock {
@@ -117,6 +118,8 @@ struct Interpreter::State {
         if ((++steps & 1023) == 0) check_limits();
     }
     void check_limits();
+    /// Returns where the outermost loop that is being read begins, or the last token if there is none.
+    TextPlace place_of_loop() const;
     void push_file(std::uint32_t file, TextPlace called);
     void pop_reading();
     const TextFile& text() const { return *files[readings.back().file]; }
@@ -135,6 +138,7 @@ struct Interpreter::State {
     void choose(const RawToken* at);
     void end_block(const RawToken& raw);
     void break_block(const RawToken& raw);
+    bool is_left(const RawToken& loop) const;  // is there a #break in it?
     void declare(bool local);
     void undefine();
     void define_macro(const RawToken& raw);
@@ -247,6 +251,7 @@ struct Interpreter::State {
     TextPlace last;  // of the token taken last
     bool peeked = false, executing = true;
     std::size_t steps = 0;
+    std::uint64_t changes = 0;  // counts whatever may change what a condition finds when it is read again
     std::shared_ptr<std::size_t> bytes = std::make_shared<std::size_t>(0);  // of arrays and strings
     int depth = 0;
     std::vector<std::uint32_t> streams;  // of rand

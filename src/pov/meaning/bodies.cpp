@@ -399,6 +399,10 @@ std::optional<SceneMaker::Part> SceneMaker::build(const ObjectThing& object, con
 }
 std::optional<SceneMaker::Part> SceneMaker::build_turned(const ObjectThing& object, const Around& around) {
     tell_notes(object);
+    // The box around it, where rays look for it, is turned inside out; around what is taken away rays do not look for
+    // one.
+    if (object.negative && !around.turned)
+        notes.approximated(object.place, "a sphere of a negative radius, which is not seen before it is moved");
     std::optional<Part> part;
     if (object.kind == ObjectKind::shape) {
         in.count_bytes(4 * sizeof(Primitive), object.place);  // unions of unions make many bodies of few words
@@ -556,6 +560,7 @@ std::optional<SceneMaker::Part> SceneMaker::build_parts(const ObjectThing& objec
     if (!within.shared && object.parts.size() > 1) within.shared = &own;
     std::vector<Primitive> solid, hollow;
     bool first = true;
+    const ObjectThing* sheet = nullptr;
     const bool unites = object.kind == ObjectKind::unite || object.kind == ObjectKind::merge;
     for (const auto& each : object.parts) {
         if (each->kind == ObjectKind::light) {
@@ -567,8 +572,8 @@ std::optional<SceneMaker::Part> SceneMaker::build_parts(const ObjectThing& objec
         own_around.merges = within.merges || (object.kind == ObjectKind::subtract && !first);
         std::optional<Part> part = build(*each, own_around);
         if (each->thin && !unites && object.kind == ObjectKind::intersect) return std::nullopt;
-        if (each->thin && object.kind == ObjectKind::subtract && each->word != word("sphere"))
-            notes.left_out(each->place, "a body without extent in a composite");
+        // What is taken away without extent would be seen as a sheet inside a clear body, and nowhere else.
+        if (each->thin && object.kind == ObjectKind::subtract && each->word != word("sphere")) sheet = each.get();
         if (part && each->inside_vector)
             close_mesh(*each, own_around, own_around.turned != within.turned, part->primitive);
         if (part && !close(part->primitive, each->place)) {
@@ -596,6 +601,7 @@ std::optional<SceneMaker::Part> SceneMaker::build_parts(const ObjectThing& objec
     }
     const bool turns = unites && !solid.empty();
     Primitive whole{.shape = share_of(std::move(solid), std::move(hollow)), .material = 0, .transformations = more};
+    if (sheet && clear(whole)) notes.left_out(sheet->place, "a body without extent in a composite");
     if (object.kind == ObjectKind::unite && !within.merges) keep_surfaces(whole, around, turns, object.place);
     if (within.shared->number)
         whole.material = *within.shared->number;

@@ -36,14 +36,6 @@ struct FlatFace {
     }
 };
 
-/// Returns the box around a body that stands along the axes where a matrix moves it.
-Box bounds_in(const Primitive& body, const glm::dmat4& m) {
-    const Box own = std::visit([](const auto& kind) { return kind.bounds(); }, body.shape);
-    Box box;
-    box.add(transform_point(m, own.low)), box.add(transform_point(m, own.high));
-    return box;
-}
-
 /// Returns the axis that a plane lies across, or -1.
 int axis_of(const Plane& plane) {
     for (int c = 0; c < 3; ++c)
@@ -51,7 +43,7 @@ int axis_of(const Plane& plane) {
     return -1;
 }
 
-/// Returns the flat faces of a simple body that stands along the axes; `outer` leads from around it to where they are.
+/// Returns the flat faces of a simple body that lie across axes; `outer` leads from around it to where they are.
 std::vector<FlatFace> faces_of(Primitive& body, const glm::dmat4& outer) {
     auto* const box = std::get_if<Cuboid>(&body.shape);
     auto* const cylinder = std::get_if<Cylinder>(&body.shape);
@@ -59,13 +51,15 @@ std::vector<FlatFace> faces_of(Primitive& body, const glm::dmat4& outer) {
     auto* const plane = std::get_if<Plane>(&body.shape);
     if (!box && !cylinder && !cone && !plane) return {};
     const glm::dmat4 m = outer * matrix(body.transformations);
+    bool stays[3]{true, true, true};  // axes of the body that are axes of what is around it
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
-            if ((m[i][j] == 0) == (i == j)) return {};
+            if (i != j && m[i][j] != 0) stays[i] = stays[j] = false;
     constexpr double inf = std::numeric_limits<double>::infinity();
     std::vector<FlatFace> faces;
-    const Box around = plane ? Box{DVec3(-inf), DVec3(inf)} : bounds_in(body, m);
+    const Box around = plane ? Box{DVec3(-inf), DVec3(inf)} : transformed_bounds(body.shape, m);
     const auto add = [&](std::vector<DVec3*> points, double inwards, int axis) {
+        if (!stays[axis] || m[axis][axis] == 0) return;
         FlatFace own{.axis = axis, .points = std::move(points), .scale = m[axis][axis], .offset = m[3][axis]};
         own.at = own.scale * (*own.points[0])[axis] + own.offset;
         own.side = own.scale * inwards < 0 ? 1 : -1;
@@ -187,15 +181,22 @@ void settle_faces(Scene& scene) {
     if (planes.empty() || planes.size() > 100) return;
     for (Primitive& body : scene.primitives) {
         if (std::holds_alternative<Plane>(body.shape)) continue;
-        for (const FlatFace& own : faces_of(body, glm::dmat4(1))) {
+        const bool clear = transparent(scene, body);
+        const auto settle = [&](const FlatFace& own) {
             bool seen = (eye[own.axis] - own.at) * own.side > 0, within = true;
             for (int c = 0; c < 3; ++c) within &= eye[c] >= own.box.low[c] && eye[c] <= own.box.high[c];
             const double away = eye[own.axis] > own.at ? -1 : 1;
-            if ((seen || within) && std::ranges::any_of(planes, [&](const auto& plane) {
+            if ((seen || within || clear) && std::ranges::any_of(planes, [&](const auto& plane) {
                     return plane.first == own.axis && own.is_at(plane.second);
                 }))
-                own.move_to(own.at + away * hair * (1 + std::fabs(own.at)));
-        }
+                own.move_to(own.at + away * (clear ? sliver : hair) * (1 + std::fabs(own.at)));
+        };
+        if (clear)
+            change_leaves(body, glm::dmat4(1), false, [&](Primitive& leaf, const glm::dmat4& outer) {
+                std::ranges::for_each(faces_of(leaf, outer), settle);
+            });
+        else
+            std::ranges::for_each(faces_of(body, glm::dmat4(1)), settle);
     }
 }
 

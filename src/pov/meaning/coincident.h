@@ -11,7 +11,8 @@ namespace strahl::pov {
 /// intersections by a hair where they only touch, which POV-Ray shows as a face.
 void keep_faces(Primitive& body);
 
-/// Moves faces of bodies by a hair away from the eye where a plane is seen in their place, which POV-Ray shows.
+/// Moves faces of bodies by a hair away from the eye where a plane is seen in their place, which POV-Ray shows, or may
+/// be seen through a clear body.
 void settle_faces(Scene& scene);
 
 /// Moves slanting faces of boxes and discs by a hair towards the eye that are seen before others in their plane:

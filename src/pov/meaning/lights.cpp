@@ -9,13 +9,10 @@
 namespace strahl::pov {
 namespace {
 
-/// Returns the rectangle of an area light, with a grid unless its points jitter. Without one its edges become
-/// perpendicular; that of a row of points is hardly wide.
+/// Returns the rectangle of an area light, with a grid or, in perpendicular edges, without. That of a row of points is
+/// hardly wide.
 std::optional<Area> area_of(const LightThing& light, const glm::dmat3& m, bool grid, bool mirrored) {
-    // Points that jitter are moved by up to half of their distance, and those within count twice: this is the mean.
-    const auto edge = [&](const DVec3& v, int points) {
-        return points < 2 ? DVec3(0) : mirror(m * v, mirrored) * (!grid && light.jitter && points == 2 ? 2. : 1.);
-    };
+    const auto edge = [&](const DVec3& v, int points) { return points < 2 ? DVec3(0) : mirror(m * v, mirrored); };
     Area area{edge(light.area->u, light.area->columns), edge(light.area->v, light.area->rows)};
     if (grid) area.columns = light.area->columns, area.rows = light.area->rows;
     const auto strip = [](const DVec3& v) {
@@ -31,6 +28,12 @@ std::optional<Area> area_of(const LightThing& light, const glm::dmat3& m, bool g
     else if (!(length(across) > 4e-6 * length(longer ? area.v : area.u)))  // points need no right angles
         area.v = area.v + (area.v == DVec3(0) ? 1. : 4.) * strip(longer ? area.v : area.u);
     return area;
+}
+
+/// Are all quarters of the grid divided, whatever light its corners get?
+bool divides_all(const LightThing& light) {
+    const int steps = std::max(light.area->columns, light.area->rows) - 1;
+    return light.adaptive >= 31 || steps >> std::max(light.adaptive, 0) <= 1;
 }
 
 }  // namespace
@@ -83,12 +86,11 @@ void SceneMaker::add_light(const ObjectThing& object, const Around& around) {
     }
     const bool round = own.area && (own.circular || own.orient) && std::min(own.area->columns, own.area->rows) > 1;
     const bool soft = light.spot || !own.area_illumination;
-    const bool grid = own.area && soft && (!own.jitter || round) && std::max(own.area->columns, own.area->rows) <= 64;
+    const bool grid = own.area && soft && std::max(own.area->columns, own.area->rows) <= 64;
     if (own.area && !light.direction) light.area = area_of(own, glm::dmat3(m), grid, mirrored);
     approximated(own.area && light.direction, "an area_light that is parallel is a point");
     light.soft = light.area && soft;
     approximated(light.area && !grid, "the shadows of an area_light are smooth");
-    approximated(light.area && grid && own.jitter, "the points of an area_light do not jitter");
     approximated(light.area && own.area_illumination && light.spot,
                  "a spotlight with area_illumination shines from its middle");
     approximated(light.area && !grid && own.circular, "a circular area_light is a rectangle");
@@ -96,6 +98,11 @@ void SceneMaker::add_light(const ObjectThing& object, const Around& around) {
     if (light.area && grid) {
         light.circular = round, light.orient = round && own.orient;
         light.adaptive = std::clamp(own.adaptive, 0, 100);
+        light.jitter = own.jitter;
+        if (own.jitter)
+            in.remark(Remark::Kind::warning, object.place,
+                      "'jitter': its shadows are the mean of POV-Ray's, without grain");
+        approximated(own.jitter && !divides_all(own), "'adaptive' with 'jitter': all points of the area_light count");
     }
     const double reach =
         std::max({std::fabs(light.position.x), std::fabs(light.position.y), std::fabs(light.position.z)});

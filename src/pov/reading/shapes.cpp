@@ -549,7 +549,7 @@ void PovReader::read_shape(Interpreter& in, std::uint16_t code, ObjectThing& obj
             const DVec3 centre = in.read_vector();
             const double radius = next_number(in);
             set(Sphere{centre, std::fabs(radius)});
-            if (radius < 0) object.approximated("a sphere of a negative radius, which is not seen before it is moved");
+            object.negative = radius < 0;
             break;
         }
         case word("box"): {

@@ -71,6 +71,7 @@ struct ObjectThing : Thing {
     std::optional<bool> global_lights;  // of a light_group
     bool inverse = false, hollow = false;
     bool thin = false;                                        // it is nothing, as no ray meets it
+    bool negative = false;                                    // it is a sphere of a negative radius
     bool photon_target = false;                               // photons are aimed at it, if there are any
     std::optional<DVec3> inside_vector;                       // of a mesh, in the scene
     bool turned_surface = false;                              // its flat triangles face where those of a mesh do not

@@ -1,6 +1,7 @@
 #include "text/blocks/light_block.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -45,6 +46,8 @@ void read_grid(BlockReader& reader, Area& area, Block& outer) {
     if (block.good()) area.columns = static_cast<int>(columns), area.rows = static_cast<int>(rows);
     outer.absorb(block);
 }
+
+constexpr std::array<std::string_view, 4> of_soft_grids{"adaptive", "circular", "orient", "jitter"};
 
 /// Why these edges span no rectangle or, if there is a grid, no parallelogram, or "".
 std::string edges_fault(const Area& area) {
@@ -100,10 +103,10 @@ Light read_light(BlockReader& reader, const TextLimits& limits, std::string_view
         reader.fault(block, word, "a soft light needs 'edges'");
     }
     for (const Parameter& own : parameters)
-        if (own.given() && (own.name == "adaptive" || own.name == "circular" || own.name == "orient")) {
+        if (own.given() && std::ranges::find(of_soft_grids, own.name) != of_soft_grids.end()) {
             if (!light.soft || area.columns == 0)
                 fault(own.at, "'" + std::string(own.name) + "' is for soft lights with a 'grid'");
-            else if (own.name != "adaptive" && std::min(area.columns, area.rows) < 2)
+            else if ((own.name == "circular" || own.name == "orient") && std::min(area.columns, area.rows) < 2)
                 fault(own.at, "this needs a grid of at least 2 by 2 points");
         } else if (own.given() && own.name == "from" && !light.direction) {
             fault(own.at, "only parallel light has 'from'; give it a 'direction'");

@@ -33,7 +33,7 @@ Vec3<S> soft_share(const Shading<S, P>& shading, const Hit<S>& hit, int number, 
     const LitHits<S> hits{lanes,     outside,     hit.position, normal,     flat,
                           reflected, hit.surface, light,        S(1),       S(0),
                           S(1),      S(1),        hit.bin,      hit.medium, &mediums(shading.workspace)};
-    const AreaMeans<S> means = world.lights[number].columns > 0
+    const AreaMeans<S> means = world.lights[number].columns > 0 && !world.lights[number].jitter
                                    ? AreaLightCalls<S>::grid_means(world, number, hits, strength, visibility<S>)
                                    : AreaLightCalls<S>::means(world, number, hits, error, visibility<S>);
     shading.counts.shadow += means.rays;

@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -38,15 +40,69 @@ struct AreaCells {
     }
 };
 
-/// Computes the means for one hit.
+/// Returns the edges of a light's grid, turned if it turns to what it lights. `middle` is the way to its middle.
+template <class T>
+std::pair<Vec3<T>, Vec3<T>> edges_of_grid(const LightKernel<T>& light, const Vec3<T>& middle) {
+    if (!light.orient) return {light.u, light.v};
+    const Vec3<T> l = scale(T(1) / sqrt(dot(middle, middle)), middle);
+    const Vec3<T> across = cross(l, abs(abs(l.z) - T(1)) < T(.01) ? Vec3<T>(0, 1, 0) : Vec3<T>(0, 0, 1));
+    const T size = sqrt(dot(light.u, light.u));
+    const Vec3<T> u = scale(size / sqrt(dot(across, across)), across);
+    return {u, cross(l, u)};
+}
+/// Returns the ways to places on a light's grid that are a and b times its edges u and v off its middle.
+template <class S, class T>
+Vec3<S> way_on_grid(const LightKernel<T>& light, const Vec3<T>& middle, const Vec3<T>& u, const Vec3<T>& v, S a, S b) {
+    if (light.circular) {
+        a += S(T(.001)), b += S(T(.001));
+        const S inwards = max(abs(a), abs(b)) / sqrt(a * a + b * b);
+        a *= inwards, b *= inwards;
+    }
+    return fma(a, splat<S>(u), fma(b, splat<S>(v), splat<S>(middle)));
+}
+
+/// The places from which the light of a grid comes whose points jitter, along each of its edges: equal steps are equal
+/// shares of the light.
+template <class T>
+struct SpreadGrid {
+    using Places = std::array<T, AreaCells::side + 1>;  // times the edge, off its middle
+    Places across{}, down{};
+
+    explicit SpreadGrid(const LightKernel<T>& light)  // one with a grid
+        : across(places_of(light.columns)), down(places_of(light.rows)) {}
+
+    static Places places_of(int points) {
+        Places places{};
+        if (points < 2) return places;
+        std::array<int, AreaCells::side> shares{};  // of the points, in steps
+        const auto halve = [&shares](const auto& self, int first, int last, int share) -> void {
+            if (last - first < 2) {
+                shares[first] += share / 2, shares[last] += share / 2;
+                return;
+            }
+            self(self, first, (first + last) / 2, share / 2), self(self, (first + last + 1) / 2, last, share / 2);
+        };
+        halve(halve, 0, points - 1, AreaCells::side);
+        const auto place = [points](T point) { return (point - T(.5)) / T(points - 1) - T(.5); };
+        int step = 0;
+        for (int i = 0; i < points; ++i)
+            for (int k = 0; k < shares[i]; ++k) places[step++] = place(T(i) + T(k) / T(shares[i]));
+        places[step] = place(T(points));
+        return places;
+    }
+};
+
+/// Computes the means for one hit; with a `spread`, of a grid whose points jitter, only the share of its light.
 template <class S>
 class AreaSum {
     using T = Element<S>;
     static constexpr int side = AreaCells::side, row = side + 1;
 
   public:
-    AreaSum(const World<T>& world, int number, const LitHits<S>& hits, int k, Visibility<S> visibility)
+    AreaSum(const World<T>& world, int number, const LitHits<S>& hits, int k, Visibility<S> visibility,
+            const SpreadGrid<T>* spread)
         : world(world),
+          spread(spread),
           visibility(visibility),
           position(at(hits.position, k)),
           normal(at(hits.normal, k)),
@@ -63,19 +119,23 @@ class AreaSum {
                 S(lane(hits.medium, k)),
                 hits.mediums} {
         const LightKernel<T>& light = world.lights[number];
-        u = light.u, v = light.v;
         middle = light.position - position;
+        std::tie(u, v) = edges_of_grid(light, middle);
         first = middle - scale(T(.5), u + v);
         brightest = lane(hits.weight, k) * (lane(hits.diffuse, k) + specular) *
                     max(largest(light.color), largest(Vec3<T>(0) - light.color));
     }
 
     void add_up(T error) {
-        const Vec3<T> ways[4]{first, first + u, first + u + v, first + v};
+        const LightKernel<T>& light = world.lights[start.light];
+        const Vec3<T> across = scale(reach(light, light.columns), u), down = scale(reach(light, light.rows), v);
+        const Vec3<T> corner = middle - scale(T(.5), across + down);
+        const Vec3<T> ways[4]{corner, corner + across, corner + across + down, corner + down};
         int faced = 0;
-        for (const Vec3<T>& way : ways) faced += dot(normal, way) > T(0) && dot(flat, way) > T(0);
-        if (faced == 0) return;
-        clear = nothing_in(world, Shaft<T>(position, ways, u, v, world.rounding), surface, start);
+        for (const Vec3<T>& way : ways) faced += (spread || dot(normal, way) > T(0)) && dot(flat, way) > T(0);
+        if (faced == 0 && !spread) return;
+        clear = (faced == 4 || !spread) &&
+                nothing_in(world, Shaft<T>(position, ways, across, down, world.rounding), surface, start);
         glossy = may_shine(ways);
         if (clear && faced == 4 && !glossy) {
             const T mean = mean_cosine(normal, middle, u, v);
@@ -89,7 +149,7 @@ class AreaSum {
             for (int x = 0; x < side; x += size) cells.add(x, y);
         for (;; size /= 2) {
             trace_corners(cells, size);
-            if (size == AreaCells::largest && faced == 4 && is_even()) return;
+            if (size == AreaCells::largest && (faced == 4 || spread) && is_even()) return;
             const T unevenness = split(cells, mixed, size);
             add(cells, size);
             constexpr T off = T(.15);  // measured: error, as a share, of the light of a cell that an edge crosses
@@ -108,6 +168,11 @@ class AreaSum {
     static Vec3<T> at(const Vec3<S>& v, int k) { return {lane(v.x, k), lane(v.y, k), lane(v.z, k)}; }
     static T area(int size) { return T(size * size) / T(side * side); }
 
+    /// Returns how long an edge of the outline is, times that of the light: as points jitter, or are off the middle of
+    /// their circles.
+    static T reach(const LightKernel<T>& light, int points) {
+        return light.jitter && points > 1 ? T(points) / T(points - 1) * T(light.circular ? 1.004 : 1) : T(1);
+    }
     /// Returns true if the highlight of any point of the rectangle may be visible.
     bool may_shine(const Vec3<T> (&ways)[4]) const {
         if (!(specular > T(0))) return false;
@@ -136,16 +201,23 @@ class AreaSum {
     }
     void trace_pack(const std::int16_t* corners, int lanes) {
         alignas(64) T xs[width<S>] = {}, ys[width<S>] = {};
-        for (int k = 0; k < lanes; ++k) xs[k] = T(corners[k] % row), ys[k] = T(corners[k] / row);
-        const Vec3<S> way = way_to(load_lanes<S>(xs), load_lanes<S>(ys));
+        for (int k = 0; k < lanes; ++k) {
+            const int x = corners[k] % row, y = corners[k] / row;
+            xs[k] = spread ? spread->across[x] : T(x), ys[k] = spread ? spread->down[y] : T(y);
+        }
+        const S x = load_lanes<S>(xs), y = load_lanes<S>(ys);
+        const Vec3<S> way = spread ? way_on_grid(world.lights[start.light], middle, u, v, x, y) : way_to(x, y);
         const S distance = sqrt(dot(way, way));
-        const Mask<S> faces = first_lanes<S>(lanes) & (dot(splat<S>(normal), way) > S(0)) &
-                              (dot(splat<S>(flat), way) > S(0)) & (distance > S(0));
+        const Mask<S> before = dot(splat<S>(flat), way) > S(0);
+        Mask<S> faces = first_lanes<S>(lanes) & (distance > S(0));
+        if (!spread) faces = faces & (dot(splat<S>(normal), way) > S(0)) & before;
         if (none(faces)) return;
+        Start<S> own = start;
+        if (spread) own.outside = own.outside & before;  // a body is in the way of light from behind its own surface
         Vec3<S> arrives(S(1), S(1), S(1));
         if (!clear) {
             const Ray<S> ray{splat<S>(position), scale(S(1) / distance, way), S(surface)};
-            arrives = visibility(world, ray, distance, faces, start);
+            arrives = visibility(world, ray, distance, faces, own);
             rays += strahl::count(faces);
         }
         alignas(64) T found[3][width<S>];
@@ -262,6 +334,7 @@ class AreaSum {
 
     static constexpr std::uint8_t dark_side = 1, faced_side = 2;
     const World<T>& world;
+    const SpreadGrid<T>* spread;
     Visibility<S> visibility;
     Vec3<T> position, normal, flat, reflected, u, v, middle, first;  // the last two are vectors from the position
     T surface, specular, pow, shines_from, brightest, whole = 0;
@@ -297,14 +370,9 @@ class GridSum {
     Vec3<T> mean(int k, const Vec3<T>& color) {
         const auto at = [k](const Vec3<S>& v) { return Vec3<T>(lane(v.x, k), lane(v.y, k), lane(v.z, k)); };
         position = at(hits.position), flat = at(hits.flat), surface = lane(hits.surface, k);
-        middle = light.position - position, u = light.u, v = light.v;
+        middle = light.position - position;
+        std::tie(u, v) = edges_of_grid(light, middle);
         outside = bits(hits.outside) >> k & 1;
-        if (light.orient) {
-            const Vec3<T> l = scale(T(1) / sqrt(dot(middle, middle)), middle);
-            const Vec3<T> across = cross(l, abs(abs(l.z) - T(1)) < T(.01) ? Vec3<T>(0, 1, 0) : Vec3<T>(0, 0, 1));
-            const T size = sqrt(dot(u, u));
-            u = scale(size / sqrt(dot(across, across)), across), v = cross(l, u);
-        }
         start = {number,      hits.bin, first_lanes<S>(outside ? width<S> : 0), ~BodySet(0), S(lane(hits.medium, k)),
                  hits.mediums};
         if (nothing_before()) return Vec3<T>(1);
@@ -395,14 +463,9 @@ class GridSum {
             shares[points[k]] = {lane(arrives.x, k), lane(arrives.y, k), lane(arrives.z, k)};
     }
     Vec3<S> way_to(const S& column, const S& row) const {
-        S a = light.columns > 1 ? column / S(T(light.columns - 1)) - S(T(.5)) : S(0);
-        S b = light.rows > 1 ? row / S(T(light.rows - 1)) - S(T(.5)) : S(0);
-        if (light.circular) {
-            a += S(T(.001)), b += S(T(.001));
-            const S inwards = max(abs(a), abs(b)) / sqrt(a * a + b * b);
-            a *= inwards, b *= inwards;
-        }
-        return fma(a, splat<S>(u), fma(b, splat<S>(v), splat<S>(middle)));
+        const S a = light.columns > 1 ? column / S(T(light.columns - 1)) - S(T(.5)) : S(0);
+        const S b = light.rows > 1 ? row / S(T(light.rows - 1)) - S(T(.5)) : S(0);
+        return way_on_grid(light, middle, u, v, a, b);
     }
 
     const World<T>& world;
@@ -440,9 +503,11 @@ AreaMeans<S> AreaLightCalls<S>::means(const World<T>& world, int light, const Li
                                       Visibility<S> visibility) {
     alignas(64) T lanes[9][width<S>] = {};
     AreaMeans<S> result;
+    const LightKernel<T>& own = world.lights[light];
+    const std::optional<SpreadGrid<T>> spread = own.jitter ? std::optional(SpreadGrid<T>(own)) : std::nullopt;
     for (unsigned left = bits(hits.lanes); left; left &= left - 1) {
         const int k = std::countr_zero(left);
-        AreaSum<S> sum(world, light, hits, k, visibility);
+        AreaSum<S> sum(world, light, hits, k, visibility, spread ? &*spread : nullptr);
         sum.add_up(error);
         result.rays += sum.rays;
         for (int c = 0; c < 3; ++c)

@@ -368,7 +368,14 @@ TEST_CASE("POV-Ray: lights") {
     CHECK(soft("9, 9 adaptive 2 circular").adaptive == 2);
     CHECK((soft("9, 9 circular").circular && !soft("9, 1 circular").circular));
     CHECK((soft("2, 3 orient jitter").circular && soft("2, 3 orient jitter").orient));
-    CHECK(soft("2, 3 jitter").area == Area{{2, 0, 0}, {0, 0, 1}});
+    CHECK((soft("3, 3 adaptive 1 jitter").jitter && soft("3, 3 jitter").area == Area{{1, 0, 0}, {0, 0, 1}, 3, 3}));
+    const auto notes = [](const std::string& more) {
+        return notes_of("light_source { 2*y rgb 1 area_light x, z, " + more + " }");
+    };
+    CHECK(
+        (notes("3, 3 adaptive 1 jitter") == "" && notes("4, 4 adaptive 1 jitter") == "" && notes("9, 9 jitter") == ""));
+    CHECK(says(notes("5, 5 adaptive 1 jitter"), "'adaptive' with 'jitter'"));
+    CHECK(says(notes("9, 2 adaptive 2 jitter"), "'adaptive' with 'jitter'"));
     CHECK(length(soft("5, 1").area->v) < 1e-5);
     CHECK((soft("1, 5").area->u == DVec3(0, 0, 1) && soft("1, 5").area->columns == 5));
     CHECK(!soft("1, 1").area);
@@ -477,10 +484,10 @@ TEST_CASE("POV-Ray: a scene of too many bodies ends") {
     const std::string ball = "sphere { 0, 1 pigment { rgb ";
     CHECK(fault("#for (I, 1, 3500) " + ball + "1 } finish { phong .5 } } #end") == "");
     CHECK(says(fault("#for (I, 1, 3500) " + ball + "I } finish { phong .5 } } #end"), "10 MiB"));
-    CHECK(says(fault("#for (I, 0, 1e18) union { sphere { I, 1 } union { sphere { I, 2 } } } #end"), "10 MiB"));
-    CHECK(says(fault("mesh { #for (I, 0, 1e18) triangle { I*x, <I, 1, 0>, <I, 0, 1> } #end }"), "10 MiB"));
+    CHECK(says(fault("#for (I, 0, 1e8) union { sphere { I, 1 } union { sphere { I, 2 } } } #end"), "10 MiB"));
+    CHECK(says(fault("mesh { #for (I, 0, 1e8) triangle { I*x, <I, 1, 0>, <I, 0, 1> } #end }"), "10 MiB"));
     const std::string own = "texture { pigment { rgb I } }";
-    CHECK(says(fault("mesh { #for (I, 0, 1e18) triangle { I*x, <I, 1, 0>, <I, 0, 1> " + own + " } #end }"), "10 MiB"));
+    CHECK(says(fault("mesh { #for (I, 0, 1e8) triangle { I*x, <I, 1, 0>, <I, 0, 1> " + own + " } #end }"), "10 MiB"));
 }
 
 TEST_CASE("POV-Ray: errors have their place") {

@@ -52,6 +52,67 @@ TEST_CASE("POV-Ray: a difference keeps the faces that its parts share") {
     CHECK(first("box { 0, 4 } box { <1, 4, 1>, <2, 5, 2> }") == Shape(Cuboid{DVec3(0), DVec3(4)}));
 }
 
+TEST_CASE("POV-Ray: faces of parts in one place are told where POV-Ray's rounding decides what is seen") {
+    const auto told = [](const std::string& text) {
+        return says(notes_of("camera { right -4/3*x location <1, 9, -2> look_at 0 } " + text),
+                    "faces of parts in one place");
+    };
+    const std::string flush = "box { -1, 1 } box { <.5, -1, -.5>, <3, 1, .5> } ";
+    CHECK(told("merge { " + flush + "}"));
+    CHECK(told("merge { " + flush + "rotate <-10, 20, 3> }"));
+    CHECK(told("intersection { box { -1, 1 } box { <-2, -2, -1>, <2, 2, 3> } }"));
+    CHECK(!told("intersection { box { -1, 1 } box { <-2, -2, 1>, <2, 2, 3> } }"));
+    CHECK(!told("union { " + flush + "}"));
+    CHECK(!told("merge { box { -1, 1 } box { <.5, -1, -.5>, <3, .9, .5> } }"));  // not seen from above
+    CHECK(told("merge { box { -1, 1 } box { <.5, -1, -.5>, <3, .9, .5> } pigment { rgbt .5 } }"));
+    CHECK(!told("merge { box { -1, 1 } box { <.5, -.9, -.5>, <3, .9, .5> } }"));
+    CHECK(!told("merge { " + flush + "box { -1.5, 4 } }"));  // inside another part
+    // Parts of a merge that touch have a face there in POV-Ray, which shows if light goes through.
+    const std::string touching = "merge { box { -1, 1 } box { <1, -2, -1>, <3, .5, .5> } pigment { rgb 1 ";
+    CHECK(told(touching + "transmit .5 } }"));
+    CHECK(!told(touching + "} }"));
+    CHECK(!told("merge { box { -1, 1 } box { <1.001, -2, -1>, <3, .5, .5> } pigment { rgbt .5 } }"));
+    const std::string prism = "prism { 0, 5, 5, <.2,-2.4>, <-.2,-2.4>, <-.8,-1.4>, <.8,-1.4>, <.2,-2.4> } ";
+    const std::string beside = "prism { 0, 4, 5, <-.8,-1.4>, <-.5,-1.9>, <-1,-1.9>, <-1.3,-1.4>, <-.8,-1.4> } ";
+    CHECK(told("merge { " + prism + beside + "pigment { rgbt .5 } }"));
+    // Of a difference: what two parts take away, where the first one is.
+    const std::string open = "box { <-1, -1, -1>, <1, 3, 1> } box { <.5, -1, -.5>, <3, 3, .5> } ";
+    CHECK(told("difference { sphere { 0, 2 } " + open + "}"));
+    CHECK(!told("difference { sphere { 0, 2 } " + flush + "}"));  // hidden inside
+    CHECK(!told("difference { sphere { <-1, -1, -1>, .4 } box { -.7, 1 } box { <.5, -.7, -.5>, <3, 1, .5> } }"));
+    CHECK(!told("difference { box { -1, 1 } box { <-.5, -.5, -.5>, <.5, 1, .5> } }"));
+    CHECK(told("difference { sphere { 0, 2 } union { " + open + "} union { " + open + "} rotate 9 }"));
+    for (const char* const body :
+         {"sphere { <.3, 1.5, -.3>, 1.2 } ", "cylinder { -3*y, 3*y, .5 } ", "cone { -y, .2, 3*y, 1 } "}) {
+        CHECK(told("difference { sphere { 0, 2 } " + std::string(body) + body + "}"));
+        CHECK(!told("difference { sphere { 0, 2 } " + std::string(body) + "torus { 1, .1 } }"));
+    }
+}
+
+TEST_CASE("POV-Ray: faces of clear bodies in planes are told, and the plane is seen in their place") {
+    const auto told = [](const std::string& text) {
+        return says(notes_of("camera { right -4/3*x location <1, 5, -9> look_at 0 } " + text),
+                    "a clear body's face in a plane");
+    };
+    const std::string clear = " pigment { rgbt .8 } } ", floor = "plane { y, 0 } ";
+    CHECK(told("cylinder { 0, y, 1" + clear + floor));
+    CHECK(told("merge { cylinder { 0, y, 1 } sphere { y, 1.1 }" + clear + floor));
+    CHECK(told("prism { 0, 1, 4, <0, 0>, <1, 0>, <1, 1>, <0, 0>" + clear + floor));
+    CHECK(!told("box { <-1, 0, -1>, 1" + clear + floor));
+    CHECK(!told("cylinder { .001*y, y, 1" + clear + floor));
+    CHECK(!told("cylinder { 0, y, 1 } " + floor));
+    CHECK(!told("cylinder { 0, y, 1" + clear + floor + "box { <-5, 2, -9>, <5, 2.1, 9> }"));  // hidden
+    const auto lowest = [](const std::string& text) {
+        return world_bounds(opened("camera { right -4/3*x location <1, 5, -9> look_at 0 } " + text).scene.primitives[0])
+            .low.y;
+    };
+    const std::string box = "box { <-1, 0, -1>, 1 rotate 20*y translate 3*x scale 2";
+    CHECK(lowest(box + clear + floor) < 0);
+    CHECK(lowest(box + clear + floor) > -1e-5);
+    CHECK(lowest(box + " } " + floor) == 0);
+    CHECK(lowest("difference { cylinder { 0, y, 1 } cylinder { .1*y, 2*y, .9 }" + clear + floor) < 0);
+}
+
 TEST_CASE("POV-Ray: a box that a division by zero makes endless reaches as far as coordinates do") {
     const Box box = world_bounds(opened("box { <0, 0, 1>, <1, 1/0, 2> }").scene.primitives.at(0));
     CHECK((box.low.y == 0 && box.high.y == 1e9));
@@ -946,8 +1007,15 @@ TEST_CASE("POV-Ray: bodies that no ray meets are not missing") {
     CHECK(says(warnings[0].told(), "not in one plane"));
     CHECK(whole(bent).primitives.empty());
     CHECK(shape<Disc>(whole("disc { 0, z, -1, -.5 }")) == shape<Disc>(whole("disc { 0, z, 1, .5 }")));
-    // What a part of a composite without extent takes away is not known.
-    CHECK(says(notes_of("difference { sphere { 0, 1 } cylinder { -y, y, 0 } }"), "left out: a body without extent"));
+    // What a body without extent takes away could be seen inside a clear one.
+    const std::string thin = "difference { sphere { 0, 1 } cylinder { -y, y, 0 } ";
+    CHECK(notes_of(thin + "}") == "");
+    CHECK(says(notes_of(thin + "pigment { rgbt .5 } }"), "left out: a body without extent"));
+    // POV-Ray looks for spheres of a negative radius in a box that is turned inside out, unless they are taken away.
+    const std::string negative = "sphere { y, -.5 }";
+    CHECK(says(notes_of(negative), "a sphere of a negative radius"));
+    CHECK(says(notes_of("difference { " + negative + " box { 0, 1 } }"), "a sphere of a negative radius"));
+    CHECK(notes_of("difference { sphere { 0, 1 } " + negative + " }") == "");
 }
 
 TEST_CASE("POV-Ray: normals of meshes without a length are x, and triangles with one normal are flat") {

@@ -76,8 +76,25 @@ TEST_CASE("forms of old scenes") {
 }
 
 TEST_CASE("what never ends is an error") {
-    check_fails("#while (1) #end", "the scene does not end", short_run());
-    check_fails("#for (i, 0, 1e18) #end", "the scene does not end", short_run());
+    const std::string counts = "#declare i = 0; #while (1) #declare i = i + 1; #end";
+    check_fails("\n" + counts, "2:17: the scene does not end: more than 100000 words", short_run());
+    // What can only go on for ever is an error as soon as that is known.
+    const std::string endless = "invalid #while: it never ends";
+    check_fails("#while (1) #end", "1:1: " + endless);
+    check_fails("#declare i = 0; #while (i < 10) sphere { i, 1 } #end", "1:17: " + endless);
+    check_fails("#macro M(a) sphere { a, 1 } #end #while (1) M(1) #if (1) #debug \"x\" #else #break #end #end",
+                endless);
+    check_fails("#declare i = 0; #while (1) #while (i < 3) #declare i = i + 1; #end #end", "1:17: " + endless);
+    check_fails("#for (i, 0, 1e18) #end", "1:1: invalid #for: it never ends, with 1e+18 steps");
+    check_fails("#for (i, 0, -1e18, -1) sphere { 0, 1 } #end", "it never ends, with 1e+18 steps");
+    check_fails("#for (i, 0, 9, 0) #end", "1:1: invalid #for: its step is 0");
+    check_fails("#for (i, 0, 1e18) #if (i > 1e6) #break #end #end", "the scene does not end", short_run());
+    check_prints("#for (i, 0, 1e18) #if (i > 9) #break #end #end #debug str(i,0,0)", "10");
+    check_prints("#declare s = seed(1); #declare n = 0; #while (rand(s) > .01) #end #debug \"out\"", "out");
+    check_prints(
+        "#declare B = sphere { 0, 1 } #declare A = array[2]{0, 0} #declare i = 0; #while (A[1] < 2) "
+        "#declare A[1] = A[1] + 1; #end #debug str(A[1],0,0)",
+        "2");
     check_fails("#macro R() R() #end R()", "nested too deeply");
     check_fails("#macro R() #declare a = R(); #end R()", "nested too deeply");
     std::string bomb = "#macro m0() sphere {} #end\n";
@@ -103,7 +120,7 @@ TEST_CASE("reading stops at once if it shall") {
     InterpreterOptions options;
     options.stop = &stop;
     BlankLayer layer;
-    Interpreter in("#while (1) #end", options, layer);
+    Interpreter in("#declare i = 0; #while (1) #declare i = i + 1; #end", options, layer);
     CHECK_THROWS_AS(in.skip(), Interrupted);
 }
 

@@ -176,6 +176,15 @@ const Kind kinds[]{
                 " } pigment { rgb y } " + bent + " finish { reflection .2 } rotate " + t.vector(-60, 60) + " }";
      },
      .01},
+    {"clear boxes that stand on planes",
+     [](Texts& t) {
+         const std::string y = t.number(-1.5, -.5), turn = t.one_of({"", "rotate 25*y ", "scale 1.2 "});
+         return t.camera() + lamp + sky + "box { <-1,0,-1>, <" + t.number(.2, 1) + "," + t.number(.5, 1.5) + "," +
+                t.number(.2, 1) + "> pigment { rgbt <1,.9,.8,.8> } finish { reflection .1 } interior { ior " +
+                t.number(1.2, 1.6) + " } " + turn + "translate <" + t.number(-.3, .3) + "," + y + ",0> } plane { y, " +
+                y + " pigment { checker rgb 1, rgb .3 } }";
+     },
+     .02},
     {"fog in hollow bodies, and around a camera in a body", [](Texts& t) {
          const std::string bodies[]{
              "sphere { " + t.vector(-.5, .5) + ", " + t.number(.8, 1.5) + " pigment { rgbt <1,.8,.6,.6> } " +

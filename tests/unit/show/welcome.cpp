@@ -112,7 +112,7 @@ TEST_CASE("small pictures are made of what is wanted, and none of what cannot be
     ::setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1);
     std::ofstream(folder / "scene.rt") << scene_text;
     std::ofstream(folder / "broken.rt") << "sphere {";
-    std::ofstream(folder / "endless.rt") << "#while (1)\n#end\n";
+    std::ofstream(folder / "endless.rt") << "#declare i = 0;\n#while (1)\n#declare i = i + 1;\n#end\n";
     ThreadPool pool(1);
     std::atomic<bool> stop = false;
     const ScreenImage picture = small_picture(folder / "scene.rt", 20, 15, pool, stop).image;

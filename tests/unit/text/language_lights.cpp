@@ -46,6 +46,9 @@ TEST_CASE("rectangles and grids") {
     const Light soft = light("position <1,2,3> edges <2,0,0>, <0,0,1> grid 3, 2 soft adaptive 1 circular orient");
     CHECK((soft.soft && soft.area->columns == 3 && soft.adaptive == 1 && soft.circular && soft.orient));
     CHECK(points_of(soft) == 1);
+    CHECK(light("position <1,2,3> edges <2,0,0>, <0,0,1> grid 3, 1 soft jitter").jitter);
+    check_light("position <1,2,3> edges <2,0,0>, <0,1,0> soft jitter", "3:46",
+                "'jitter' is for soft lights with a 'grid'");
     check_light("position <1,2,3> edges <2,0,0>, <0,1,0> soft adaptive 1", "3:46",
                 "'adaptive' is for soft lights with a 'grid'");
     check_light("position <1,2,3> edges <2,0,0>, <0,1,0> grid 2, 2 orient", "3:51",

@@ -70,6 +70,7 @@ class RandomScenes {
             if (own.area->columns == 0) own.area->rows = 0;
             if (own.area->columns > 0 && chance(2)) own.area->v.x = .5 * own.area->v.y;
             if (own.soft && own.area->columns > 0 && chance(2)) own.adaptive = below(4);
+            own.jitter = own.soft && own.area->columns > 4;
             if (own.soft && own.area->columns > 1) own.circular = chance(2), own.orient = chance(2);
         } else if (chance(3)) {
             own.direction = position(), own.position = DVec3(0);

@@ -3,6 +3,7 @@
 #define STRAHL_SCALAR
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <string>
@@ -121,6 +122,51 @@ TEST_CASE("a rectangle that is partly below the horizon shines by what is above"
         parse_scene(stage + "light { position <0, 2, 0>  color <1, 1, 1>  edges <1, 0, 0>, <0, 0, 2> }", "x");
     const Frame points = picture(with_points(scene, 64), Precision::float64);
     CHECK(difference(picture(scene, Precision::float64), points).largest < .005);
+}
+
+TEST_CASE("points that jitter shine from half way to their neighbours, and the middle one of three counts twice") {
+    // Half of the light's height hangs an edge: what arrives at (x, 0, 0) comes from less than -x.
+    const std::string scene_text = R"(
+camera { position <0, 0, 4>  look_at <0, 0, 0>  up <0, 1, 0>  fov 30  aspectratio 1 }
+light { position <0, 0, 10>  color <1, 1, 1>  edges <2, 0, 0>, <0, 2, 0>  grid COUNT, 3  soft  jitter }
+plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0>  material { rgb <1, 1, 1>  reflection 0  ambient 0  specular 0 } }
+box { <0, -99, 5>, <99, 99, 5.000001> }
+)";
+    constexpr int size = 48;
+    for (const int points : {1, 2, 3, 4, 5, 6}) {
+        std::string text = scene_text;
+        text.replace(text.find("COUNT"), 5, std::to_string(points));
+        const auto light_of = [&](bool shadows) {
+            Scene scene = parse_scene(text, "x");
+            scene.lights[0].shadowless = !shadows;
+            const View view{.camera = scene.camera, .width = size, .height = size, .depth = 2, .error = 1e-5};
+            return render(scene, view, Precision::float64, 2, Simd::automatic);
+        };
+        const Frame shaded = light_of(true), whole = light_of(false);
+        // The shares of the points' light: those of parts of the row that have a point in common add up.
+        std::vector<double> shares(points);
+        const auto halve = [&](const auto& self, int first, int last, double share) -> void {
+            if (last - first <= 1) {
+                shares[first] += share / 2, shares[last] += share / 2;
+            } else {
+                self(self, first, (first + last) / 2, share / 2);
+                self(self, (first + last + 1) / 2, last, share / 2);
+            }
+        };
+        halve(halve, 0, points - 1, 1);
+        for (int column = 0; column < size; ++column) {
+            const double x = 4 * std::tan(std::acos(-1.) / 6) * (1 - 2 * (column + .5) / size);
+            double share = points == 1 ? x < 0 : 0;
+            for (int i = 0; i < points && points > 1; ++i) {
+                const double step = 2. / (points - 1), low = -1 + (i - .5) * step;
+                share += shares[i] * std::clamp((-x - low) / step, 0., 1.);
+            }
+            const std::size_t at = 3 * (std::size_t(size) * size / 2 + column);
+            CAPTURE(points);
+            CAPTURE(column);
+            CHECK(std::fabs(shaded.rgb[at] / whole.rgb[at] - share) < 1. / 60);  // 64 cells along an edge
+        }
+    }
 }
 
 TEST_CASE("a very long rectangle takes no light away") {
