@@ -5,9 +5,11 @@
 #include <deque>
 #include <functional>
 #include <limits>
+#include <new>
 #include <optional>
 #include <utility>
 
+#include "files/os/memory.h"
 #include "num/thread_pool.h"
 #include "num/vec_math.h"
 #include "scene/leave_faces.h"
@@ -337,6 +339,10 @@ class TracerOf : public AnyTracer {
         const View& view = job.view;
         if (!moments.empty() && moments_of == view) return;
         moments.clear();
+        // The system may promise more than it has, and end the program when the worlds fill it.
+        constexpr double bytes_of_surface = 220;  // in a world: of a triangle, measured
+        const double surfaces = in_time.moves() ? double(surfaces_of(scene())) : 0;
+        if (double(view.moments->size()) * surfaces * bytes_of_surface > os::available_memory()) throw std::bad_alloc();
         std::shared_ptr<const BuiltWorld<T>> world = built;
         Bound light = *bound;
         const auto add = [&](const Shot& moment) {
