@@ -203,7 +203,11 @@ const Kind kinds[]{
 double differing(const std::string& path, const std::string& text) {
     std::ofstream(path) << header << text << '\n';
     const OpenedScene opened = open_scene(bytes_of(path), path, {.size = {width, height}}, read_pixels);
-    CHECK(opened.summary == "opens whole");
+    // Parts at random may share faces, which is told; where POV-Ray speckles none of them, pictures are the same.
+    const auto shared = [](const Message& note) {
+        return note.text.find("faces of parts in one place") != std::string::npos;
+    };
+    CHECK((opened.summary == "opens whole" || std::ranges::all_of(opened.notes, shared)));
     const View view{.camera = opened.scene.camera,
                     .width = width,
                     .height = height,
