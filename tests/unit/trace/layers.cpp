@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -144,13 +145,21 @@ TEST_CASE("edges of alpha are as exact as those of colours, also where both are 
     CHECK(std::sqrt(squares / (64 * 48)) < 1. / 510);
 }
 
+/// Returns a view through a shutter of two moments, between which the camera moves.
+View with_shutter(View view) {
+    Camera moved = view.camera;
+    moved.position = moved.position + DVec3(.1, 0, .05);
+    view.moments = std::make_shared<const std::vector<Shot>>(std::vector<Shot>{{view.camera, 0}, {moved, 0}});
+    return view;
+}
+
 TEST_CASE("layers of light add up to the picture bit for bit") {
     for (std::uint64_t seed = 1; seed <= 16; ++seed) {
         CAPTURE(seed);
         Scene scene = random_scene(seed, {.lights = true, .patterns = true, .bumps = seed % 4 == 0});
         if (seed % 3 == 0) scene.materials[0].metallic = .5;  // a finish
         if (seed % 5 == 0) scene.camera.aperture = .1;
-        const View view = view_of(scene);
+        const View view = seed == 7 ? with_shutter(view_of(scene)) : view_of(scene);
         const Precision precision = seed % 4 == 1 ? Precision::float32 : Precision::float64;
         const auto lights = scene.lights.size();
         for (const Sampling& sampling : {Sampling{.grid = 1}, Sampling{.grid = 3}, Sampling{.error = 1. / 64}}) {
@@ -277,12 +286,12 @@ TEST_CASE("unions that are split count as one body, and copies of their material
     }
 }
 
-TEST_CASE("layers do not depend on threads, and are the same in a crop") {
+TEST_CASE("layers do not depend on threads, and are the same in a crop, by cells, a lens and a shutter") {
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
         CAPTURE(seed);
         Scene scene = random_scene(seed, {.lights = true});
-        if (seed % 2 == 0) scene.camera.aperture = .1;
-        const View view = view_of(scene, 90, 70);
+        if (seed == 2) scene.camera.aperture = .1;
+        const View view = seed == 4 ? with_shutter(view_of(scene, 90, 70)) : view_of(scene, 90, 70);
         const Layers layers{.alpha = true,
                             .depth = true,
                             .normal = true,
@@ -290,7 +299,7 @@ TEST_CASE("layers do not depend on threads, and are the same in a crop") {
                             .body = true,
                             .material = true,
                             .light = true};
-        const Sampling sampling{.error = 1. / 64};
+        const Sampling sampling{.error = 1. / 24};
         const Planes whole = planes(scene, view, sampling, layers, Precision::float64, 1);
         CHECK(whole == planes(scene, view, sampling, layers, Precision::float64, 3));
         const Lattice part{.x = 13, .y = 21, .columns = 60, .rows = 45};
