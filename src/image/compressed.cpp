@@ -82,8 +82,8 @@ void read_header(png_structp png, png_infop info) {
     png_read_update_info(png, info);
 }
 
-}  // namespace
-
+/// Returns why a picture of this size is not read, or "": it has more than `most` values, or needs more memory than
+/// there is. `bytes` are those of a value in the file's own type.
 std::string size_fault(std::uint64_t width, std::uint64_t height, unsigned channels, std::uint64_t most,
                        std::size_t bytes) {
     const std::string size = std::to_string(width) + "x" + std::to_string(height) + " pixels";
@@ -91,6 +91,8 @@ std::string size_fault(std::uint64_t width, std::uint64_t height, unsigned chann
     const double needed = double(width * height) * channels * double(sizeof(double) + bytes);
     return needed > os::available_memory() ? "there is not enough memory for its " + size : "";
 }
+
+}  // namespace
 
 Picture read_png(const RegularFile& file, std::uint64_t most) {
     const std::string bytes = file.bytes(0, file.size());

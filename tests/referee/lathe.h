@@ -10,7 +10,7 @@
 
 namespace strahl::referee {
 
-/// What no point of a lathe is beyond: a distance from the axis, and two heights. Curves lie between control points.
+/// Bounds a lathe by a distance from its axis and two heights. Curves lie between their control points.
 struct LatheReach {
     double radius = 0, low = HUGE_VAL, high = -HUGE_VAL;
 

@@ -572,7 +572,7 @@ std::optional<SceneMaker::Part> SceneMaker::build_parts(const ObjectThing& objec
         own_around.merges = within.merges || (object.kind == ObjectKind::subtract && !first);
         std::optional<Part> part = build(*each, own_around);
         if (each->thin && !unites && object.kind == ObjectKind::intersect) return std::nullopt;
-        // What is taken away without extent would be seen as a sheet inside a clear body, and nowhere else.
+        // Notes a part without extent that is taken away: it is seen as a sheet inside a clear body, and nowhere else.
         if (each->thin && object.kind == ObjectKind::subtract && each->word != word("sphere")) sheet = each.get();
         if (part && each->inside_vector)
             close_mesh(*each, own_around, own_around.turned != within.turned, part->primitive);

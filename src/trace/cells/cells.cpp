@@ -440,7 +440,7 @@ void Cells::average_layers(const Cell& cell) {
     std::array<int, 5> all{cell.corners[0], cell.corners[1], cell.corners[2], cell.corners[3], cell.middle};
     const int count = cell.middle < 0 ? 4 : 5, pixel = static_cast<int>(pixel_of(cell) / 3);
     const auto weight = [&](int k) { return k < 4 ? of_corner : s * s / 3; };
-    // What without_pattern() takes out of the mean is a sum of the samples' light by weights.
+    // Takes the same out of weights as without_pattern() takes out of the mean, which is a sum of samples by weights.
     std::array<double, 3> off{}, color{}, per{};
     const bool patterned = count == 5 && shows_pattern(cell);
     const auto color_of = [&](int k, std::size_t c) { return double(samples[all[k]].color[c]); };

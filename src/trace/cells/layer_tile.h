@@ -11,8 +11,8 @@
 
 namespace strahl {
 
-/// What layers must know of a world: the body of each surface, the material that each of its materials was declared
-/// as, and the light that each of its lights is a point of.
+/// Lists what the numbers in a world stand for in the scene: the body of each surface, the material that each of its
+/// materials was declared as, and the light that each of its lights is a point of.
 struct LayerTables {
     std::vector<std::int32_t> bodies, materials, lights;
 };

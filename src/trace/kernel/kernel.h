@@ -175,7 +175,7 @@ struct Footprints {
     bool made = false;             // the queue of camera rays has their differentials
 };
 
-/// What pixels show besides their light, a row of numbers for each (layers.h). A row begins with the share of the
+/// Holds a row of numbers for each pixel, the values of its layers (layers.h). A row begins with the share of the
 /// background that shows through. If it is longer, the first hit follows: its distance, position and normal in the
 /// world, its surface and its material, or infinity and -1. If it is longer still, it ends with colours: light that no
 /// light gave to that hit, or the background; what is reflected there, and what comes through; what each light gives.

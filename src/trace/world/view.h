@@ -71,8 +71,8 @@ struct View {
     /// through the pixel's middle; what a shift changes is in the bound.
     bool prove = false;
     std::shared_ptr<const std::vector<Track>> tracks{};  // if any, these replace the scene's
-    /// What tiles hold besides light. With alpha the background is black, as far as it is not opaque, but in mirrors;
-    /// light is multiplied by alpha. Resolution levels and lists of places have no layers.
+    /// Says what tiles hold besides light. With alpha the background is black, as far as it is not opaque, but in
+    /// mirrors; light is multiplied by alpha. Resolution levels and lists of places have no layers.
     Layers layers{};
     /// If any, averages over pixels are also averages over these (shutter.h). One ray in each pixel sees `time` alone.
     std::shared_ptr<const std::vector<Shot>> moments{};

@@ -75,7 +75,7 @@ TEST_CASE("POV-Ray: faces of parts in one place are told where POV-Ray's roundin
     const std::string prism = "prism { 0, 5, 5, <.2,-2.4>, <-.2,-2.4>, <-.8,-1.4>, <.8,-1.4>, <.2,-2.4> } ";
     const std::string beside = "prism { 0, 4, 5, <-.8,-1.4>, <-.5,-1.9>, <-1,-1.9>, <-1.3,-1.4>, <-.8,-1.4> } ";
     CHECK(told("merge { " + prism + beside + "pigment { rgbt .5 } }"));
-    // Of a difference: what two parts take away, where the first one is.
+    // Looks at faces of what two parts take away, inside the first part of a difference.
     const std::string open = "box { <-1, -1, -1>, <1, 3, 1> } box { <.5, -1, -.5>, <3, 3, .5> } ";
     CHECK(told("difference { sphere { 0, 2 } " + open + "}"));
     CHECK(!told("difference { sphere { 0, 2 } " + flush + "}"));  // hidden inside
@@ -1007,7 +1007,7 @@ TEST_CASE("POV-Ray: bodies that no ray meets are not missing") {
     CHECK(says(warnings[0].told(), "not in one plane"));
     CHECK(whole(bent).primitives.empty());
     CHECK(shape<Disc>(whole("disc { 0, z, -1, -.5 }")) == shape<Disc>(whole("disc { 0, z, 1, .5 }")));
-    // What a body without extent takes away could be seen inside a clear one.
+    // Takes a body without extent away, which could be seen inside a clear one.
     const std::string thin = "difference { sphere { 0, 1 } cylinder { -y, y, 0 } ";
     CHECK(notes_of(thin + "}") == "");
     CHECK(says(notes_of(thin + "pigment { rgbt .5 } }"), "left out: a body without extent"));

@@ -78,7 +78,7 @@ TEST_CASE("forms of old scenes") {
 TEST_CASE("what never ends is an error") {
     const std::string counts = "#declare i = 0; #while (1) #declare i = i + 1; #end";
     check_fails("\n" + counts, "2:17: the scene does not end: more than 100000 words", short_run());
-    // What can only go on for ever is an error as soon as that is known.
+    // Expects an error as soon as it is known that a loop can only go on for ever.
     const std::string endless = "invalid #while: it never ends";
     check_fails("#while (1) #end", "1:1: " + endless);
     check_fails("#declare i = 0; #while (i < 10) sphere { i, 1 } #end", "1:17: " + endless);
