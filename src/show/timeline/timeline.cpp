@@ -284,7 +284,7 @@ void Timeline::music(const TimelineView& view, TimelineInput& input) {
     ImGui::TextUnformatted("sound");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(std::clamp(left_over, 8 * font, 15 * font));
-    if (ImGui::InputTextWithHint("##sound", "an .ogg file beside the scene", draft_sound.data(), draft_sound.size(),
+    if (ImGui::InputTextWithHint("##sound", "an .ogg file", draft_sound.data(), draft_sound.size(),
                                  ImGuiInputTextFlags_EnterReturnsTrue)) {
         draft_music.sound = draft_sound.data();
         input.music = {draft_music, false};
