@@ -28,7 +28,7 @@ point() {
 # add ROW X Y: adds what this row of the list has where the view is clicked.
 add() {
     xdotool key ctrl+a
-    point 84 $((266 + 26 * $1))
+    point 84 $((253 + 26 * $1))
     point "$2" "$3"
     await 'chosen'
 }
@@ -98,12 +98,12 @@ change 819 202 -.03
 change 820 150 1.7
 color 254 .95 .7 .25
 change 820 280 .3
-add 3 580 320
+add 3 560 320
 color 254 .2 .4 .75
 shot 3
 
 echo "-- a spotlight, whose mark is shown"
-add 8 330 640
+add 9 330 640
 shot 4
 
 echo "-- a flight around it, on the timeline"

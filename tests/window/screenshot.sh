@@ -10,6 +10,7 @@ set -uo pipefail
 source "$(dirname -- "$0")/window.sh"
 [[ -z ${2-} ]] || set -- "$1" "$(readlink -f -- "$2")"
 own_display 960x600 "import compare montage" "$@"
+rm state/strahl/no_toolbar
 
 # same NAME ROWS: the window shows this picture of assets in its upper rows; or this becomes what the window shows.
 same() {

@@ -70,9 +70,9 @@ std::string numbers_text(const std::vector<double>& numbers) {
 
 }  // namespace
 
-BodyInput BodyPanel::draw(const BodyEditor& editor, const std::string& file, const Margins& margins) {
+BodyInput BodyPanel::draw(const BodyEditor& editor, const std::string& file, const Margins& margins, bool left) {
     BodyInput input;
-    begin_panel("body", 1, 0, margins);
+    begin_panel("body", left ? 0 : 1, 0, margins);
     const BodyText& body = editor.body();
     if (const auto& block = editor.block())
         ImGui::Text("%s: %s", *block == TopBlock::camera ? "camera" : "background", body.kind.c_str());

@@ -44,8 +44,8 @@ struct BodyInput {
 
 class BodyPanel {
   public:
-    /// To be called while ImGui makes a frame.
-    BodyInput draw(const BodyEditor& editor, const std::string& file, const Margins& margins);
+    /// To be called while ImGui makes a frame. `left`: it stands there, else at the right.
+    BodyInput draw(const BodyEditor& editor, const std::string& file, const Margins& margins, bool left);
     /// Its width in pixels, with the space beside it.
     float width() const { return wide; }
     const CoveredArea& area() const { return own; }

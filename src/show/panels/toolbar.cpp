@@ -31,6 +31,7 @@ std::vector<ToolbarButton> buttons_of(const ToolbarView& view) {
             {"camera", {Action::edit_camera}, view.camera},
             {"list", {Action::outline}},
             {"time", {Action::timeline}},
+            {"key", {Action::add_key}},
             {"play", {view.playing ? Action::pause : Action::play}, view.playing},
             {"record", {Action::record}, view.recording},
             {"film", {Action::film}},
