@@ -17,9 +17,12 @@ printf '#!/usr/bin/env bash\nfile=${!#}\nexec cat >"${file#file:}"\n' >bin/ffmpe
 chmod +x bin/*
 export PATH=$work/bin:$PATH ALSOFT_DRIVERS=null
 
-# shot NAME: keeps what the window shows, for the pictures; by then its notes have disappeared.
+# shot NAME: keeps what the window shows, for the pictures, with the toolbar; by then its notes have disappeared.
 shot() {
-    [[ -z $folder ]] || { xdotool mousemove --window "$id" 480 20 sleep 7 && import -window "$id" "$1.png"; }
+    [[ -z $folder ]] && return
+    xdotool mousemove --window "$id" 480 90 key ctrl+t sleep 7
+    import -window "$id" "$1.png"
+    xdotool key ctrl+t sleep 1
 }
 # point X Y [BUTTON]: clicks there with this button, or the left one.
 point() {
@@ -140,7 +143,7 @@ xdotool key Home l
 await 'lights are shown'
 point 318 299
 await 'chosen: light 3'
-follow 817 124 flash 885
+follow 863 124 flash 885
 point 87 546
 type_at 320 662 1.3
 point 222 565

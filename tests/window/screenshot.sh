@@ -52,6 +52,7 @@ xdotool mousemove --window "$id" 430 400 click 1 key l
 same handles.jpg 600
 quit
 
+: >state/strahl/no_toolbar
 command -v povray >/dev/null || fault "povray is not installed"
 if command -v povray >/dev/null; then
     start "$here/../../scenes/article.rt" --size 640x480

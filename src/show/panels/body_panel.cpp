@@ -119,6 +119,11 @@ BodyInput BodyPanel::draw(const BodyEditor& editor, const std::string& file, con
     const auto folded = [&](std::size_t i) {
         return (i > material && values[i].source == no_source) || values[i].fixed == "from the file";
     };
+    // Names have a column of their own.
+    const float font = ImGui::GetFontSize();
+    labels = 7 * font;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (!folded(i)) labels = std::max(labels, ImGui::CalcTextSize(values[i].name.c_str()).x + 1.4f * font);
     std::string source;
     std::vector<std::size_t> more;
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -191,7 +196,7 @@ void BodyPanel::draw_value(const BodyEditor& editor, std::size_t number, std::st
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(value.name.c_str());
     if (ImGui::IsItemHovered() && !value.help.empty()) ImGui::SetTooltip("%s", value.help.c_str());
-    ImGui::SameLine(std::max(7 * font, ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + font / 2));
+    ImGui::SameLine(std::max(labels, ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + font / 2));
     std::vector<double> numbers = value.numbers;
     if (open) {
         const bool color = value.color && numbers.size() == 3;

@@ -142,8 +142,9 @@ std::string advice_on_sign(std::string_view text, std::size_t at) {
             numbers += is_digit(i) && !is_digit(i - 1) && text[i - 1] != '.';
         if (numbers > 3) return "decimals have a point, as in 2.5";
     }
+    const std::string_view head = text.substr(0, before);
+    if (is_digit(at) && head.ends_with("rotate")) return "degrees about each axis, as in rotate <0, 0, 45>";
     if (sign == '"') {
-        const std::string_view head = text.substr(0, before);
         if (head.ends_with("mesh {")) return "a mesh of a file is written mesh { file \"NAME\" }";
         if (head.ends_with(" image")) return "an image is written image { \"NAME\" }";
     }

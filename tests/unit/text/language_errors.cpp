@@ -102,6 +102,10 @@ TEST_CASE("signs that mean something elsewhere get advice") {
                 "\"NAME\" }");
     check_fault("sphere { <0,0,0>, 1 material { rgb image \"a.png\" } }",
                 "2:42: '{' expected after 'image', but found '\"'; an image is written image { \"NAME\" }");
+    check_fault(
+        "sphere { <0,0,0>, 1 rotate 45 }",
+        "2:28: a vector <x, y, z> expected for 'rotate' of 'sphere', but found '45'; degrees about each axis, as in "
+        "rotate <0, 0, 45>");
     check_fault("define gold { }",
                 "2:13: 'material' or a body expected after 'gold', as in define gold material { ... "
                 "}, but found '{'");
