@@ -94,6 +94,21 @@ const Kind kinds[]{
                 t.number(0, .3) + ", " + t.number(.4, .9) + " " + how + " } } interior { ior 1.4 } }";
      },
      .02},
+    {"normals of textures that a pattern with turbulence shows",
+     [](Texts& t) {
+         const auto look = [&](const char* color) {
+             return std::string("[.5 pigment { rgb ") + color + " } normal { " +
+                    t.one_of({"bumps", "dents", "agate", "ripples"}) + " " + t.number(.3, .9) + " scale " +
+                    t.number(.2, .6) + " } finish { phong .5 }] ";
+         };
+         const std::string moved =
+             t.one_of({"turbulence .4", "warp { turbulence .3 } scale <.5,1,2>",
+                       "rotate 30*z warp { repeat x*.7 flip x }", "scale .6 turbulence <.2,0,.5>"});
+         return t.camera() + lamp + "sphere { 0, 1.5 texture { " +
+                t.one_of({"bozo ", "gradient y ", "crackle ", "wood "}) + "scale .5 " + moved + " texture_map { " +
+                look("1") + look("<1,.5,.2>") + "} rotate " + t.vector(-60, 60) + " } }";
+     },
+     .01},
     {"numbers below 0",
      [](Texts& t) {
          return t.camera() + lamp + "sphere { 0, 1.5 pigment { rgb " + t.vector(.2, 1) + " } finish { ambient " +
