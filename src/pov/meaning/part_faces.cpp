@@ -71,8 +71,8 @@ void each_part_face(const Shape& shape, double reach, const Add& add) {
 }
 
 /// Returns points on the curved surface of a sphere, a cylinder or a cone in its own space.
-std::vector<PointOnPart> points_on(const Shape& shape) {
-    std::vector<PointOnPart> points;
+std::vector<PointOnFace> own_points(const Shape& shape) {
+    std::vector<PointOnFace> points;
     const auto add_rings = [&](const DVec3& base, const DVec3& way, double base_radius, double cap_radius) {
         const DVec3 axis = normalize(way);
         const DVec3 u = normalize(cross_product(std::fabs(axis.x) < .5 ? DVec3(1, 0, 0) : DVec3(0, 1, 0), axis));
@@ -179,7 +179,7 @@ void add_curved(std::vector<CurvedFace>& faces, const Shape& shape, const glm::d
         if (std::fabs(length(DVec3(m[i])) - scale) > off(scale) ||
             std::fabs(dot_product(DVec3(m[i]), DVec3(m[(i + 1) % 3]))) > off(scale * scale))
             return;
-    CurvedFace face{part, shape.index(), DVec3(0), DVec3(0), 0, {}};
+    CurvedFace face{part, shape.index(), DVec3(0), DVec3(0), 0};
     if (const auto* const sphere = std::get_if<Sphere>(&shape)) {
         face.centre = transform_point(m, sphere->centre), face.size = scale * sphere->radius;
     } else if (const auto* const cylinder = std::get_if<Cylinder>(&shape)) {
@@ -195,10 +195,14 @@ void add_curved(std::vector<CurvedFace>& faces, const Shape& shape, const glm::d
     } else {
         return;
     }
-    face.points = points_on(shape);
-    for (PointOnPart& own : face.points)
+    faces.push_back(face);
+}
+
+std::vector<PointOnFace> points_on(const Shape& shape, const glm::dmat4& m) {
+    std::vector<PointOnFace> points = own_points(shape);
+    for (PointOnFace& own : points)
         own.p = transform_point(m, own.p), own.normal = normalize(glm::dmat3(m) * own.normal);
-    faces.push_back(std::move(face));
+    return points;
 }
 
 }  // namespace strahl::pov

@@ -41,7 +41,7 @@ bool any_point_of(const std::vector<DVec3>& polygon, const Test& test) {
     if (polygon.size() < 3) return false;
     DVec3 middle(0);
     for (const DVec3& corner : polygon) middle = middle + 1. / double(polygon.size()) * corner;
-    for (const double share : {.05, .4, .9, .2, .6, .97})
+    for (const double share : {.05, .4, .9})
         for (std::size_t i = 0; i < polygon.size(); ++i)
             for (const double turn : {0., .5}) {
                 const DVec3 rim = (1 - turn) * polygon[i] + turn * polygon[(i + 1) % polygon.size()];
@@ -50,23 +50,25 @@ bool any_point_of(const std::vector<DVec3>& polygon, const Test& test) {
     return false;
 }
 
-/// A place on a surface of a part, with a normal of length 1.
-struct PointOnPart {
+/// A place on a surface, with a normal of length 1.
+struct PointOnFace {
     DVec3 p, normal;
 };
-/// The curved face of a sphere, a cylinder or a cone, and points on it.
+/// The curved face of a sphere, a cylinder or a cone.
 struct CurvedFace : Face {
     std::size_t kind;  // Shape::index()
     DVec3 centre;      // of a sphere; the tip of a cone; of a cylinder's axis the point that is nearest to the origin
     DVec3 axis;        // of length 1; its first coordinate that is not 0 is positive
     double size;       // radius, or of a cone radius per length
-    std::vector<PointOnPart> points;
+    std::vector<PointOnFace> points{};  // some, where they are asked for
 
     double away() const { return length(centre); }
     bool continues(const CurvedFace& other) const;
 };
 /// Adds the curved face of a simple body, which a matrix moves that keeps shapes similar.
 void add_curved(std::vector<CurvedFace>& faces, const Shape& shape, const glm::dmat4& matrix, Face face);
+/// Returns points on the curved face of a body, which such a matrix moves.
+std::vector<PointOnFace> points_on(const Shape& shape, const glm::dmat4& matrix);
 /// Calls test(a, b) for pairs of faces of two parts that continue each other until it returns true, and returns whether
 /// it did. Sorts the faces.
 template <class Test>

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <iterator>
 #include <limits>
 #include <set>
 #include <utility>
@@ -12,6 +14,7 @@
 #include "pov/meaning/sight.h"
 #include "scene/leaves.h"
 #include "scene/overlap.h"
+#include "scene/ray_hits.h"
 
 namespace strahl::pov {
 namespace {
@@ -41,10 +44,13 @@ class SharedFaces {
         if (keeps) return 0;
         std::vector<PartFace> flat;
         std::vector<CurvedFace> curved;
+        std::size_t with_points = 0;
         for (std::size_t i = 0; i < parts.size(); ++i)
             for_each_leaf(*parts[i], [&](const Primitive& leaf, const glm::dmat4& matrix) {
                 const Face face{i, leaf.material, !is_nothing(leaf)};
                 add_flat(flat, leaf.shape, matrix, face, reach), add_curved(curved, leaf.shape, matrix, face);
+                if (with_points < curved.size())
+                    curved.back().points = points_on(leaf.shape, matrix), with_points = curved.size();
             });
         std::vector<std::pair<Face, Face>> pairs;
         bool touches = false;
@@ -62,7 +68,7 @@ class SharedFaces {
             return enough();
         });
         any_pair_of(curved, [&](const CurvedFace& one, const CurvedFace& other) {
-            const auto is_decided = [&](const PointOnPart& own) { return look(one, other, own.p, own.normal); };
+            const auto is_decided = [&](const PointOnFace& own) { return look(one, other, own.p, own.normal); };
             std::ranges::any_of(one.points, is_decided) || std::ranges::any_of(other.points, is_decided);
             return enough();
         });
@@ -159,67 +165,59 @@ bool is_composite_body(const Primitive& own) {
     return any;
 }
 
-/// Bodies of a scene that have surfaces in one place.
+/// Finds bodies of a scene that have surfaces in one place.
 class BodiesInOnePlace {
   public:
-    BodiesInOnePlace(const Scene& scene, bool clear_on_planes) : scene(scene), clear_on_planes(clear_on_planes) {}
-
-    std::set<std::size_t> found() {
-        if (!any()) return {};
-        Sight sight(scene);
-        std::set<std::size_t> all;
-        std::size_t count = 0;
-        for (const Sight::Place& place : sight.places())
-            if (place.other && may_differ(place.body, *place.other))
-                ++count, all.insert(told_of(place.body, *place.other));
-        return sight.counts(count) ? all : std::set<std::size_t>();
+    explicit BodiesInOnePlace(const Scene& scene) : scene(scene) {
+        for (const Material& own : scene.materials) mirrors |= own.reflection > 0;
     }
 
-  private:
-    const Primitive& body(std::size_t number) const { return scene.primitives[number]; }
-    bool is_plane(std::size_t number) const { return std::holds_alternative<Plane>(body(number).shape); }
-    bool is_clear_on_planes(std::size_t number) const {
-        return !std::holds_alternative<Cuboid>(body(number).shape) && transparent(scene, body(number));
-    }
-    std::size_t told_of(std::size_t one, std::size_t other) const {
-        return clear_on_planes ? (is_plane(one) ? other : one) : std::max(one, other);
-    }
     bool may_differ(std::size_t one, std::size_t other) const {
-        if (clear_on_planes) return is_plane(one) != is_plane(other) && is_clear_on_planes(is_plane(one) ? other : one);
         const bool patterned = scene.materials[static_cast<std::size_t>(body(one).material)].patterned();
-        return transparent(scene, body(one)) || transparent(scene, body(other)) || is_composite_body(body(one)) ||
-               is_composite_body(body(other)) || body(one).material != body(other).material ||
+        return clear(one) || clear(other) || is_composite_body(body(one)) || is_composite_body(body(other)) ||
+               body(one).material != body(other).material ||
                (patterned && body(one).transformations != body(other).transformations);
     }
-    /// Are there any such bodies, seen or not?
-    bool any() {
+    /// Are there any that may be seen?
+    bool any() const {
         std::vector<PartFace> flat;
         std::vector<CurvedFace> curved;
-        for (std::size_t i = 0; i < scene.primitives.size(); ++i) {
-            if (clear_on_planes && !is_plane(i) && !is_clear_on_planes(i)) continue;
+        for (std::size_t i = 0; i < scene.primitives.size(); ++i)
             for_each_leaf(body(i), [&](const Primitive& leaf, const glm::dmat4& matrix) {
                 const Face face{i, leaf.material};
-                add_flat(flat, leaf.shape, matrix, face, reach);
-                if (!clear_on_planes) add_curved(curved, leaf.shape, matrix, face);
+                add_flat(flat, leaf.shape, matrix, face, reach), add_curved(curved, leaf.shape, matrix, face);
             });
-        }
         return any_pair_of(flat,
                            [&](const PartFace& a, const PartFace& b) {
-                               return may_differ(a.part, b.part) && common_part(a.corners, b).size() > 2;
+                               return may_differ(a.part, b.part) && may_be_seen(common_part(a.corners, b), a, b);
                            }) ||
                any_pair_of(curved,
                            [&](const CurvedFace& a, const CurvedFace& b) { return may_differ(a.part, b.part); });
     }
 
+  private:
+    const Primitive& body(std::size_t number) const { return scene.primitives[number]; }
+    bool clear(std::size_t number) const { return transparent(scene, body(number)); }
+    /// Is the face of neither body behind itself for the camera, in the middle of what they have in common?
+    bool may_be_seen(const std::vector<DVec3>& polygon, const PartFace& one, const PartFace& other) const {
+        if (polygon.size() < 3) return false;
+        if (mirrors) return true;
+        DVec3 middle(0);
+        for (const DVec3& corner : polygon) middle = middle + 1. / double(polygon.size()) * corner;
+        const double side = dot_product(one.normal, scene.camera.position - middle) < 0 ? -1 : 1;
+        const DVec3 before = middle + side * step_aside * (1 + length(middle)) * one.normal;
+        const auto hides = [&](std::size_t number) { return !clear(number) && contains(body(number), before); };
+        return !hides(one.part) && !hides(other.part);
+    }
+
     const Scene& scene;
-    const bool clear_on_planes;
+    bool mirrors = false;
     const double reach = 1e4;
 };
 
 }  // namespace
 
-std::vector<std::size_t> shared_by_parts(const Scene& scene) {
-    Sight sight(scene);
+std::vector<std::size_t> shared_by_parts(const Scene& scene, Sight& sight) {
     std::vector<std::size_t> found;
     std::size_t count = 0;
     for (std::size_t i = 0; i < scene.primitives.size(); ++i) {
@@ -229,7 +227,44 @@ std::vector<std::size_t> shared_by_parts(const Scene& scene) {
     return count > 0 && sight.counts(count) ? found : std::vector<std::size_t>();
 }
 
-std::set<std::size_t> bodies_in_one_place(const Scene& scene) { return BodiesInOnePlace(scene, false).found(); }
-std::set<std::size_t> clear_bodies_on_planes(const Scene& scene) { return BodiesInOnePlace(scene, true).found(); }
+std::vector<Sight::Place> places_of_two_bodies(const Scene& scene, Sight& sight) {
+    const BodiesInOnePlace bodies(scene);
+    std::vector<Sight::Place> found;
+    if (!bodies.any()) return found;
+    for (const Sight::Place& place : sight.places())
+        if (place.other && bodies.may_differ(place.body, *place.other)) found.push_back(place);
+    return found;
+}
+
+std::set<std::size_t> clear_bodies_on_planes(const Scene& scene, Sight& sight,
+                                             const std::vector<Sight::Place>& places) {
+    std::set<std::size_t> found;
+    std::size_t count = 0;
+    for (const Sight::Place& place : places) {
+        const auto is_plane = [&](std::size_t body) {
+            return std::holds_alternative<Plane>(scene.primitives[body].shape);
+        };
+        if (is_plane(place.body) == is_plane(*place.other)) continue;
+        const std::size_t own = is_plane(place.body) ? *place.other : place.body;
+        if (!transparent(scene, scene.primitives[own]) || std::holds_alternative<Cuboid>(scene.primitives[own].shape))
+            continue;
+        ++count, found.insert(own);
+    }
+    return sight.counts(count) ? found : std::set<std::size_t>();
+}
+
+std::set<std::size_t> bodies_in_one_place(const Scene& scene, Sight& sight, const std::vector<Sight::Place>& places) {
+    std::set<std::size_t> found;
+    std::size_t count = 0;
+    for (const Sight::Place& place : places) {
+        const double size = 1 + length(place.p), step = 1e-4 * size;
+        const auto is_there = [&](std::size_t body) {
+            const auto hits = ray_hits(scene.primitives[body], {place.p + step * place.normal, -place.normal, -1}, 0);
+            return std::ranges::any_of(hits, [&](const RayHit& hit) { return std::fabs(hit.t - step) < 1e-10 * size; });
+        };
+        if (is_there(place.body) && is_there(*place.other)) ++count, found.insert(std::max(place.body, *place.other));
+    }
+    return sight.counts(count) ? found : std::set<std::size_t>();
+}
 
 }  // namespace strahl::pov

@@ -4,6 +4,7 @@
 #include <set>
 #include <vector>
 
+#include "pov/meaning/sight.h"
 #include "scene/scene.h"
 
 namespace strahl::pov {
@@ -14,11 +15,13 @@ namespace strahl::pov {
 /// Returns the numbers of composites of whose parts several have a face in one place, so that it is there or not as
 /// POV-Ray rounds the place where a ray meets it, or one of two that look different. In a merge through which light
 /// goes that is also so if parts only touch.
-std::vector<std::size_t> shared_by_parts(const Scene& scene);
+std::vector<std::size_t> shared_by_parts(const Scene& scene, Sight& sight);
 
-/// Returns the numbers of bodies with a face where a body before them has one that looks different.
-std::set<std::size_t> bodies_in_one_place(const Scene& scene);
-/// Returns the numbers of the clear bodies, other than boxes, that have such a face in a plane.
-std::set<std::size_t> clear_bodies_on_planes(const Scene& scene);
+/// Returns places where two bodies have a face, and do not look the same.
+std::vector<Sight::Place> places_of_two_bodies(const Scene& scene, Sight& sight);
+/// Returns the numbers of the clear bodies, other than boxes, that have a face in a plane there.
+std::set<std::size_t> clear_bodies_on_planes(const Scene& scene, Sight& sight, const std::vector<Sight::Place>& places);
+/// Returns, once faces have been moved, the numbers of those bodies that still have one where one before them has one.
+std::set<std::size_t> bodies_in_one_place(const Scene& scene, Sight& sight, const std::vector<Sight::Place>& places);
 
 }  // namespace strahl::pov

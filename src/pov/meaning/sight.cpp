@@ -67,7 +67,7 @@ const std::vector<Sight::Place>& Sight::places() {
 }
 
 void Sight::follow_rays() {
-    constexpr int columns = 96, rows = 72, most_turns = 3;
+    constexpr int columns = 48, rows = 36, most_turns = 3;
     const Camera& camera = scene.camera;
     if (camera.projection != Projection::perspective) return;
     std::vector<char> clear, is_mirror;

@@ -19,7 +19,7 @@ class Sight {
         std::optional<std::size_t> other;  // another body that has a surface there
     };
     const std::vector<Place>& places();
-    /// Are so many of the places a share of the picture that counts: a four-hundredth?
+    /// Are so many places a share of the picture that counts, a four-hundredth?
     bool counts(std::size_t some) {
         places();
         return rays > 0 && some * 400 >= rays;
