@@ -64,7 +64,7 @@ const std::string glass = " pigment { rgbf 1 } finish { ambient 0 diffuse 0 } ";
 struct Kind {
     const char* name;
     std::function<std::string(Texts&)> text;
-    double share = .006;  // of the pixels that may differ by more than 1/255: those on edges
+    double share = .006;    // of the pixels that may differ by more than 1/255: those on edges
     bool speckled = false;  // may POV-Ray's rounding speckle faces? Then they are told, or pictures are the same
 };
 
