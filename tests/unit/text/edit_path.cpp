@@ -103,7 +103,7 @@ TEST_CASE("the point in focus takes the place of the one before, or of a distanc
     };
     const std::string rest = "\nsphere { <0,0,0>, 1 }\n";
     CHECK(focused("") == "camera { fov 9  aperture 0.1  focus_on <1, 2.5, 3> }" + rest);
-    CHECK(focused(" aperture 0") == "camera { fov 9 aperture 0.1 focus_on <1, 2.5, 3> }" + rest);
+    CHECK(focused(" aperture 0") == "camera { fov 9 aperture 0.1  focus_on <1, 2.5, 3> }" + rest);
     CHECK(focused(" aperture .2 focus 7 blades 5") ==
           "camera { fov 9 aperture .2 focus_on <1, 2.5, 3> blades 5 }" + rest);
     CHECK(focused(" focus_on <7, 8, 9> aperture .2") == "camera { fov 9 focus_on <1, 2.5, 3> aperture .2 }" + rest);

@@ -140,6 +140,40 @@ TEST_CASE("an edge out of focus is the share of the lens that sees beyond it") {
         }
 }
 
+TEST_CASE("a small bright ball out of focus becomes a disc that has all its light") {
+    for (const double radius : {.05, .02}) {
+        constexpr double depth = 20, lens = .1, focus = 5, disc = lens * (depth / focus - 1);
+        const double light = .002 / (radius * radius);
+        Scene scene;
+        scene.camera = {.position = {0, 0, 0},
+                        .look_at = {0, 1, 0},
+                        .up = {0, 0, -1},
+                        .fov = 10,
+                        .aspectratio = {},
+                        .aperture = lens,
+                        .focus = focus};
+        Material glowing;
+        glowing.rgb = Pigment(1, 1, 1), glowing.ambient = light * 10, glowing.diffuse = glowing.specular = 0;
+        scene.settings.ambient_light = Color(1);
+        scene.background = Pigment(0, 0, 0);
+        scene.materials.push_back(glowing);
+        scene.primitives.push_back({.shape = Sphere{{0, depth, 0}, radius}, .material = 0, .transformations = {}});
+        const View view{.camera = scene.camera, .width = 60, .height = 60};
+        const std::vector<double> values = picture(scene, view, whole(view), 2, 1. / 510);
+        const double pixel = 2 * frame_of(scene.camera, 1).tan_x / view.width * depth;
+        double sum = 0, beyond = 0;
+        for (int y = 0; y < 60; ++y)
+            for (int x = 0; x < 60; ++x) {
+                const double value = values[std::size_t(3) * (y * 60 + x)];
+                sum += value;
+                if (std::hypot(x - 29.5, y - 29.5) * pixel > disc + radius + pixel) beyond += value;
+            }
+        CAPTURE(radius);
+        CHECK(beyond == 0);
+        CHECK(sum * pixel * pixel == doctest::Approx(.02 * std::numbers::pi).epsilon(.03));
+    }
+}
+
 TEST_CASE("random worlds are what pinholes all over the lens see, and the error is what is said") {
     double all = 0, said = 0;
     for (const int seed : {3, 8, 21, 34}) {
