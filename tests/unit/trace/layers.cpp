@@ -11,6 +11,7 @@
 #include "num/thread_pool.h"
 #include "num/vec_math.h"
 #include "tests/referee/random_scene.h"
+#include "tests/unit/sanitized.h"
 #include "text/parse.h"
 #include "trace/tracer.h"
 
@@ -72,7 +73,7 @@ void check_near(const std::vector<float>& a, const std::vector<double>& b, std::
 }
 
 TEST_CASE("a picture with alpha before its background is the picture with that background") {
-    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    for (std::uint64_t seed = 1; seed <= (sanitized() ? 4 : 40); ++seed) {
         CAPTURE(seed);
         Scene scene = random_scene(seed, {.lights = seed % 2 == 0, .patterns = seed % 3 == 0});
         scene.background = Pigment(.25, .5, 2);
@@ -177,7 +178,7 @@ View with_shutter(View view) {
 }
 
 TEST_CASE("layers of light add up to the picture bit for bit") {
-    for (std::uint64_t seed = 1; seed <= 16; ++seed) {
+    for (std::uint64_t seed = 1; seed <= (sanitized() ? 5 : 16); ++seed) {
         CAPTURE(seed);
         Scene scene = random_scene(seed, {.lights = true, .patterns = true, .bumps = seed % 4 == 0});
         if (seed % 3 == 0) scene.materials[0].metallic = .5;  // a finish
