@@ -54,7 +54,7 @@ struct Camera {
     bool shutter_in_frames = false;  // that is a share of the time from frame to frame, and not in seconds
     Stereo stereo = Stereo::none;
     double eye_distance = 0;            // of both eyes, in stereo; the position is between them
-    std::optional<double> convergence;  // distance of what both eyes see in the same place; without it none is so near
+    std::optional<double> convergence;  // distance of what both see at the same place; none if they look in parallel
     bool operator==(const Camera&) const = default;
 };
 /// A moment of a scene, in seconds, as its camera sees it.
