@@ -28,21 +28,6 @@ double variance_of(const Sums& sums, double taken) {
     return std::max(light, alpha);
 }
 
-/// Returns whether one of the eighths alone has found what makes their means differ.
-template <class Sums>
-bool found_once(const Sums& sums) {
-    for (int c = 0; c < 3; ++c) {
-        double mean = 0, squares = 0, largest = 0;
-        for (const auto& sum : sums) mean += sum[c] / LensPixels::eighths;
-        for (const auto& sum : sums) {
-            const double square = (sum[c] - mean) * (sum[c] - mean);
-            squares += square, largest = std::max(largest, square);
-        }
-        if (squares > 0 && largest > .8 * squares) return true;
-    }
-    return false;
-}
-
 }  // namespace
 
 void LensPixels::begin(int x, int y, int own_columns, int own_rows, double error, const Camera& own_camera,
@@ -189,10 +174,6 @@ void LensPixels::take(std::uint32_t rays, const TraceLensRays& trace) {
     for (const int number : open) {
         LensPixel& pixel = pixels[number];
         pixel.variance = variance_of(pixel.sums, double(pixel.taken) / eighths);
-        // A ray of light that is not above white cannot outweigh 31 others that much.
-        constexpr double outweighing = 64;
-        const double allowed = allowed_deviation(aim);
-        pixel.rare = pixel.variance > outweighing * allowed * allowed && found_once(pixel.sums);
         for (int c = 0; c < 3; ++c) {
             double sum = 0;
             for (const auto& eighth : pixel.sums) sum += eighth[c];
@@ -208,15 +189,10 @@ void LensPixels::refine(bool all, const TraceLensRays& trace) {
     } while (all && !open.empty());
 }
 
-/// Finds the pixels that need more rays. Few rays may all have missed what a neighbour has found; or what any pixel of
-/// the square has found, if that is rare.
+/// Finds the pixels that need more rays. Few rays may all have missed what a neighbour has found.
 void LensPixels::settle() {
     const double limit = allowed_deviation(aim) * allowed_deviation(aim);
     open.clear();
-    std::vector<char> rare_squares(pixels.size());
-    for (int y = 0; y < rows; ++y)
-        for (int x = 0; x < columns; ++x)
-            rare_squares[y / coarsest_cell * columns + x / coarsest_cell] |= pixels[y * columns + x].rare;
     for (int y = 0; y < rows; ++y)
         for (int x = 0; x < columns; ++x) {
             const int number = y * columns + x;
@@ -229,8 +205,7 @@ void LensPixels::settle() {
             int count = 0;
             for (int v = from(y); v < to(y, rows); ++v)
                 for (int u = from(x); u < to(x, columns); ++u, ++count) sum += pixels[v * columns + u].variance;
-            const bool rare = rare_squares[y / coarsest_cell * columns + x / coarsest_cell];
-            if (rare || std::max(pixels[number].variance, sum / count) > limit) open.push_back(number);
+            if (std::max(pixels[number].variance, sum / count) > limit) open.push_back(number);
         }
 }
 

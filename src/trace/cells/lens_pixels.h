@@ -61,8 +61,6 @@ class LensPixels {
         /// The variance that the mean of eight independent nets would have: of light, averaged over red, green and
         /// blue, or of alpha, if that is larger.
         double variance = 0;
-        /// Has one eighth alone found light, so bright that the pixels around may have missed it?
-        bool rare = false;
     };
     /// Points `first` to `last` of the net of `last` points with this seed, in a pixel; their light is added to `sums`.
     struct NetPart {
