@@ -38,6 +38,10 @@ sed -e 's/aperture .3  focus 2/shutter .1/' -e 's/, 1 }/, 1 motion { key { time 
 expect 0 "shutter.rt: compared in the middle of the time its shutter is open" crosscheck shutter.rt --size 32x24
 expect 0 "POV-Ray has no shutter" pov shutter.rt -o shutter.pov
 grep -q "POV-Ray has no shutter" shutter.pov || fault "shutter.pov has no word about its shutter"
+sed 's/aperture .3  focus 2/side_by_side .1/' lens.rt >eyes.rt
+expect 0 "eyes.rt: compared as seen from between its two eyes" crosscheck eyes.rt --size 32x24
+expect 0 "POV-Ray has no pictures for two eyes" pov eyes.rt -o eyes.pov
+expect 2 "two eyes need an even width" render eyes.rt -o eyes.png --size 33x24
 echo 'camera { location -5*z look_at 0 aperture 1 focal_point 2*z blur_samples 9 } sphere { 0, 1 }' >lens.pov
 expect 1 "lens.pov: its camera has an aperture" crosscheck lens.pov --size 32x24
 
