@@ -109,9 +109,12 @@ OpenedScene open_scene_of_povray(const std::string& text, const std::string& pat
 }
 
 OpenedScene open_scene_of_model(const std::string& path, const OpeningOptions& options, const ReadPixels& read_pixels) {
-    Model model = read_model(path, read_pixels);
+    Model model = read_model(path, read_pixels, options.time.value_or(0));
     OpenedScene result{.scene = staged(model, double(options.size.width) / options.size.height),
-                       .files = std::move(model.files)};
+                       .files = std::move(model.files),
+                       .changes = model.changes};
+    if (options.as_text && model.changes)
+        result.notes.push_back({"meshes that bend in time are as at the beginning", path});
     for (std::string& warning : model.warnings) result.notes.push_back({std::move(warning)});
     bool any_clear = false;
     for (Material& own : result.scene.materials)

@@ -25,8 +25,9 @@ const std::string materials =
 std::vector<std::string> valid_models() {
     const std::string more =
         R"("animations": [{"channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}},
- {"sampler": 1, "target": {"node": 1, "path": "rotation"}}], "samplers": [{"input": 3, "output": 0},
- {"input": 3, "output": 4, "interpolation": "STEP"}]}], "cameras": [{"type": "perspective", "perspective": {"yfov": 1}},
+ {"sampler": 1, "target": {"node": 1, "path": "rotation"}}, {"sampler": 2, "target":
+ {"node": 2, "path": "weights"}}], "samplers": [{"input": 3, "output": 0}, {"input": 3, "output": 4, "interpolation":
+ "STEP"}, {"input": 3, "output": 3}]}], "cameras": [{"type": "perspective", "perspective": {"yfov": 1}},
  {"type": "orthographic", "orthographic": {"xmag": 2, "ymag": 2}}], "skins": [{"joints": [1, 2]}],
  "extensions": {"KHR_lights_punctual": {"lights": [{"type": "directional", "intensity": 10}, {"type": "spot", "spot":
  {"innerConeAngle": 0.2}}]}}, "materials": [{"alphaMode": "MASK", "doubleSided": true, "emissiveFactor": [1, 1, 0],
@@ -115,7 +116,7 @@ void read_materials(const std::string& path) {
 
 void read(const std::string& path) {
     if (path.ends_with(".mtl")) return read_materials(path);
-    const Model model = read_model(path, any_pixels);
+    const Model model = read_model(path, any_pixels, .7);
     promise(!model.parts.empty(), "an empty model");
     for (const ModelPart& part : model.parts) {
         const MeshData& mesh = *part.mesh;

@@ -56,7 +56,8 @@ void check_extensions(const GltfFile& file) {
 
 class GltfReader {
   public:
-    GltfReader(const std::string& path, const ReadPixels& read_pixels) : file(path), meshes(file, read_pixels, model) {}
+    GltfReader(const std::string& path, const ReadPixels& read_pixels, double time)
+        : time(time), file(path), meshes(file, read_pixels, model), motions(file, model.warnings) {}
 
     Model read();
 
@@ -65,21 +66,26 @@ class GltfReader {
         GltfPlace place;
         std::vector<MotionKey> keys;
         glm::dmat4 matrix{1};  // to the scene, as it rests
+        /// The same at the beginning of the animation, and at the time that is read.
+        std::array<glm::dmat4, 2> posed{glm::dmat4(1), glm::dmat4(1)};
         bool visited = false;
     };
     void find_places();
-    void find_matrix(std::size_t node, const glm::dmat4& outer, std::size_t depth);
+    void find_matrix(std::size_t node, const GltfNode& outer, std::size_t depth);
     void visit(std::size_t node, std::vector<Transformation> outer, std::size_t depth);
-    void add_mesh(const GltfValue& node, const std::vector<Transformation>& steps);
+    void add_mesh(std::size_t number, const std::vector<Transformation>& steps);
+    std::vector<GltfPart> bent_parts(std::size_t node, bool now);
     void add_camera(const GltfValue& own, const glm::dmat4& matrix);
     void add_light(const GltfValue& own, const glm::dmat4& matrix);
-    std::vector<glm::dmat4> joints_of(const GltfValue& skin);
+    std::vector<glm::dmat4> joints_of(const GltfValue& skin, bool now);
     std::vector<std::size_t> roots() const;
     void scale_lights();
 
+    const double time;
     GltfFile file;
     Model model;
     GltfMeshes meshes;
+    const GltfMotions motions;
     std::vector<GltfNode> nodes;
     std::map<std::int64_t, std::vector<GltfPart>> known;  // meshes without skin and weights of their own
     std::uint64_t triangles = 0;
@@ -105,32 +111,33 @@ std::vector<std::size_t> GltfReader::roots() const {
     return list;
 }
 
-/// Finds where all nodes rest: those of skins may come later than what they bend.
-void GltfReader::find_matrix(std::size_t number, const glm::dmat4& outer, std::size_t depth) {
+/// Finds where all nodes are: those of skins may come later than what they bend.
+void GltfReader::find_matrix(std::size_t number, const GltfNode& outer, std::size_t depth) {
     GltfNode& node = nodes[number];
     const GltfValue own = file.entry("nodes", number), children = own["children"];
     if (node.visited) own.fail("is in two places of the tree of nodes, or in itself");
     if (depth > most_depth) own.fail("is in more than " + std::to_string(most_depth) + " other nodes");
     node.visited = true;
-    node.matrix = outer * node.place.matrix();
+    node.matrix = outer.matrix * node.place.matrix();
+    for (const bool now : {false, true})
+        node.posed[now] = outer.posed[now] * motions.place(number, node.place, now ? time : 0).matrix();
     for (std::size_t i = 0; i < children.size(); ++i)
-        find_matrix(std::size_t(children.at(i).index(nodes.size())), node.matrix, depth + 1);
+        find_matrix(std::size_t(children.at(i).index(nodes.size())), node, depth + 1);
 }
 
 void GltfReader::find_places() {
     nodes.resize(file.root()["nodes"].size());
-    const GltfMotions motions(file, model.warnings);
     bool sheared = false;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         nodes[i].place = place_of(file.entry("nodes", i), sheared);
         nodes[i].keys = motions.keys(i, nodes[i].place);
-        if (!nodes[i].keys.empty()) model.seconds = motions.seconds;
+        if (!nodes[i].keys.empty() || motions.weights(i, 0)) model.seconds = motions.seconds;
     }
     if (sheared) model.warnings.push_back(file.path + ": the shear of nodes is left out");
-    for (const std::size_t root : roots()) find_matrix(root, glm::dmat4(1), 0);
+    for (const std::size_t root : roots()) find_matrix(root, GltfNode(), 0);
 }
 
-std::vector<glm::dmat4> GltfReader::joints_of(const GltfValue& skin) {
+std::vector<glm::dmat4> GltfReader::joints_of(const GltfValue& skin, bool now) {
     std::vector<glm::dmat4> joints;
     const GltfValue list = skin["joints"], inverse = skin["inverseBindMatrices"];
     GltfNumbers numbers;
@@ -138,31 +145,44 @@ std::vector<glm::dmat4> GltfReader::joints_of(const GltfValue& skin) {
     for (std::size_t i = 0; i < list.size(); ++i) {
         glm::dmat4 bound(1);
         for (int k = 0; k < 16 && i < numbers.count; ++k) bound[k / 4][k % 4] = numbers(i, std::size_t(k));
-        joints.push_back(nodes[std::size_t(list.at(i).index(nodes.size()))].matrix * bound);
+        joints.push_back(nodes[std::size_t(list.at(i).index(nodes.size()))].posed[now] * bound);
     }
     return joints;
 }
 
-void GltfReader::add_mesh(const GltfValue& node, const std::vector<Transformation>& steps) {
-    const GltfValue mesh = file.entry("meshes", node["mesh"]);
-    std::vector<GltfPart> parts;
-    const bool skinned = bool(node["skin"]);
-    if (skinned || node["weights"]) {
-        parts = meshes.read(mesh, node["weights"],
-                            skinned ? joints_of(file.entry("skins", node["skin"])) : std::vector<glm::dmat4>());
+/// Reads the mesh of a node as its skin and its morph targets bend it, at the time that is read or at the beginning.
+std::vector<GltfPart> GltfReader::bent_parts(std::size_t number, bool now) {
+    const GltfValue node = file.entry("nodes", number), mesh = file.entry("meshes", node["mesh"]);
+    const GltfValue given = node["weights"] ? node["weights"] : mesh["weights"];
+    std::vector<double> weights;
+    for (std::size_t i = 0; i < given.size(); ++i) weights.push_back(given.at(i).number(0));
+    return meshes.read(mesh, motions.weights(number, now ? time : 0).value_or(weights),
+                       node["skin"] ? joints_of(file.entry("skins", node["skin"]), now) : std::vector<glm::dmat4>());
+}
+
+void GltfReader::add_mesh(std::size_t number, const std::vector<Transformation>& steps) {
+    const GltfValue node = file.entry("nodes", number), mesh = file.entry("meshes", node["mesh"]);
+    const bool skinned = bool(node["skin"]), bends = motions.weights(number, 0) || (skinned && motions.seconds > 0);
+    std::vector<GltfPart> parts, first;
+    if (skinned || bends || node["weights"]) {
+        parts = bent_parts(number, true);
+        if (bends && time > 0) first = bent_parts(number, false);
     } else {
         const auto [place, is_new] = known.try_emplace(node["mesh"].index(file.root()["meshes"].size()));
-        if (is_new) place->second = meshes.read(mesh, node["weights"], {});
+        if (is_new) place->second = bent_parts(number, true);
         parts = place->second;
     }
+    model.changes |= bends;
     const std::string name = node["name"].text(mesh["name"].text());
-    for (const GltfPart& part : parts) {
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const GltfPart& part = parts[i];
         triangles += part.mesh->triangles.size();
         if (triangles > MeshLimits{}.most_triangles || model.parts.size() == most_parts)
             node.fail("with it the model has more than " + std::to_string(MeshLimits{}.most_triangles) +
                       " triangles or a million bodies; simplify it");
         // The joints of a skin place it, not the steps of its node.
-        model.parts.push_back({name, part.mesh, part.material, skinned ? std::vector<Transformation>() : steps});
+        model.parts.push_back({name, part.mesh, part.material, skinned ? std::vector<Transformation>() : steps,
+                               first.size() == parts.size() ? first[i].mesh : nullptr});
     }
 }
 
@@ -224,7 +244,7 @@ void GltfReader::add_light(const GltfValue& own, const glm::dmat4& matrix) {
 void GltfReader::scale_lights() {
     if (model.lights.empty()) return;
     Box box;
-    for (const ModelPart& part : model.parts) box.add(Mesh{part.mesh, ""}.bounds(matrix(part.transformations)));
+    for (const ModelPart& part : model.parts) box.add(Mesh{part.at_first(), ""}.bounds(matrix(part.transformations)));
     const double near = std::max(1e-3 * length(box.size()), 1e-6);
     double most = 0;
     for (Light& light : model.lights) {
@@ -243,7 +263,7 @@ void GltfReader::visit(std::size_t number, std::vector<Transformation> outer, st
     std::vector<Transformation> steps =
         node.keys.empty() ? node.place.steps() : std::vector<Transformation>{Motion{node.keys}};
     steps.insert(steps.end(), outer.begin(), outer.end());
-    if (own["mesh"]) add_mesh(own, steps);
+    if (own["mesh"]) add_mesh(number, steps);
     if (own["camera"]) add_camera(file.entry("cameras", own["camera"]), node.matrix);
     if (const GltfValue light = own["extensions"]["KHR_lights_punctual"]["light"]) {
         const GltfValue lights = file.root()["extensions"]["KHR_lights_punctual"]["lights"];
@@ -265,6 +285,8 @@ Model GltfReader::read() {
 
 }  // namespace
 
-Model read_gltf(const std::string& path, const ReadPixels& read_pixels) { return GltfReader(path, read_pixels).read(); }
+Model read_gltf(const std::string& path, const ReadPixels& read_pixels, double time) {
+    return GltfReader(path, read_pixels, time).read();
+}
 
 }  // namespace strahl

@@ -155,14 +155,12 @@ std::optional<GltfPart> GltfMeshes::read_primitive(const GltfValue& own, const s
     return GltfPart{std::make_shared<const MeshData>(std::move(mesh)), number};
 }
 
-std::vector<GltfPart> GltfMeshes::read(const GltfValue& mesh, const GltfValue& weights,
+std::vector<GltfPart> GltfMeshes::read(const GltfValue& mesh, const std::vector<double>& weights,
                                        const std::vector<glm::dmat4>& joints) {
-    const GltfValue given = weights ? weights : mesh["weights"], list = mesh["primitives"];
-    std::vector<double> numbers;
-    for (std::size_t i = 0; i < given.size(); ++i) numbers.push_back(given.at(i).number(0));
+    const GltfValue list = mesh["primitives"];
     std::vector<GltfPart> parts;
     for (std::size_t i = 0; i < list.size(); ++i)
-        if (auto part = read_primitive(list.at(i), numbers, joints)) parts.push_back(std::move(*part));
+        if (auto part = read_primitive(list.at(i), weights, joints)) parts.push_back(std::move(*part));
     return parts;
 }
 

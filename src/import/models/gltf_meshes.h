@@ -25,7 +25,8 @@ class GltfMeshes {
           source{file.path, "", {}, losses, nullptr} {}
 
     /// Reads an entry of "meshes", moved by weights of its morph targets and by the joints of a skin, if there are any.
-    std::vector<GltfPart> read(const GltfValue& mesh, const GltfValue& weights, const std::vector<glm::dmat4>& joints);
+    std::vector<GltfPart> read(const GltfValue& mesh, const std::vector<double>& weights,
+                               const std::vector<glm::dmat4>& joints);
     /// Adds warnings and names of files to the model.
     void finish();
 

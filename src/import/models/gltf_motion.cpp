@@ -1,10 +1,12 @@
 #include "import/models/gltf_motion.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 #include <set>
+#include <string_view>
 
 #include "num/vec_math.h"
 
@@ -22,9 +24,11 @@ DVec3 degrees_of(const glm::dquat& q) {
 
 double not_zero(double factor) { return std::abs(factor) < 1e-6 ? (factor < 0 ? -1e-6 : 1e-6) : factor; }
 
-glm::dquat unit(const glm::dvec4& v) {
-    const double size = std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z + v.w * v.w);
-    return size > 1e-9 ? glm::dquat(v.w / size, v.x / size, v.y / size, v.z / size) : glm::dquat(1, 0, 0, 0);
+/// The rotation of a quaternion (x, y, z, w).
+template <class Numbers>
+glm::dquat unit(const Numbers& v) {
+    const double size = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + v[3] * v[3]);
+    return size > 1e-9 ? glm::dquat(v[3] / size, v[0] / size, v[1] / size, v[2] / size) : glm::dquat(1, 0, 0, 0);
 }
 
 }  // namespace
@@ -94,7 +98,9 @@ GltfMotions::GltfMotions(GltfFile& file, std::vector<std::string>& warnings) {
         const GltfValue target = list.at(i)["target"];
         const std::string path = target["path"].text();
         const std::int64_t node = target["node"].index(nodes);
-        if (node < 0 || (path != "translation" && path != "rotation" && path != "scale")) {
+        constexpr std::array<std::string_view, 4> paths{"translation", "rotation", "scale", "weights"};
+        const auto known = std::ranges::find(paths, path);
+        if (node < 0 || known == paths.end()) {
             ++others;
             continue;
         }
@@ -102,11 +108,17 @@ GltfMotions::GltfMotions(GltfFile& file, std::vector<std::string>& warnings) {
         if (!number) number.fail("is missing");
         const GltfValue sampler = samplers.at(std::size_t(number.index(samplers.size())));
         const std::string kind = sampler["interpolation"].text("LINEAR");
-        NodeChannel channel{path == "translation" ? Path::translation
-                            : path == "rotation"  ? Path::rotation
-                                                  : Path::scale,
-                            kind == "STEP", kind == "CUBICSPLINE", file.numbers(sampler["input"], 1).values,
-                            file.numbers(sampler["output"], path == "rotation" ? 4 : 3)};
+        NodeChannel channel{static_cast<Path>(known - paths.begin()),
+                            kind == "STEP",
+                            kind == "CUBICSPLINE",
+                            file.numbers(sampler["input"], 1).values,
+                            {}};
+        const bool weighs = channel.path == Path::weights;
+        channel.values = file.numbers(sampler["output"], weighs ? 1 : channel.path == Path::rotation ? 4 : 3);
+        // Weights of all targets stand behind each other.
+        if (const std::size_t rows = channel.times.size() * (channel.cubic ? 3 : 1);
+            weighs && rows > 0 && channel.values.count % rows == 0 && channel.values.count > 0)
+            channel.values.width = channel.values.count / rows, channel.values.count = rows;
         if (channel.times.empty() || channel.values.count != channel.times.size() * (channel.cubic ? 3 : 1))
             sampler.fail("should have as many values as times");
         for (std::size_t k = 0; k < channel.times.size(); ++k)
@@ -117,29 +129,56 @@ GltfMotions::GltfMotions(GltfFile& file, std::vector<std::string>& warnings) {
     }
     if (others > 0)
         warnings.push_back(file.path + ": " + std::to_string(others) +
-                           " channels of the animation are left out, of other things than places of nodes");
+                           " channels of the animation are left out, of other things than nodes and morph targets");
 }
 
-glm::dvec4 GltfMotions::NodeChannel::at(double time) const {
+std::vector<double> GltfMotions::NodeChannel::at(double time) const {
     const auto value = [&](std::size_t key, int part) {
         const std::size_t row = cubic ? 3 * key + std::size_t(part) : key;
-        glm::dvec4 v(0);
-        for (std::size_t k = 0; k < values.width; ++k) v[int(k)] = values(row, k);
-        return v;
+        const auto first = values.values.begin() + std::ptrdiff_t(values.width * row);
+        return std::vector<double>(first, first + std::ptrdiff_t(values.width));
     };
     const auto next = std::size_t(std::ranges::upper_bound(times, time) - times.begin());
     if (next == 0) return value(0, 1);
     if (next == times.size() || steps) return value(next - 1, 1);
     const double span = times[next] - times[next - 1], t = span > 0 ? (time - times[next - 1]) / span : 0;
-    glm::dvec4 a = value(next - 1, 1), b = value(next, 1);
-    if (cubic) {
-        const glm::dvec4 out = span * value(next - 1, 2), in = span * value(next, 0);
-        const double t2 = t * t, t3 = t2 * t;
-        return (2 * t3 - 3 * t2 + 1) * a + (t3 - 2 * t2 + t) * out + (3 * t2 - 2 * t3) * b + (t3 - t2) * in;
+    std::vector<double> a = value(next - 1, 1);
+    const std::vector<double> b = value(next, 1);
+    if (path == Path::rotation && !cubic) {
+        const glm::dquat turned = glm::slerp(unit(a), unit(b), t);
+        return {turned.x, turned.y, turned.z, turned.w};
     }
-    if (path != Path::rotation) return (1 - t) * a + t * b;
-    const glm::dquat turned = glm::slerp(unit(a), unit(b), t);
-    return {turned.x, turned.y, turned.z, turned.w};
+    const double t2 = t * t, t3 = t2 * t;
+    const std::vector<double> out = value(next - 1, 2), in = value(next, 0);
+    for (std::size_t k = 0; k < a.size(); ++k)
+        a[k] = !cubic ? (1 - t) * a[k] + t * b[k]
+                      : (2 * t3 - 3 * t2 + 1) * a[k] + (t3 - 2 * t2 + t) * span * out[k] + (3 * t2 - 2 * t3) * b[k] +
+                            (t3 - t2) * span * in[k];
+    return a;
+}
+
+GltfPlace GltfMotions::place(std::size_t node, const GltfPlace& rest, double time) const {
+    GltfPlace place = rest;
+    const auto own = channels.find(node);
+    if (own == channels.end()) return place;
+    for (const NodeChannel& channel : own->second) {
+        const std::vector<double> value = channel.at(time);
+        if (channel.path == Path::translation) place.translation = {value[0], value[1], value[2]};
+        if (channel.path == Path::rotation) place.rotation = unit(value);
+        if (channel.path == Path::scale) place.scale = {value[0], value[1], value[2]};
+    }
+    for (int c = 0; c < 3; ++c) {
+        place.translation[c] = std::clamp(place.translation[c], -1e9, 1e9);
+        place.scale[c] = std::clamp(not_zero(place.scale[c]), -1e9, 1e9);
+    }
+    return place;
+}
+
+std::optional<std::vector<double>> GltfMotions::weights(std::size_t node, double time) const {
+    const auto own = channels.find(node);
+    if (own == channels.end()) return {};
+    const auto channel = std::ranges::find(own->second, Path::weights, &NodeChannel::path);
+    return channel == own->second.end() ? std::nullopt : std::optional(channel->at(time));
 }
 
 std::vector<MotionKey> GltfMotions::keys(std::size_t node, const GltfPlace& rest) const {
@@ -148,11 +187,13 @@ std::vector<MotionKey> GltfMotions::keys(std::size_t node, const GltfPlace& rest
     std::set<double> times;
     bool between = false;  // the places between two keys are not on a line
     for (const NodeChannel& channel : own->second) {
+        if (channel.path == Path::weights) continue;
         times.insert(channel.times.begin(), channel.times.end());
         between |= channel.steps || channel.cubic;
         for (std::size_t k = 1; channel.steps && k < channel.times.size(); ++k)
             times.insert(std::max(channel.times[k] - 1e-4, channel.times[k - 1] + 1e-6));
     }
+    if (times.empty()) return {};
     // Motions are curves through their keys: more keys keep these near the lines of the file.
     constexpr std::size_t enough = 120, most = 2000;
     const double first = *times.begin(), last = *times.rbegin();
@@ -163,16 +204,8 @@ std::vector<MotionKey> GltfMotions::keys(std::size_t node, const GltfPlace& rest
     std::vector<MotionKey> keys;
     for (const double time : times) {
         if (!keys.empty() && time - keys.back().time < 1e-7) continue;
-        GltfPlace place = rest;
-        for (const NodeChannel& channel : own->second) {
-            const glm::dvec4 value = channel.at(time);
-            if (channel.path == Path::translation) place.translation = DVec3(value);
-            if (channel.path == Path::rotation) place.rotation = unit(value);
-            if (channel.path == Path::scale) place.scale = DVec3(value);
-        }
+        GltfPlace place = this->place(node, rest, time);
         for (int c = 0; c < 3; ++c) {
-            place.translation[c] = std::clamp(place.translation[c], -1e9, 1e9);
-            place.scale[c] = std::clamp(not_zero(place.scale[c]), -1e9, 1e9);
             // A motion cannot turn a body inside out.
             if (!keys.empty() && (place.scale[c] < 0) != (keys[0].scale[c] < 0))
                 place.scale[c] = keys[0].scale[c] < 0 ? -1e-6 : 1e-6;

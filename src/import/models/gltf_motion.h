@@ -2,6 +2,7 @@
 #pragma once
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
+#include <optional>
 #include <vector>
 
 #include "import/models/gltf_file.h"
@@ -30,16 +31,20 @@ class GltfMotions {
 
     /// Returns the keys of a node whose place without motion is this; none if it does not move.
     std::vector<MotionKey> keys(std::size_t node, const GltfPlace& rest) const;
+    /// Returns the place of a node at a time.
+    GltfPlace place(std::size_t node, const GltfPlace& rest, double time) const;
+    /// Returns the weights of a node's morph targets at a time; nothing if the animation does not change them.
+    std::optional<std::vector<double>> weights(std::size_t node, double time) const;
     double seconds = 0;  // until the last key
 
   private:
-    enum class Path { translation, rotation, scale };
+    enum class Path { translation, rotation, scale, weights };
     struct NodeChannel {
         Path path;
         bool steps = false, cubic = false;
         std::vector<double> times;
         GltfNumbers values;
-        glm::dvec4 at(double time) const;
+        std::vector<double> at(double time) const;
     };
     std::map<std::size_t, std::vector<NodeChannel>> channels;  // by the numbers of nodes
 };

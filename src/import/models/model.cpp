@@ -18,9 +18,9 @@ bool is_model(std::string_view path) {
     return std::ranges::any_of(endings, [&](std::string_view ending) { return ends_with_word(path, ending); });
 }
 
-Model read_model(const std::string& path, const ReadPixels& read_pixels) {
+Model read_model(const std::string& path, const ReadPixels& read_pixels, double time) {
     const bool gltf = ends_with_word(path, ".gltf") || ends_with_word(path, ".glb");
-    return gltf ? read_gltf(path, read_pixels) : read_mesh_model(path, read_pixels);
+    return gltf ? read_gltf(path, read_pixels, time) : read_mesh_model(path, read_pixels);
 }
 
 Material plain_material(const Color& color) {

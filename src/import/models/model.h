@@ -15,6 +15,9 @@ struct ModelPart {
     std::shared_ptr<const MeshData> mesh;
     int material = 0;                               // index of Model::materials
     std::vector<Transformation> transformations{};  // motions
+    std::shared_ptr<const MeshData> first{};  // `mesh` at the beginning of the animation; null if that is the same
+
+    const std::shared_ptr<const MeshData>& at_first() const { return first ? first : mesh; }
 };
 
 /// Lengths and axes are those of the file; colours are linear light.
@@ -25,6 +28,7 @@ struct Model {
     std::optional<Camera> camera{};
     std::vector<Light> lights{};
     double seconds = 0;                   // of its motions; 0 if nothing moves
+    bool changes = false;                 // meshes bend in time: it has to be read again for each moment
     bool whole = false;                   // the meshes are all of one file, unchanged, which a scene can name
     std::vector<std::string> files{};     // that were read, the model's own first
     std::vector<std::string> warnings{};  // sentences on what is not shown as the file means it
@@ -33,9 +37,9 @@ struct Model {
 /// Does the path end like that of a model: .obj, .ply, .stl, .gltf or .glb?
 bool is_model(std::string_view path);
 
-/// Reads a model with its materials and pictures. Throws FileError. Files that it names may be missing: that is a
-/// warning.
-Model read_model(const std::string& path, const ReadPixels& read_pixels);
+/// Reads a model with its materials and pictures, as its meshes are at a time. Throws FileError. Files that it names
+/// may be missing: that is a warning.
+Model read_model(const std::string& path, const ReadPixels& read_pixels, double time = 0);
 
 /// The material of what has none: light grey.
 Material plain_material(const Color& color = Color(.55));

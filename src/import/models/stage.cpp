@@ -33,14 +33,14 @@ class ModelStage {
     ModelStage(const Model& model, double aspect)
         : up(normalize(model.up)), front(normalize(model.front)), right(cross_product(up, front)), aspect(aspect) {
         std::size_t all = 0;
-        for (const ModelPart& part : model.parts) all += part.mesh->triangles.size();
+        for (const ModelPart& part : model.parts) all += part.at_first()->triangles.size();
         const std::size_t step = 1 + all / 50'000;  // so many triangles give the same view as all
         for (const ModelPart& part : model.parts) {
             const glm::dmat4 place = matrix(part.transformations);
-            box.add(Mesh{part.mesh, ""}.bounds(place));
-            for (std::size_t i = 0; i < part.mesh->triangles.size(); i += step)
-                for (const std::int32_t corner : part.mesh->triangles[i])
-                    points.push_back(transform_point(place, part.mesh->points[std::size_t(corner)]));
+            box.add(Mesh{part.at_first(), ""}.bounds(place));
+            for (std::size_t i = 0; i < part.at_first()->triangles.size(); i += step)
+                for (const std::int32_t corner : part.at_first()->triangles[i])
+                    points.push_back(transform_point(place, part.at_first()->points[std::size_t(corner)]));
         }
         middle = box.centre();
         size = std::max(length(box.size()), 1e-6);

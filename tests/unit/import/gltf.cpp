@@ -216,6 +216,42 @@ TEST_CASE("glTF: skins and morph targets as they rest") {
     CHECK(model.parts[0].transformations.empty());
 }
 
+TEST_CASE("glTF: skins and morph targets move with the animation") {
+    // The joint goes from z 5 to 7 and the weight from 0 to 1 within two seconds; the node of the mesh is elsewhere.
+    std::string text =
+        triangle(R"({"mesh": 0, "skin": 0, "translation": [9, 9, 9]}, {"translation": [0, 0, 5]})",
+                 R"("skins": [{"joints": [1]}], "animations": [{"channels": [
+ {"sampler": 0, "target": {"node": 1, "path": "translation"}}, {"sampler": 1, "target": {"node": 0, "path": "weights"}}],
+ "samplers": [{"input": 5, "output": 6}, {"input": 5, "output": 7}]}])",
+                 R"("attributes": {"POSITION": 0, "JOINTS_0": 3, "WEIGHTS_0": 4}, "targets": [{"POSITION": 0}])");
+    text = with(text, "\"type\": \"SCALAR\"}]", R"("type": "SCALAR"},
+ {"componentType": 5121, "count": 3, "type": "VEC4"}, {"bufferView": 1, "byteOffset": 8, "componentType": 5121,
+ "normalized": true, "count": 3, "type": "VEC4"},
+ {"bufferView": 1, "byteOffset": 20, "componentType": 5126, "count": 2, "type": "SCALAR"},
+ {"bufferView": 1, "byteOffset": 28, "componentType": 5126, "count": 2, "type": "VEC3"},
+ {"bufferView": 1, "byteOffset": 52, "componentType": 5126, "count": 2, "type": "SCALAR"}])");
+    text = with(text, "\"byteLength\": 8", "\"byteLength\": 60"),
+    text = with(text, "\"byteLength\": 52", "\"byteLength\": 104");
+    const std::string more = bytes_of<std::uint8_t>({255, 0, 0, 0, 255, 0, 0, 0, 255, 0, 0, 0}) +
+                             bytes_of<float>({0, 2, 0, 0, 5, 0, 0, 7, 0, 1});
+    text = with(text, uri_of(data), uri_of(data + more));
+    Models models;
+    models.put("a.gltf", text);
+    for (const double time : {0., 1., 2., 9.}) {
+        CAPTURE(time);
+        const Model model = models.read("a.gltf", time);
+        const double share = std::min(time / 2, 1.), large = 1 + share, z = 5 + 2 * share;
+        CHECK(model.changes);
+        CHECK(model.seconds == 2);
+        CHECK(model.warnings.empty());
+        CHECK(model.parts[0].mesh->points == std::vector<DVec3>{{0, 0, z}, {large, 0, z}, {0, large, z}});
+        // The stage is that of the beginning.
+        CHECK(model.parts[0].at_first()->points == std::vector<DVec3>{{0, 0, 5}, {1, 0, 5}, {0, 1, 5}});
+        CHECK(staged(model, 1).camera == staged(models.read("a.gltf"), 1).camera);
+    }
+    CHECK(!model_of(triangle()).changes);
+}
+
 TEST_CASE("glTF: what is wrong is told with its place") {
     const std::string good = triangle();
     CHECK(gltf_fault("{\n\"asset\": }").starts_with("a.gltf:2: syntax error"));

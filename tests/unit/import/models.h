@@ -19,13 +19,14 @@ class Models {
         std::ofstream(folder / name, std::ios::binary) << bytes;
         return *this;
     }
-    Model read(const std::string& name) const {
-        return read_model(folder / name, [](const std::string& path) {
+    Model read(const std::string& name, double time = 0) const {
+        const auto pixels = [](const std::string& path) {
             if (!std::ifstream(path)) throw FileError("cannot read '" + path + "'");
             FilePixels pixels(Pixels{2, 2, false, {1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0}, Color(1)});
             if (path.find("clear") != path.npos) pixels.opacity = {1, 0, 1, 0};
             return pixels;
-        });
+        };
+        return read_model(folder / name, pixels, time);
     }
     /// The message of a model that cannot be read, without the folder.
     std::string fault(const std::string& name) const {
