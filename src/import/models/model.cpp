@@ -39,7 +39,8 @@ double linear_light(double encoded) {
     return encoded <= .04045 ? encoded / 12.92 : std::pow((encoded + .055) / 1.055, 2.4);
 }
 Color linear_light(const Color& encoded) {
-    return {linear_light(encoded.x), linear_light(encoded.y), linear_light(encoded.z)};
+    const auto light = [](double own) { return std::min(linear_light(own), 1e9); };
+    return {light(encoded.x), light(encoded.y), light(encoded.z)};
 }
 
 }  // namespace strahl

@@ -72,6 +72,7 @@ TEST_CASE("mtl: materials as Whitted's model has them") {
     CHECK(dull.rgb == Pigment(1, 0, 0));
     CHECK(dull.specular == 0);
     CHECK(dull.reflection == 0);
+    CHECK(material_by("Kd 5e8 0 0\n").rgb.color == Color(1e9, 0, 0));
     const Material glossy = material_by("Kd 0 0 0\nKs .5 .25 0\nNs 50\nillum 2\n");
     CHECK(glossy.specular == .5);
     CHECK(glossy.pow == 50);
