@@ -320,7 +320,7 @@ void Viewer::click(double x, double y, bool adds) {
     const ScreenArea area = screen.area();
     const bool on_picture = x >= area.x && y >= area.y && x < area.x + area.width && y < area.y + area.height;
     if (file.waiting() || screen.width() == 0 || !on_picture || in_other_view(x)) return;
-    panels.forget_key();
+    panels.forget_key(), panels.keep_clear(x);
     bodies.click(session.view(screen.width(), screen.height()), in_picture(x, y), 2 * screen.pixels_to_reach(), adds);
 }
 

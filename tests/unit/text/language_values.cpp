@@ -265,7 +265,7 @@ TEST_CASE("invalid flythroughs") {
                 "4:40: at this time the loop is back at its first key: make this key equal to that in line 3, or "
                 "'duration' longer");
     check_fault(path("duration 2", "0 tmie 3", "0"), "3:47: unknown word 'tmie' in 'key'; did you mean 'time'?");
-    check_fault("key { time 1 }", "2:1: " + unknown("key"));
+    check_fault("key { time 1 }", "2:1: unknown word 'key'; it belongs in 'flythrough { ... }'");
     CHECK(faults(eye + "flythrough { duration 2 key { time 0 position <0,0,0> look_at <0,0,0> }\nkey { time 1 position "
                        "<0,0,0> look_at <0,0,1> } }") ==
           Faults{"x.rt:2:25: invalid camera at this key: position and look_at are the same point",
