@@ -69,6 +69,14 @@ point 900 450
 await 'chosen: body 3, plane'
 point 900 200
 await 'chosen: body 3, plane'
+
+echo "-- a number that makes an error is taken back, and nothing of it is written"
+xdotool mousemove --window "$id" 150 227 keydown Control_L click 1 keyup Control_L
+xdotool type --delay 1 -- 0
+xdotool key Return
+await 'invalid plane'
+xdotool key F2
+await 'nothing to write'
 xdotool key Escape
 
 echo "-- Shift chooses another body too; both are copied, and removed"
