@@ -10,7 +10,7 @@ cat >ball.pov <<'POV'
 camera { location -6*z look_at 0 angle 40 }
 light_source { <-5, 5, -9> rgb 1 }
 sphere { <clock, 0, 0>, 1 pigment { Blue } finish { diffuse .6 reflection { .1 exponent 2 } } }
-sphere { 0, 1 pigment { Blue } interior { media { emission .1 } } hollow }
+sphere { 3*y, 1 pigment { Blue } interior { media { emission .1 } } hollow }
 POV
 sed -e 's| reflection { .1 exponent 2 }||' -e '/media/d' ball.pov >whole.pov
 

@@ -159,12 +159,6 @@ std::size_t shared_in(const Primitive& own, const glm::dmat4& outer, const Primi
     return composite ? count + SharedFaces(own, to_world, whole, scene, sight).found() : count;
 }
 
-bool is_composite_body(const Primitive& own) {
-    bool any = false;
-    each_part(own, [&](const Primitive&) { any = true; });
-    return any;
-}
-
 /// Finds bodies of a scene that have surfaces in one place.
 class BodiesInOnePlace {
   public:
@@ -172,11 +166,10 @@ class BodiesInOnePlace {
         for (const Material& own : scene.materials) mirrors |= own.reflection > 0;
     }
 
-    bool may_differ(std::size_t one, std::size_t other) const {
-        const bool patterned = scene.materials[static_cast<std::size_t>(body(one).material)].patterned();
-        return clear(one) || clear(other) || is_composite_body(body(one)) || is_composite_body(body(other)) ||
-               body(one).material != body(other).material ||
-               (patterned && body(one).transformations != body(other).transformations);
+    bool may_differ(const Face& one, const Face& other) const {
+        const bool patterned = scene.materials[static_cast<std::size_t>(one.material)].patterned();
+        return clear(one.part) || clear(other.part) || one.material != other.material ||
+               (patterned && body(one.part).transformations != body(other.part).transformations);
     }
     /// Are there any that may be seen?
     bool any() const {
@@ -189,10 +182,9 @@ class BodiesInOnePlace {
             });
         return any_pair_of(flat,
                            [&](const PartFace& a, const PartFace& b) {
-                               return may_differ(a.part, b.part) && may_be_seen(common_part(a.corners, b), a, b);
+                               return may_differ(a, b) && may_be_seen(common_part(a.corners, b), a, b);
                            }) ||
-               any_pair_of(curved,
-                           [&](const CurvedFace& a, const CurvedFace& b) { return may_differ(a.part, b.part); });
+               any_pair_of(curved, [&](const CurvedFace& a, const CurvedFace& b) { return may_differ(a, b); });
     }
 
   private:
@@ -232,7 +224,8 @@ std::vector<Sight::Place> places_of_two_bodies(const Scene& scene, Sight& sight)
     std::vector<Sight::Place> found;
     if (!bodies.any()) return found;
     for (const Sight::Place& place : sight.places())
-        if (place.other && bodies.may_differ(place.body, *place.other)) found.push_back(place);
+        if (place.other && bodies.may_differ({place.body, place.material}, {*place.other, place.other_material}))
+            found.push_back(place);
     return found;
 }
 

@@ -25,6 +25,15 @@ bool mirrors(const Scene& scene, const Primitive& body) {
     return any;
 }
 
+/// Returns the material of the simple body, alone or in a composite, whose surface was met.
+int material_at(const Scene& scene, const BodyHit& at) {
+    int material = 0, leaf = 0;
+    for_each_leaf(scene.primitives[static_cast<std::size_t>(at.body)], [&](const Primitive& own, const glm::dmat4&) {
+        if (leaf++ == at.hit.leaf) material = own.material;
+    });
+    return material;
+}
+
 /// Finds all surfaces along rays.
 class Surfaces {
   public:
@@ -88,9 +97,10 @@ void Sight::follow_rays() {
                 const DVec3 p = ray.origin + met[k].hit.t * ray.direction;
                 const auto next = std::ranges::find_if(met.begin() + std::ptrdiff_t(k) + 1, met.end(),
                                                        [&](const BodyHit& at) { return at.body != met[k].body; });
-                Place place{p, met[k].hit.normal, body, {}};
+                Place place{p, met[k].hit.normal, body};
                 if (next != met.end() && next->hit.t - met[k].hit.t < 1e-9 * (1 + length(p)))
-                    place.other = static_cast<std::size_t>(next->body);
+                    place.other = static_cast<std::size_t>(next->body), place.material = material_at(scene, met[k]),
+                    place.other_material = material_at(scene, *next);
                 all->push_back(place);
                 if (is_mirror[body] && !mirror) mirror = &met[k].hit;
                 if (!clear[body]) break;

@@ -16,7 +16,8 @@ class Sight {
     struct Place {
         DVec3 p, normal;
         std::size_t body;
-        std::optional<std::size_t> other;  // another body that has a surface there
+        std::optional<std::size_t> other{};    // another body that has a surface there
+        int material = 0, other_material = 0;  // if there is one, the materials of both
     };
     const std::vector<Place>& places();
     /// Are so many places a share of the picture that counts, a four-hundredth?
