@@ -39,7 +39,7 @@ class PictureNames {
         const fs::path folder = to == "-" ? fs::path() : fs::path(to).parent_path();
         if (!image.file.empty()) {
             const fs::path path = fs::path(model).parent_path() / image.file;
-            image.file = path.is_absolute() ? path.string() : path.lexically_proximate(folder).string();
+            image.file = (path.is_absolute() ? path : path.lexically_proximate(folder)).generic_string();
             return;
         }
         std::string& name = written[image.pixels.get()];
@@ -76,7 +76,7 @@ Imported import_model(const ImportOptions& options) {
     for (Primitive& primitive : result.scene.primitives)
         if (auto* const mesh = std::get_if<Mesh>(&primitive.shape); mesh && !mesh->file.empty()) {
             const fs::path path = options.file;
-            mesh->file = path.is_absolute() ? path.string() : path.lexically_proximate(folder).string();
+            mesh->file = (path.is_absolute() ? path : path.lexically_proximate(folder)).generic_string();
         }
     return result;
 }
