@@ -6,6 +6,7 @@
 
 #include "num/decimal.h"
 #include "povref/convert/layout.h"
+#include "text/reading/opacity.h"
 
 namespace strahl {
 namespace {
@@ -27,12 +28,14 @@ std::string name_of(const Pixels& pixels) {
 }  // namespace
 
 std::vector<PovPicture> pictures_of(const Scene& scene) {
-    std::map<std::string, const Pixels*> all;
+    std::map<std::string, std::shared_ptr<const Pixels>> all;
     const auto add = [&](const std::shared_ptr<const Pattern>& pattern) {
         if (!pattern) return;
         each_nested(*pattern, [&](const Pattern& own) {
-            const auto* const image = std::get_if<ImagePattern>(&own.kind);
-            if (image) all[name_of(*image->pixels)] = image->pixels.get();
+            std::shared_ptr<const Pixels> pixels;
+            if (const auto* const image = std::get_if<ImagePattern>(&own.kind)) pixels = image->pixels;
+            if (const Opacity* const opacity = opacity_of(own)) pixels = opacity->picture().pixels;
+            if (pixels) all[name_of(*pixels)] = pixels;
         });
     };
     add(scene.background.pattern);

@@ -8,6 +8,7 @@
 #include "povref/convert/images.h"
 #include "povref/convert/layout.h"
 #include "povref/convert/sentences.h"
+#include "text/reading/opacity.h"
 
 namespace strahl {
 namespace {
@@ -30,6 +31,8 @@ std::string moved(const std::string& coordinate, const Kind& kind) {
 }
 
 std::string solid_text(const SolidPattern& own) {
+    if (const Opacity* const opacity = opacity_of(own))
+        return "pigment_pattern { " + image_text(opacity->picture(), "", true) + " }";
     constexpr std::array<const char*, 5> waves{"ramp", "triangle", "sine", "scallop", "cubic"};
     const SolidPattern usual;
     std::string text(solid_names[static_cast<std::size_t>(own.solid)]);
@@ -70,7 +73,9 @@ std::string pattern_text(const Pattern& pattern, const std::string& map, const s
     std::string text;
     if (const std::string value = std::visit(ValueText{}, kind); !value.empty()) {
         text = (std::holds_alternative<SolidPattern>(kind) ? value : "function { " + value + " }") + " " + map + " {";
-        for (const ColorStop& stop : colors) text += " [" + text_of(stop.at) + " " + own(stop) + "]";
+        const Opacity* const opacity = opacity_of(pattern);
+        for (const ColorStop& stop : colors)
+            text += " [" + text_of(opacity && opacity->limit > 0 ? opacity->limit : stop.at) + " " + own(stop) + "]";
         text += " }";
     } else {
         const Brick* const brick = std::get_if<Brick>(&kind);
@@ -136,7 +141,12 @@ std::string function_section(const Scene& scene) {
             });
         return found;
     };
-    const bool images = any([]<class Kind>(const Kind&) { return std::is_same_v<Kind, ImagePattern>; });
+    const bool images = any([]<class Kind>(const Kind& kind) {
+        if constexpr (std::is_same_v<Kind, SolidPattern>)
+            return opacity_of(kind) != nullptr;
+        else
+            return std::is_same_v<Kind, ImagePattern>;
+    });
     const bool maps = any([]<class Kind>(const Kind&) { return has_map<Kind> && !std::is_same_v<Kind, SolidPattern>; });
     if (!images && !maps) return "";
     std::string text = heading("Patterns") + (images ? image_macro(scene.settings.assumed_gamma) : "");

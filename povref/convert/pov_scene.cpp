@@ -46,6 +46,7 @@ struct Plan {
     bool moves = false;           // bodies or lights do, in an animation
     bool sharp_lens = false;      // a lens that POV-Ray has not
     bool shutter = false;
+    bool stereo = false;  // two eyes
 };
 
 Plan plan_for(const Scene& scene, const PovRequest& request) {
@@ -67,6 +68,7 @@ Plan plan_for(const Scene& scene, const PovRequest& request) {
     const Camera& camera = request.cameras[0];
     plan.sharp_lens = has_lens(camera) && (camera.blades || camera.projection != Projection::perspective);
     plan.shutter = camera.shutter > 0;
+    plan.stereo = camera.stereo != Stereo::none;
     plan.scale = scale_for(sizes);
     plan.scaled = plan.scale.factor != 1;
     plan.materials = pov_materials(scene, request.depth, plan.scaled);
@@ -114,6 +116,7 @@ std::vector<std::string> warnings_of(const Plan& plan) {
          "they do"},
         {plan.sharp_lens, "POV-Ray has round lenses of perspective cameras alone"},
         {plan.shutter, "POV-Ray has no shutter; what moves is sharp, as it is in the middle of the time it is open"},
+        {plan.stereo, "POV-Ray has no pictures for two eyes; this one is seen from between them"},
         {plan.bodies_overlap,
          "transparent bodies may share space; where a ray leaves one that it did not enter last, it continues "
          "unrefracted, which POV-Ray does not count as a generation: this shows only at the depth limit"}};
@@ -161,7 +164,8 @@ struct PovCamera {
     DVec3 location, right, up, direction, angles;
     DVec3 focus{0}, lens{0};  // a point in focus, and the aperture
 };
-PovCamera axes_of(const Camera& camera, double aspect, bool left_handed = false) {
+PovCamera axes_of(Camera camera, double aspect, bool left_handed = false) {
+    camera.stereo = Stereo::none;
     const CameraFrame frame = frame_of(camera, aspect);
     const double ratio = frame.tan_x / frame.tan_y;
     const DVec3 angles(2 * camera.fov, 2 * camera.fov / ratio, 0), up = -2 * frame.tan_y * frame.down;

@@ -12,11 +12,11 @@
 #include "files/utf8.h"
 #include "files/words.h"
 #include "import/models/stage.h"
-#include "import/models/textures.h"
 #include "pov/animation.h"
 #include "pov/expand.h"
 #include "pov/flight_file.h"
 #include "text/parse.h"
+#include "text/reading/opacity.h"
 #include "text/reading/other_files.h"
 
 namespace strahl {
@@ -115,8 +115,12 @@ OpenedScene open_scene_of_model(const std::string& path, const OpeningOptions& o
     for (std::string& warning : model.warnings) result.notes.push_back({std::move(warning)});
     bool any_clear = false;
     for (Material& own : result.scene.materials)
-        if (options.as_text) any_clear |= make_opaque(own.rgb);
-    if (any_clear) result.notes.push_back({"places of pictures that are not opaque are so in the text", path});
+        if (const Opacity* const clear = opacity_of(own.rgb); clear && options.as_text && !has_text(own.rgb)) {
+            own.rgb = opaque_part(own.rgb);
+            any_clear = true;
+        }
+    if (any_clear)
+        result.notes.push_back({"opacity that does not lie as a picture of colours does is not in the text", path});
     for (ModelPart& part : model.parts) result.lines.names.push_back(std::move(part.name));
     if (options.files) *options.files = result.files;
     return result;

@@ -92,7 +92,8 @@ CameraFrame frame_of(const Camera& camera, double aspect) {
     const DVec3 down = cross_product(forward, right);
     double half = angular(camera.projection) ? camera.fov * std::numbers::pi / 180 : tangent(camera.fov);
     if (camera.projection == Projection::orthographic) half *= length(camera.look_at - camera.position);
-    const double ratio = camera.aspectratio.value_or(aspect);
+    const double eyes = camera.stereo == Stereo::side_by_side ? .5 : camera.stereo == Stereo::top_bottom ? 2 : 1;
+    const double ratio = eyes * camera.aspectratio.value_or(aspect);
     if (camera.projection == Projection::cylinder2 || camera.projection == Projection::cylinder4)
         return {right, down, forward, half * ratio, half};  // the angle is that of the picture's height
     return {right, down, forward, half, half / ratio};

@@ -34,6 +34,10 @@ constexpr bool starts_apart(Projection projection) {
     return projection == Projection::orthographic || projection >= Projection::cylinder3;
 }
 
+/// How a picture shows what the left and the right eye see. The left eye has the left or the upper half.
+enum class Stereo { none, side_by_side, top_bottom };
+inline constexpr std::array<std::string_view, 3> stereo_words{"", "side_by_side", "top_bottom"};
+
 /// The world is right-handed; +x of camera space is to the right of the picture, +y down it (row 0 is the top row).
 struct Camera {
     DVec3 position{0};
@@ -42,11 +46,15 @@ struct Camera {
     double fov = 25;     // degrees between the viewing axis and the left or right edge: below 90 or, if angular, to 360
     std::optional<double> aspectratio;  // picture width / height; without it the picture's own
     Projection projection = Projection::perspective;
-    double aperture = 0;            // the radius of the lens; 0 for a pinhole, to which everything is sharp
-    std::optional<double> focus;    // the distance of the plane that is sharp, along the viewing direction,
-    std::optional<DVec3> focus_on;  // or a point of it; without either it goes through look_at
-    std::optional<double> blades;   // corners of a lens that is a regular polygon; without them it is round
-    double shutter = 0;             // seconds for which it is open, half of them before its time; 0: a moment
+    double aperture = 0;             // the radius of the lens; 0 for a pinhole, to which everything is sharp
+    std::optional<double> focus;     // the distance of the plane that is sharp, along the viewing direction,
+    std::optional<DVec3> focus_on;   // or a point of it; without either it goes through look_at
+    std::optional<double> blades;    // corners of a lens that is a regular polygon; without them it is round
+    double shutter = 0;              // time for which it is open, half of it before its time; 0: a moment
+    bool shutter_in_frames = false;  // that is a share of the time from frame to frame, and not in seconds
+    Stereo stereo = Stereo::none;
+    double eye_distance = 0;            // of both eyes, in stereo; the position is between them
+    std::optional<double> convergence;  // distance of what both see at the same place; none if they look in parallel
     bool operator==(const Camera&) const = default;
 };
 /// A moment of a scene, in seconds, as its camera sees it.
@@ -55,6 +63,20 @@ struct Shot {
     double time = 0;
     bool operator==(const Shot&) const = default;
 };
+/// Returns for how many seconds the shutter is open, in a film of so many frames a second.
+constexpr double shutter_seconds(const Camera& camera, double fps) {
+    return camera.shutter_in_frames ? camera.shutter / fps : camera.shutter;
+}
+/// Returns whether the picture is one eye's in perspective.
+constexpr bool in_perspective(const Camera& camera) {
+    return camera.projection == Projection::perspective && camera.stereo == Stereo::none;
+}
+/// Returns which eye sees a picture point: the left one, -1, or the right one, 1; or 0 if there is one eye.
+template <class R>
+constexpr int eye_at(const Camera& camera, R x, R y) {
+    if (camera.stereo == Stereo::none) return 0;
+    return (camera.stereo == Stereo::side_by_side ? x : y) < 0 ? -1 : 1;
+}
 /// Returns whether the rays of a pixel start all over a lens.
 constexpr bool has_lens(const Camera& camera) { return camera.aperture > 0; }
 /// Returns the distance from the camera of the plane that is sharp. Where a flight has left focus_on behind or beside
@@ -66,7 +88,8 @@ double focal_distance(const Camera& camera);
 std::array<double, 2> lens_place(const Camera& camera, double s, double t);
 
 /// The orthonormal axes of a camera: `right` and `down` the picture, `forward` into it; and half the picture's width
-/// and height: at distance 1; of an orthographic camera as at the distance of look_at; or in radians.
+/// and height: at distance 1; of an orthographic camera as at the distance of look_at; or in radians. In stereo the
+/// picture is that of one eye.
 struct CameraFrame {
     DVec3 right, down, forward;
     double tan_x, tan_y;
@@ -113,6 +136,23 @@ CameraRay<R> camera_ray(Projection projection, const CameraFrame& frame, R x, R 
         default:
             return {none, way(u, v, 1)};
     }
+}
+
+/// Returns the ray of a camera through a picture point that one of its eyes sees, see eye_at. Eyes look in the same
+/// direction from points side by side; in pictures of all around they turn with the column (S. Peleg, M. Ben-Ezra and
+/// Y. Pritch, "Omnistereo: Panoramic Stereo Imaging", 2001).
+template <class R>
+CameraRay<R> camera_ray(const Camera& camera, const CameraFrame& frame, R x, R y, int eye) {
+    if (eye == 0) return camera_ray(camera.projection, frame, x, y);
+    const bool beside = camera.stereo == Stereo::side_by_side;
+    const R own_x = beside ? 2 * x - R(eye) : x, own_y = beside ? y : 2 * y - R(eye);
+    CameraRay<R> ray = camera_ray(camera.projection, frame, own_x, own_y);
+    const R half = R(eye) * R(camera.eye_distance) / 2;
+    const bool turns = camera.projection == Projection::spherical || camera.projection == Projection::cylinder;
+    const R longitude = turns ? own_x * R(frame.tan_x) : 0;
+    ray.start = half * (std::cos(longitude) * Vec3<R>(frame.right) - std::sin(longitude) * Vec3<R>(frame.forward));
+    if (camera.convergence) ray.way = ray.way - half / R(*camera.convergence) * Vec3<R>(frame.right);
+    return ray;
 }
 
 /// Why the camera is degenerate ("position equals look_at", "up is parallel to ..."), or nullptr if it is not.

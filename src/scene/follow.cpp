@@ -42,6 +42,8 @@ void follow(Camera& camera, const std::vector<Follow>& follows, const TrackValue
                : name == "focus_on"    ? target(now.focus_on)
                : name == "blades"      ? target(now.blades)
                : name == "shutter"     ? target(now.shutter)
+               : name == "eyes"        ? target(now.eye_distance)
+               : name == "convergence" ? target(now.convergence)
                                        : FollowTarget{};
     });
     if (!degenerate(now)) camera = now;

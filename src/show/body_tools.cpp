@@ -6,10 +6,12 @@
 #include <filesystem>
 #include <utility>
 
+#include "num/decimal.h"
 #include "num/vec_math.h"
 #include "pov/open_scene.h"
 #include "scene/overlap.h"
 #include "show/external_editor.h"
+#include "text/camera_text.h"
 
 namespace strahl {
 
@@ -47,6 +49,7 @@ void BodyTools::reload(const std::string& text) {
 void BodyTools::click(const View& view, const glm::dvec2& point, double reach, bool adds) {
     pace.redraw(3);
     if (to_add) return add(view, point);
+    if (to_focus) return focus_on(view, point);
     // Makes the marks of this view: those drawn may be of an earlier one, or not be there yet, right after a key.
     const auto mark = marks ? mark_at(light_marks(scene_seen(view), view), point, reach) : std::nullopt;
     if (mark)
@@ -54,8 +57,8 @@ void BodyTools::click(const View& view, const glm::dvec2& point, double reach, b
     else
         bodies.click(scene_seen(view), *session.scene, view, point.x, point.y, hidden(), adds);
     log_choice();
-    if (bodies.any() && view.camera.projection > Projection::orthographic)
-        notes.note("handles are there in perspective and orthographic views only");
+    if (bodies.any() && view.camera.projection != Projection::orthographic && !in_perspective(view.camera))
+        notes.note("handles are there in perspective and orthographic views of one eye only");
 }
 
 void BodyTools::log_drawn() {
@@ -218,12 +221,21 @@ bool BodyTools::undo(bool back) {
 void BodyTools::begin_adding(const NewBlock& block) {
     pace.redraw(3);
     if (bodies.read_only()) return notes.note("the text of this scene is changed in an editor");
-    to_add = &block, bodies.close();
+    end_adding(), to_add = &block, bodies.close();
+}
+
+void BodyTools::begin_focusing() {
+    pace.redraw(3);
+    if (bodies.read_only()) return notes.note("the text of this scene is changed in an editor");
+    if (session.camera.projection > Projection::orthographic)
+        return notes.note("only perspective and orthographic cameras have a lens");
+    end_adding(), to_focus = true;
+    notes.log("a click chooses what is sharp");
 }
 
 bool BodyTools::end_adding() {
     pace.redraw();
-    return std::exchange(to_add, nullptr);
+    return std::exchange(to_add, nullptr) || std::exchange(to_focus, false);
 }
 
 /// Adds what the user has chosen from the list at a point of the view's picture.
@@ -241,6 +253,23 @@ void BodyTools::add(const View& view, const glm::dvec2& point) {
     notes.announce(std::string(block.name) + " added: drag its handles; " + notes.key(Action::write_path) +
                    " writes it into the file");
     show_anew();
+}
+
+/// Brings the point of the view's picture into focus. A camera without a lens gets one, by which what is twice as far
+/// is blurred over about a thirtieth of the picture's width.
+void BodyTools::focus_on(const View& view, const glm::dvec2& point) {
+    if (awaited.scene) return;
+    to_focus = false;
+    const StandingPlace place = standing_place(scene_seen(view), view, point.x, point.y, hidden());
+    DVec3 sharp;
+    for (int i = 0; i < 3; ++i) sharp[i] = rounded(place.point[i], 0, place.decimals);
+    Camera camera = view.camera;
+    camera.focus_on = sharp;
+    const double width = 2 * frame_of(camera, double(view.width) / view.height).tan_x;
+    const double across = camera.projection == Projection::orthographic ? width : width * focal_distance(camera);
+    const auto newer = with_focus_on(bodies.edited.text(), sharp, round_length(across / 30));
+    if (!newer) return notes.note("the lens of this scene is changed in its text");
+    if (change_text(*newer, "focus of the camera")) notes.announce("in focus: " + text_of(sharp));
 }
 
 /// Chooses the body or the light that was copied or added.

@@ -43,10 +43,13 @@ class BodyTools {
     void click(const View& view, const glm::dvec2& point, double reach, bool adds = false);
     /// Chooses the camera.
     void choose_camera();
-    /// Makes the next click put this block where it meets a surface. end_adding() stops that, and returns false if
-    /// there was nothing to stop.
+    /// Makes the next click put this block where it meets a surface. end_adding() stops that and
+    /// begin_focusing(), and returns false if there was nothing to stop.
     void begin_adding(const NewBlock& block);
     bool end_adding();
+    /// Makes the next click choose the point that the camera's lens has in focus.
+    void begin_focusing();
+    bool focusing() const { return to_focus; }
     /// Returns the name of what the next click adds, or null.
     const char* adding() const { return to_add ? to_add->name : nullptr; }
     /// Does what the user asked for on the panel, except for commands.
@@ -124,6 +127,7 @@ class BodyTools {
     void show();
     void show_anew();
     void add(const View& view, const glm::dvec2& point);
+    void focus_on(const View& view, const glm::dvec2& point);
     void choose(const NextChoice& chosen);
     bool change_block(bool copies);
     void take_shown();
@@ -147,6 +151,7 @@ class BodyTools {
     std::string good;  // the last text that was shown
     Awaited awaited;
     const NewBlock* to_add = nullptr;  // block that the next click adds
+    bool to_focus = false;             // the next click chooses what is sharp
     std::optional<LightMarks> marks;   // if lights are shown
     std::vector<std::string> to_log;   // lines to log after the next drawing
 };

@@ -95,7 +95,8 @@ FilmRecorder::FilmEnd FilmRecorder::make(const FilmOrder& order, const std::atom
     int frame = 0;
     for (; frame < count; ++frame) {
         view.time = film_rate.moment(frame), view.camera = camera_of(view.time);
-        view.moments = shutter_moments(order.scene, view.time, view.camera.shutter, camera_of);
+        view.moments =
+            shutter_moments(order.scene, view.time, shutter_seconds(view.camera, film_rate.per_second()), camera_of);
         PictureWriter writer(view.width, view.height, 3, ".y4m", format);
         std::atomic<int> pixels = 0;
         const auto keep = [&](const Tile& tile) {

@@ -1,6 +1,8 @@
 #include "show/side_by_side.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <utility>
 
 namespace strahl {
@@ -15,6 +17,9 @@ std::string in_short(const std::string& fault) {
 
 }  // namespace
 
+// As commands.h numbers them.
+static_assert(int(SecondKind::depth) == 6 && int(SecondKind::normals) == 7);
+
 void SideBySide::toggle(Command command) {
     const auto [action, number] = command;
     if (action == Action::second && number > 0)
@@ -23,12 +28,15 @@ void SideBySide::toggle(Command command) {
         line.next();
     else
         line.difference = !line.difference;
+    if (line.layer()) line.difference = false;
     if (action == Action::second) of_flight.reset(), first.reset();
     pace.redraw();
     const std::string name = second_name(line.second);
     if (!line.shown())
         notes.note(action == Action::second ? "one picture"
                                             : notes.key(Action::second) + " chooses what the picture is compared with");
+    else if (line.layer())
+        notes.note("at the right: " + name + "; the pointer shows its values");
     else
         notes.note(line.difference && !line.other_view() ? "at the right: 16 times the difference from " + name
                                                          : "at the right: " + name + "; the line can be dragged");
@@ -38,7 +46,7 @@ void SideBySide::log_second(const SecondPicture& picture) {
     const std::string differing = ", " + std::to_string(picture.differing) +
                                   (picture.differing == 1 ? " pixel differs" : " pixels differ") +
                                   " by more than 1/255";
-    notes.log("second picture: " + second_name(line.second) + (line.other_view() ? "" : differing) +
+    notes.log("second picture: " + second_name(line.second) + (line.other_view() || line.layer() ? "" : differing) +
               (picture.finished ? "" : "; smooth edges follow"));
 }
 
@@ -80,6 +88,26 @@ void SideBySide::follow(const Session& session, const View& view, bool finished)
     }
 }
 
+void SideBySide::point(double x, double y) {
+    if (!line.layer()) return;
+    pointed_x = x, pointed_y = y;
+    pace.redraw();
+    if (const auto picture = pictures.picture()) notes.log("pointed at" + values_at_pointer(*picture));
+}
+
+std::string SideBySide::values_at_pointer(const SecondPicture& picture) const {
+    const int width = picture.image.width, height = picture.image.height;
+    const double x = std::floor(pointed_x * width), y = std::floor(pointed_y * height);
+    if (!(x >= 0 && y >= 0 && x < width && y < height)) return "";
+    const auto& [distance, normal, position] = picture.seen[static_cast<std::size_t>(y * width + x)];
+    if (std::isinf(distance)) return ": nothing";
+    char text[160];
+    std::snprintf(text, sizeof text, ": %.5g away, normal <%.3g, %.3g, %.3g>, at <%.4g, %.4g, %.4g>", double(distance),
+                  double(normal[0]), double(normal[1]), double(normal[2]), double(position[0]), double(position[1]),
+                  double(position[2]));
+    return text;
+}
+
 std::shared_ptr<const ScreenImage> SideBySide::image() const {
     const bool flight = line.other_view();
     const std::shared_ptr<const SecondPicture> picture = flight                                 ? of_flight
@@ -103,6 +131,7 @@ Overlay::Sides SideBySide::sides(const ScreenArea& area) const {
     if (picture && (in_motion ? picture->finished : line.difference))
         right += (line.difference ? ", 16 times the difference: " : ": ") + std::to_string(picture->differing) +
                  " pixels beyond 1/255";
+    if (picture && line.layer()) right += values_at_pointer(*picture);
     if (!pictures.fault().empty()) right += ": no picture";
     if (pictures.under_way() && !(picture && line.difference))
         right += (picture ? "; smooth edges follow, " : " is tracing, ") +

@@ -33,6 +33,8 @@ class SideBySide {
     /// Asks for the second picture of a view, if its first picture is finished; else there is none. What the camera of
     /// the flight sees is also there in motion, with half of the rows and columns.
     void follow(const Session& session, const View& view, bool finished);
+    /// Takes the place of the pointer as shares of the picture's width and height: beside it a layer tells its values.
+    void point(double x, double y);
     void pull(const ScreenArea& picture, double x) { line.pull(picture, x), pace.redraw(1); }
 
     const Divider& divider() const { return line; }
@@ -45,6 +47,7 @@ class SideBySide {
 
   private:
     void log_second(const SecondPicture& picture);
+    std::string values_at_pointer(const SecondPicture& picture) const;
 
     Notes& notes;
     Pace& pace;
@@ -52,6 +55,7 @@ class SideBySide {
     Divider line;
     std::string path;
     bool mirrored = false;
+    double pointed_x = -1, pointed_y = -1;           // the place of the pointer
     double began = 0;                                // when the picture under way was asked for
     std::shared_ptr<const SecondPicture> of_flight;  // the last one
     std::shared_ptr<SecondPicture> first;            // the first picture as it was shown first

@@ -150,6 +150,9 @@ void Viewer::perform(Command command) {
         case Action::edit_camera:
             if (!file.waiting()) bodies.choose_camera();
             return;
+        case Action::focus:
+            if (!file.waiting()) bodies.begin_focusing();
+            return;
         case Action::add_block:
             if (!bodies.end_adding()) panels.toggle(command.action);
             return;
@@ -318,7 +321,7 @@ void Viewer::click(double x, double y, bool adds) {
     const ScreenArea area = screen.area();
     const bool on_picture = x >= area.x && y >= area.y && x < area.x + area.width && y < area.y + area.height;
     if (file.waiting() || screen.width() == 0 || !on_picture || in_other_view(x)) return;
-    panels.forget_key();
+    panels.forget_key(), panels.keep_clear(x);
     bodies.click(session.view(screen.width(), screen.height()), in_picture(x, y), 2 * screen.pixels_to_reach(), adds);
 }
 
@@ -329,6 +332,8 @@ bool Viewer::in_other_view(double x) const {
 
 /// Returns what the pointer can take hold of at a point of the window.
 Hold Viewer::points_at(double x, double y) {
+    const ScreenArea area = screen.area();
+    side.point((x - area.x) / std::max(area.width, 1), (y - area.y) / std::max(area.height, 1));
     if (side.divider().reached(screen.area(), x, y, screen.pixels_to_reach())) return Hold::divider;
     const bool handle =
         !panels.quiet && !in_other_view(x) && bodies.points_at(in_picture(x, y), screen.pixels_to_reach());
@@ -509,6 +514,8 @@ Overlay Viewer::overlay() const {
     overlay.fault = file.fault(), overlay.fault_title = file.fault_title();
     if (panels.info && !panels.help) overlay.info = info_lines(session, pace, picture);
     if (session.recording()) overlay.notes.push_back({"recording; " + notes.key(Action::record) + " ends it"});
+    if (bodies.focusing())
+        overlay.notes.push_back({"click what is to be sharp; " + notes.key(Action::back) + " ends this"});
     if (bodies.adding())
         overlay.notes.push_back({std::string("click where the ") + bodies.adding() + " is to stand; " +
                                  notes.key(Action::back) + " ends this"});

@@ -12,4 +12,8 @@ namespace strahl {
 /// Nothing if numbers to be changed do not stand there, or follow tracks.
 std::optional<std::string> with_camera(const std::string& text, const Keyframe& view);
 
+/// Returns `text`, likewise, in which this point is in focus. A camera without a lens gets one with this aperture.
+/// Nothing if the text has no block for its camera, or what changes follows tracks.
+std::optional<std::string> with_focus_on(const std::string& text, const DVec3& point, double aperture);
+
 }  // namespace strahl

@@ -15,6 +15,13 @@ namespace {
 
 constexpr const char* from_file = "from the file";
 
+/// Returns the number that a parameter has where the text does not give it, if it has one then.
+std::optional<double> usual_number(const Parameter& parameter) {
+    if (const auto* const number = std::get_if<std::optional<double>*>(&parameter.value)) return **number;
+    const auto* const number = std::get_if<double*>(&parameter.value);
+    return number && parameter.otherwise.empty() ? std::optional(**number) : std::nullopt;
+}
+
 /// Adds the numbers of the parameters that a block has or could have.
 template <class Parameters>
 void add_values(const std::string& text, const TextItem& block, const Parameters& parameters, const std::string& behind,
@@ -32,9 +39,8 @@ void add_values(const std::string& text, const TextItem& block, const Parameters
                 read_number(number, value.numbers.emplace_back());
             }
             take_tracks(value, text, *given);
-        } else if (const auto* const usual = std::get_if<double*>(&parameter.value);
-                   usual && parameter.otherwise.empty() && !block.end.empty()) {
-            value.numbers = {**usual}, value.source = no_source;
+        } else if (const auto usual = usual_number(parameter); usual && !block.end.empty()) {
+            value.numbers = {*usual}, value.source = no_source;
             value.own_at = std::size_t(block.end.data() - text.data());
             value.before = " " + std::string(parameter.name) + " ", value.after = " ";
         }
@@ -89,6 +95,9 @@ BodyText camera_values(const std::string& text, const Scene& scene) {
     }
     put_place(result, text, block);
     CameraText usual;
+    if (!own.shutter_in_frames) usual.shutter = 0;
+    if (own.projection <= Projection::orthographic) usual.aperture = 0;
+    if (block.item("aperture") && !own.focus_on) usual.focus = focal_distance(own);
     add_values(text, block, camera_parameters(usual), "", result.values);
     for (BodyValue& value : result.values) value.follows &= value.name != "aspectratio";
     return result;

@@ -38,15 +38,32 @@ std::string sphere(const DVec3& point, const DVec3& normal, double size, int dec
     return body_at(text(point + size * normal), "sphere", "<0, 0, 0>, " + text(size));
 }
 
+/// Returns the axis of the world that is nearest to a direction.
+int steepest_axis(const DVec3& direction) {
+    int axis = 0;
+    for (int i = 1; i < 3; ++i)
+        if (std::abs(direction[i]) > std::abs(direction[axis])) axis = i;
+    return axis;
+}
+
 /// A box lies along the axes, with one side on the surface.
 std::string box(const DVec3& point, const DVec3& normal, double size, int decimals) {
     const Decimals text{decimals};
-    int axis = 0;
-    for (int i = 1; i < 3; ++i)
-        if (std::abs(normal[i]) > std::abs(normal[axis])) axis = i;
+    const int axis = steepest_axis(normal);
     DVec3 centre = point;
     centre[axis] += std::copysign(size, normal[axis]);
     return body_at(text(centre), "box", text(DVec3(-size)) + ", " + text(DVec3(size)));
+}
+
+/// A wall is a box that stands on the surface and is long along another axis.
+std::string wall(const DVec3& point, const DVec3& normal, double size, int decimals) {
+    const Decimals text{decimals};
+    const int up = steepest_axis(normal), along = up == 0 ? 1 : 0;
+    DVec3 half(size / 8);
+    half[up] = 3 * size, half[along] = 8 * size;
+    DVec3 centre = point;
+    centre[up] += std::copysign(half[up], normal[up]);
+    return body_at(text(centre), "box", text(-half) + ", " + text(half));
 }
 
 std::string cylinder(const DVec3& point, const DVec3& normal, double size, int decimals) {
@@ -95,15 +112,16 @@ std::string spotlight(const DVec3& point, const DVec3& normal, double size, int 
 
 }  // namespace
 
-constexpr std::array<NewBlock, 9> new_blocks{{{"sphere", TopBlock::body, sphere},
-                                              {"box", TopBlock::body, box},
-                                              {"cylinder", TopBlock::body, cylinder},
-                                              {"cone", TopBlock::body, cone},
-                                              {"torus", TopBlock::body, torus},
-                                              {"disc", TopBlock::body, disc},
-                                              {"plane", TopBlock::body, plane},
-                                              {"light", TopBlock::light, light},
-                                              {"spotlight", TopBlock::light, spotlight}}};
+constexpr std::array<NewBlock, 10> new_blocks{{{"sphere", TopBlock::body, sphere},
+                                               {"box", TopBlock::body, box},
+                                               {"cylinder", TopBlock::body, cylinder},
+                                               {"cone", TopBlock::body, cone},
+                                               {"torus", TopBlock::body, torus},
+                                               {"disc", TopBlock::body, disc},
+                                               {"plane", TopBlock::body, plane},
+                                               {"wall", TopBlock::body, wall},
+                                               {"light", TopBlock::light, light},
+                                               {"spotlight", TopBlock::light, spotlight}}};
 
 std::string with_new_block(const std::string& text, const NewBlock& added, int count, const DVec3& point,
                            const DVec3& normal, double size, int decimals) {

@@ -16,7 +16,7 @@ struct NewBlock {
     TopBlock what;
     std::string (*block)(const DVec3& point, const DVec3& normal, double size, int decimals);
 };
-extern const std::array<NewBlock, 9> new_blocks;
+extern const std::array<NewBlock, 10> new_blocks;
 
 /// Returns the text with the block of a new thing, which becomes the last body or light of the scene. `count` is how
 /// many of these the text has. Numbers are rounded to so many decimals, see rounded().

@@ -16,7 +16,7 @@ namespace {
 /// box is out of sight if the box is behind the camera or beyond a plane through an edge of the picture, and a plane if
 /// it recedes from all four corners. Cameras that see more than that may see all.
 bool may_see(const Camera& camera, const Primitive& body) {
-    if (camera.projection > Projection::orthographic) return true;
+    if (camera.projection > Projection::orthographic || camera.stereo != Stereo::none) return true;
     const CameraFrame frame = frame_of(camera, 4. / 3);
     const auto& [right, down, forward, tan_x, tan_y] = frame;
     if (const auto half = half_space(body)) {

@@ -249,12 +249,20 @@ std::string write_camera(const Camera& camera, const std::vector<Follow>& follow
     else
         text += (angle ? "angle " : "fov ") + text_of(angle ? 2 * camera.fov : camera.fov, follows, "fov") + "\n";
     if (camera.aspectratio) text += "  aspectratio " + text_of(*camera.aspectratio, follows, "aspectratio") + "\n";
-    if (has_lens(camera)) text += "  aperture " + text_of(camera.aperture, follows, "aperture");
+    const bool lens =
+        has_lens(camera) || any_follows(follows, "aperture") || camera.focus || camera.focus_on || camera.blades;
+    if (lens) text += "  aperture " + text_of(camera.aperture, follows, "aperture");
     if (camera.focus) text += "  focus " + text_of(*camera.focus, follows, "focus");
     if (camera.focus_on) text += "  focus_on " + text_of(*camera.focus_on, follows, "focus_on");
     if (camera.blades) text += "  blades " + text_of(*camera.blades, follows, "blades");
-    if (has_lens(camera)) text += "\n";
-    if (camera.shutter > 0) text += "  shutter " + text_of(camera.shutter, follows, "shutter") + "\n";
+    if (lens) text += "\n";
+    if (camera.shutter > 0 || camera.shutter_in_frames || any_follows(follows, "shutter"))
+        text += (camera.shutter_in_frames ? "  shutter_share " : "  shutter ") +
+                text_of(camera.shutter, follows, "shutter") + "\n";
+    if (camera.stereo != Stereo::none)
+        text.append("  ").append(stereo_words[std::size_t(camera.stereo)]) +=
+            " " + text_of(camera.eye_distance, follows, "eyes") + "\n";
+    if (camera.convergence) text += "  convergence " + text_of(*camera.convergence, follows, "convergence") + "\n";
     return text + "}\n";
 }
 

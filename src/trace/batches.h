@@ -52,6 +52,7 @@ class Batches {
 
     LayerTile* const layers;     // null if there are none
     std::span<Batches> moments;  // of the same thread: at the moments of a shutter, and last at the time of the view
+    EyeHalves halves;            // of the picture
     Counts counts;               // its own memory: threads that count beside each other wait for each other
 
     /// Traces a tile of pixels, one ray each; a tile that was stopped is not handed on.
@@ -89,7 +90,7 @@ class Batches {
 
     /// Traces rays of a lens. Those of a batch that was stopped get no values. Layers, if any, are those of the pixels
     /// of a tile, unless it is null.
-    void trace_lens(std::span<const LensRay> rays, std::span<std::array<double, 3>> rgb, const Lattice* layered) {
+    void trace_lens(std::span<const LensRay> rays, std::span<LensLight> light, const Lattice* layered) {
         workspace.lens_x.resize(scattered_pixels), workspace.lens_y.resize(scattered_pixels);
         for (std::size_t done = 0; done < rays.size() && !limits.stopped(); done += scattered_pixels) {
             const int count = static_cast<int>(std::min<std::size_t>(scattered_pixels, rays.size() - done));
@@ -100,7 +101,7 @@ class Batches {
             }
             trace_batches(count, nullptr);
             for (int i = 0; i < count; ++i)
-                for (int c = 0; c < 3; ++c) rgb[done + i][c] = finite<double>(workspace.sums[i].rgb[c]);
+                for (int c = 0; c < 3; ++c) light[done + i][c] = finite<double>(workspace.sums[i].rgb[c]);
             if (!layered || limits.stopped()) continue;
             layers->forget_samples();
             keep_layers(count);
@@ -108,17 +109,18 @@ class Batches {
                 const auto place = [](double at) { return static_cast<int>(std::floor(at + .5)); };
                 const int column = place(rays[done + i].x) - layered->x, row = place(rays[done + i].y) - layered->y;
                 layers->average(row * layered->columns + column, i, 1);
+                if (layers->layers().alpha) light[done + i][3] = layers->alpha(i);
             }
         }
         workspace.lens_x.clear(), workspace.lens_y.clear();
     }
 
     /// Traces rays of nets, see TraceLensRays, of a tile.
-    void trace_nets(int moment, std::span<const LensRay> rays, std::span<std::array<double, 3>> rgb, bool check,
+    void trace_nets(int moment, std::span<const LensRay> rays, std::span<LensLight> light, bool check,
                     const Lattice& tile) {
         Batches& own = moments.empty() ? *this : moments[moment];
         const Counts before = own.counts;
-        own.trace_lens(rays, rgb, check || !layers ? nullptr : &tile);
+        own.trace_lens(rays, light, check || !layers ? nullptr : &tile);
         if (check) own.counts = before;
     }
 
@@ -128,8 +130,8 @@ class Batches {
         pixels.begin(tile.x, tile.y, tile.columns, tile.rows, 1, camera,
                      std::max(static_cast<int>(moments.size()) - 1, 0));
         if (layers) layers->begin(tile.columns * tile.rows);
-        pixels.take(grid * grid, [&](int moment, std::span<const LensRay> rays, std::span<std::array<double, 3>> rgb,
-                                     bool check) { trace_nets(moment, rays, rgb, check, tile); });
+        pixels.take(grid * grid, [&](int moment, std::span<const LensRay> rays, std::span<LensLight> light,
+                                     bool check) { trace_nets(moment, rays, light, check, tile); });
         if (!limits.stopped()) hand_on(tile, pixels.values(), sink);
     }
 
@@ -159,8 +161,8 @@ class Batches {
             const int count = static_cast<int>(std::min<std::size_t>(scattered_pixels, points.size() - done));
             for (int i = 0; i < count; ++i) {
                 // Pixel 0 of the camera's lattice is the middle of the first pixel.
-                workspace.pixels_x[i] = static_cast<T>(x - .5 + points[done + i].x / double(Point::unit));
-                workspace.pixels_y[i] = static_cast<T>(y - .5 + points[done + i].y / double(Point::unit));
+                workspace.pixels_x[i] = in_half(x, halves.column, x - .5 + points[done + i].x / double(Point::unit));
+                workspace.pixels_y[i] = in_half(y, halves.row, y - .5 + points[done + i].y / double(Point::unit));
                 if (filters) workspace.sides[i] = static_cast<T>(side > 0 ? side : side_of(points[done + i]));
             }
             look(count, scale, samples + done);
@@ -199,6 +201,11 @@ class Batches {
     }
 
   private:
+    /// Returns a coordinate of a point in a tile, which may be on its edge, in the half of the eye that sees the tile.
+    static T in_half(int tile, int half, double at) {
+        const T own = static_cast<T>(at);
+        return tile < half ? std::min(own, std::nextafter(static_cast<T>(half - .5), T(0))) : own;
+    }
     /// Returns a bound on the error of pixel i of the batch: of its rays, of those not traced, and of the rounding of
     /// fog's sums, which the bounds of hits do not contain.
     double bound_of(int i) const {

@@ -47,11 +47,22 @@ class SceneInTime {
         return true;
     }
 
-    /// Does what set does, and returns whether anything is another than before.
-    bool change(double wanted, const std::shared_ptr<const std::vector<Track>>& wanted_tracks, ThreadPool& pool) {
-        if (!moving) return set(wanted, wanted_tracks, pool);
+    /// Nothing, or no more than the places of lights, or more.
+    enum class Changed { nothing, places_of_lights, more };
+    /// Does what set does, and returns what is another than before.
+    Changed change(double wanted, const std::shared_ptr<const std::vector<Track>>& wanted_tracks, ThreadPool& pool) {
+        if (!moving) return set(wanted, wanted_tracks, pool) ? Changed::more : Changed::nothing;
         const Moved before = moved();
-        return set(wanted, wanted_tracks, pool) && !(moved() == before);
+        if (!set(wanted, wanted_tracks, pool)) return Changed::nothing;
+        Moved after = moved();
+        if (after == before) return Changed::nothing;
+        for (std::size_t i = 0; i < after.lights.size(); ++i) {
+            Light& own = after.lights[i];
+            const Light& earlier = before.lights[i];
+            own.position = earlier.position, own.direction = earlier.direction, own.from = earlier.from;
+            own.area = earlier.area, own.spot = earlier.spot;
+        }
+        return after == before ? Changed::places_of_lights : Changed::more;
     }
 
   private:

@@ -207,8 +207,8 @@ class TracerOf : public AnyTracer {
                     batches.trace_points(x, y, placed.scale, points, side, samples);
                     if (side > 0) batches.counts = before;  // a check is no part of the picture
                 },
-                [&](int moment, std::span<const LensRay> rays, std::span<std::array<double, 3>> rgb, bool check) {
-                    batches.trace_nets(moment, rays, rgb, check, place);
+                [&](int moment, std::span<const LensRay> rays, std::span<LensLight> light, bool check) {
+                    batches.trace_nets(moment, rays, light, check, place);
                 },
                 batches.layers);
         };
@@ -293,6 +293,7 @@ class TracerOf : public AnyTracer {
                                         placed, layers);
                 }
             batches.moments = others;
+            batches.halves = halves_of(job.view);
             for (int i; !now.limits.stopped() && (i = next++) < tiles;) work(batches, i, thread);
             counts[thread] = batches.counts;
             for (const Batches<T>& other : others) counts[thread] += other.counts;
@@ -310,9 +311,9 @@ class TracerOf : public AnyTracer {
         return sum;
     }
 
-    std::shared_ptr<const BuiltWorld<T>> build(ThreadPool& pool) {
-        return std::make_shared<const BuiltWorld<T>>(scene(), placed, pool, in_time.moves() ? &moving : nullptr, images,
-                                                     proves, kernel.lanes);
+    std::shared_ptr<BuiltWorld<T>> build(ThreadPool& pool) {
+        return std::make_shared<BuiltWorld<T>>(scene(), placed, pool, in_time.moves() ? &moving : nullptr, images,
+                                               proves, kernel.lanes);
     }
 
     /// Makes a view of the scene as it is now ready, if there are nets with rays all over a lens.
@@ -322,7 +323,7 @@ class TracerOf : public AnyTracer {
         ready.built = std::move(world), ready.bodies = eye.bodies;
         for (const double most : light.brightest) ready.brightest.push_back(upper<T>(most));
         ready.eye = eye_of<T>(ready.view, placed);
-        if ((nets && has_lens(view.camera)) || view.camera.projection != Projection::perspective)
+        if ((nets && has_lens(view.camera)) || !in_perspective(view.camera))
             ready.rays.emplace(scene(), ready.view, *ready.built, placed);
         if (ready.rays) ready.eye.rays = &*ready.rays;
         ready.world = ready.built->world(), ready.world.eye = ready.eye.position;
@@ -341,13 +342,21 @@ class TracerOf : public AnyTracer {
         moments.clear();
         // The system may promise more than it has, and end the program when the worlds fill it.
         constexpr double bytes_of_surface = 220;  // in a world: of a triangle, measured
-        const double surfaces = in_time.moves() ? double(surfaces_of(scene())) : 0;
-        if (double(view.moments->size()) * surfaces * bytes_of_surface > os::available_memory()) throw std::bad_alloc();
+        const double bytes_of_world = in_time.moves() ? bytes_of_surface * double(surfaces_of(scene())) : 0;
         std::shared_ptr<const BuiltWorld<T>> world = built;
         Bound light = *bound;
         const auto add = [&](const Shot& moment) {
-            if (in_time.change(moment.time, view.tracks, job.pool))
-                world = build(job.pool), light = bound_for(scene(), view.depth);
+            using Changed = SceneInTime::Changed;
+            const Changed changed = in_time.change(moment.time, view.tracks, job.pool);
+            if (changed == Changed::places_of_lights)
+                world = std::make_shared<const BuiltWorld<T>>(world, scene(), placed);
+            if (changed == Changed::more) {
+                if (bytes_of_world > os::available_memory()) throw std::bad_alloc();
+                const std::shared_ptr<BuiltWorld<T>> own = build(job.pool);
+                own->share(*world);
+                world = own;
+            }
+            if (changed != Changed::nothing) light = bound_for(scene(), view.depth);
             View own = view;
             own.camera = moment.camera, own.time = moment.time;
             make_ready(moments.emplace_back(), own, world, eye_of_camera(own.camera, *world), light, true);

@@ -11,6 +11,7 @@ expect 0 "" render scene.rt -o demo/colours.png --size 8x6
 expect 0 "" render scene.rt -o other/deep.png --bits 16 --size 8x6
 expect 0 "" render scene.rt -o demo/floats.exr --size 8x6
 convert demo/colours.png -colorspace gray demo/grey.png
+convert demo/colours.png -transparent "$(convert demo/colours.png -format '%[pixel:p{1,1}]' info:)" demo/holes.gif
 cat scene.rt - >"demo/a scene's.rt" <<SCENE
 // "body.obj" is a mesh, isn't it? " is no name
 mesh { file "body.obj"  translate <2, 2, 0> }
@@ -20,6 +21,7 @@ music { sound "../other/clicks.ogg" }
 sphere { <0, 4, 1>, 1  material { rgb image { "colours.png" } } }
 sphere { <2, 4, 1>, 1  material { rgb image { "../other/deep.png" } } }
 sphere { <4, 4, 1>, 1  material { rgb image { "floats.exr" }  bump image { "grey.png"  height .1 } } }
+sphere { <6, 4, 1>, 1  material { rgb image { "holes.gif"  opacity 1 } } }
 SCENE
 expect 0 "/play plays it" bundle "demo/a scene's.rt" -o "to go/"
 [[ -x "to go/play" ]] || fault "play is no script"
@@ -34,10 +36,11 @@ cat >wanted <<'LIST'
 ./scene/files/body-3.obj
 ./scene/files/body.obj
 ./scene/files/clicks.ogg
-./scene/files/colours.ppm
-./scene/files/deep.ppm
+./scene/files/colours.png
+./scene/files/deep.png
 ./scene/files/floats.pfm
-./scene/files/grey.pgm
+./scene/files/grey.png
+./scene/files/holes.png
 LIST
 diff wanted found || fault "the bundle's files are others"
 

@@ -16,6 +16,19 @@ echo 'camera { location -5*z look_at 0 } light_source { <-5,5,-5> 1 } sphere { c
 expect 0 "| clock.pov " crosscheck clock.pov --size 32x24
 expect 0 "| clock.pov " crosscheck clock.pov --size 32x24 --clock .3
 
+# Pictures with holes: by their own alpha channel and by another picture, repeated and once.
+convert -size 4x4 xc:red -fill '#2060c0' -draw 'point 0,0 point 3,2' leaf.png
+convert leaf.png \( -size 4x4 gradient: \) -alpha off -compose CopyOpacity -composite holes.png
+{ echo 'camera { position <1,-6,1> look_at <0,0,0> sky <0,0,1> angle 50 } light { position <-5,-5,5> color <1,1,1> }
+    defaultmaterial { reflection 0 } sphere { <0,3,0>, 2 }'
+  for place in '-2.1 -2.1 "holes.png" opacity .9 translate <.2,0,0>' '.1 -2.1 "holes.png" mask .5' \
+      '-2.1 .1 "leaf.png" opacity_of "holes.png" once <1,1,0> translate <.1,.1,0>' \
+      '.1 .1 "holes.png" opacity_of "leaf.png"'; do
+      read -r x z image <<<"$place"
+      echo "box { <0,0,0>, <2,.1,2> material { rgb image { $image rotate <90,0,0> } } translate <$x,0,$z> }"
+  done; } >holes.rt
+expect 0 "| holes " crosscheck holes.rt --size 64x48
+
 # Pictures through a lens are made of rays that each program chooses for itself.
 echo 'camera { position <0,-5,0> look_at <0,0,0> sky <0,0,1> angle 50  aperture .3  focus 2 }
     light { position <-5,-5,5> color <1,1,1> } sphere { <0,0,0>, 1 }' >lens.rt
@@ -25,6 +38,10 @@ sed -e 's/aperture .3  focus 2/shutter .1/' -e 's/, 1 }/, 1 motion { key { time 
 expect 0 "shutter.rt: compared in the middle of the time its shutter is open" crosscheck shutter.rt --size 32x24
 expect 0 "POV-Ray has no shutter" pov shutter.rt -o shutter.pov
 grep -q "POV-Ray has no shutter" shutter.pov || fault "shutter.pov has no word about its shutter"
+sed 's/aperture .3  focus 2/side_by_side .1/' lens.rt >eyes.rt
+expect 0 "eyes.rt: compared as seen from between its two eyes" crosscheck eyes.rt --size 32x24
+expect 0 "POV-Ray has no pictures for two eyes" pov eyes.rt -o eyes.pov
+expect 2 "two eyes need an even width" render eyes.rt -o eyes.png --size 33x24
 echo 'camera { location -5*z look_at 0 aperture 1 focal_point 2*z blur_samples 9 } sphere { 0, 1 }' >lens.pov
 expect 1 "lens.pov: its camera has an aperture" crosscheck lens.pov --size 32x24
 

@@ -52,6 +52,21 @@ expect 0 "" compare cube.png again.png
 grep -q 'image { "../tiles.png"' other/cube.rt || fault "the picture has no name in the scene"
 grep -q '// Imported from cube.obj.' other/cube.rt || fault "the scene does not say what it is from"
 
+# So is a picture with holes, whatever its colour is multiplied by: import writes what is in no file.
+convert tiles.png \( -size 8x8 xc:white -fill black -draw 'rectangle 2,2 5,5' \) -alpha off -compose CopyOpacity \
+    -composite holes.png
+cp cube.obj holes.obj
+sed -i 's/cube.mtl/holes.mtl/' holes.obj
+for kd in 1 .3; do
+    printf 'newmtl red\nKd 1 0 0\nnewmtl dull\nKd .5 .5 .5\nnewmtl tiles\nKd 1 %s 1\nmap_Kd -s 2 2 1 holes.png\n' $kd >holes.mtl
+    expect 0 "" render holes.obj -o holes_shown.png --size 80x60
+    expect 0 "" import holes.obj -o other/holes.rt
+    expect 0 "" render other/holes.rt -o again.png --size 80x60
+    expect 0 "" compare holes_shown.png again.png --tolerance 1
+done
+grep -q 'image { "holes-1.exr"  map uv  opacity 1' other/holes.rt || fault "the holes are not in the scene"
+! cmp -s holes_shown.png cube.png || fault "holes are not seen"
+
 # Colours of points have no file of their own: import writes one.
 printf 'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n' >tri.ply
 printf 'property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 1\n' >>tri.ply

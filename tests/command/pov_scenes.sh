@@ -36,6 +36,15 @@ for size in 64x36 36x64 40x40; do
     expect 0 "" render sized.rt -o same.png --size $size
     expect_same sized.png same.png
 done
+# A loop that makes bodies for ever ends long before memory does.
+echo '#declare I = 0; #while (I >= 0) sphere { I, 1 pigment { rgb 1 } } #declare I = I + 1; #end' >endless.pov
+if (ulimit -v 2000000 && "$strahl" --version >/dev/null 2>&1); then
+    said=$(ulimit -v 2000000; "$strahl" check endless.pov 2>&1) && fault "an endless loop opened"
+    [[ $said == *"endless.pov:1:33: the scene's bodies need too much memory; more than "*"half of the memory that is"* ]] ||
+        fault "an endless loop in little memory: $said"
+else
+    left_out "this build of strahl does not run in 2 GB of address space"
+fi
 expect 2 "convert ball.pov with strahl import first" bundle ball.pov -o bundle
 echo 'sphere { 0, 1 colour Unknown }' >wrong.pov
 expect 3 "wrong.pov:1:" render wrong.pov -o wrong.png

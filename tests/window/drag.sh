@@ -103,7 +103,7 @@ writes '^light { position <-[12]\.[0-9]*, -[0-9.]*, [0-9.]*>  color <.2, 0, .2> 
 
 echo "-- a cone is chosen from a list and added where a click meets the floor; undone at once"
 cp scene.rt before.rt
-xdotool key ctrl+a mousemove --window "$id" 50 188 click 1
+xdotool key ctrl+a mousemove --window "$id" 50 178 click 1
 xdotool mousemove --window "$id" 300 320 click 1
 await 'cone added'
 writes '^cone { <0, 0, -[0-9.]*>, [0-9.]*, <0, 0, [0-9.]*>, 0  material { rgb <.8, .8, .8> .* }  translate <[-0-9., ]*> }$'

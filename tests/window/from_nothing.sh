@@ -17,9 +17,12 @@ printf '#!/usr/bin/env bash\nfile=${!#}\nexec cat >"${file#file:}"\n' >bin/ffmpe
 chmod +x bin/*
 export PATH=$work/bin:$PATH ALSOFT_DRIVERS=null
 
-# shot NAME: keeps what the window shows, for the pictures; by then its notes have disappeared.
+# shot NAME: keeps what the window shows, for the pictures, with the toolbar; by then its notes have disappeared.
 shot() {
-    [[ -z $folder ]] || { xdotool mousemove --window "$id" 480 20 sleep 7 && import -window "$id" "$1.png"; }
+    [[ -z $folder ]] && return
+    xdotool mousemove --window "$id" 480 90 key ctrl+t sleep 7
+    import -window "$id" "$1.png"
+    xdotool key ctrl+t sleep 1
 }
 # point X Y [BUTTON]: clicks there with this button, or the left one.
 point() {
@@ -28,7 +31,7 @@ point() {
 # add ROW X Y: adds what this row of the list has where the view is clicked.
 add() {
     xdotool key ctrl+a
-    point 84 $((266 + 26 * $1))
+    point 84 $((253 + 26 * $1))
     point "$2" "$3"
     await 'chosen'
 }
@@ -98,12 +101,12 @@ change 819 202 -.03
 change 820 150 1.7
 color 254 .95 .7 .25
 change 820 280 .3
-add 3 580 320
+add 3 560 320
 color 254 .2 .4 .75
 shot 3
 
 echo "-- a spotlight, whose mark is shown"
-add 8 330 640
+add 9 330 640
 shot 4
 
 echo "-- a flight around it, on the timeline"
@@ -140,7 +143,7 @@ xdotool key Home l
 await 'lights are shown'
 point 318 299
 await 'chosen: light 3'
-follow 817 124 flash 885
+follow 863 124 flash 885
 point 87 546
 type_at 320 662 1.3
 point 222 565

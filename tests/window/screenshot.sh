@@ -10,6 +10,7 @@ set -uo pipefail
 source "$(dirname -- "$0")/window.sh"
 [[ -z ${2-} ]] || set -- "$1" "$(readlink -f -- "$2")"
 own_display 960x600 "import compare montage" "$@"
+rm state/strahl/no_toolbar
 
 # same NAME ROWS: the window shows this picture of assets in its upper rows; or this becomes what the window shows.
 same() {
@@ -51,6 +52,7 @@ xdotool mousemove --window "$id" 430 400 click 1 key l
 same handles.jpg 600
 quit
 
+: >state/strahl/no_toolbar
 command -v povray >/dev/null || fault "povray is not installed"
 if command -v povray >/dev/null; then
     start "$here/../../scenes/article.rt" --size 640x480

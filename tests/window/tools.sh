@@ -31,11 +31,11 @@ start scene.rt --size 960x540 --depth 2
 await 'finished'
 
 echo "-- the toolbar's buttons; the camera's numbers are typed"
-point 350 31
+point 332 31
 await 'lights are shown'
-point 350 31
+point 332 31
 await 'lights are hidden'
-point 403 31
+point 385 31
 await 'chosen: the camera, perspective, line 1'
 change 767 164 7
 writes '^camera \{ position <7, -20, 18>  look_at <0, 0, 0>  up <0, 0, -1>  fov 20 \}$'
@@ -63,6 +63,13 @@ await 'chosen: the background'
 change 701 126 .2
 writes '^background \{ color <0.2, 0, 0> \}$'
 xdotool key o Escape
+
+echo "-- the panel does not cover the point that was clicked: one click at the right, and one where the panel would be"
+point 900 450
+await 'chosen: body 3, plane'
+point 900 200
+await 'chosen: body 3, plane'
+xdotool key Escape
 
 echo "-- Shift chooses another body too; both are copied, and removed"
 point 332 136

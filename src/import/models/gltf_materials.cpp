@@ -28,8 +28,8 @@ Color limited(const Color& color, double most) {
 
 }  // namespace
 
-Pattern GltfMaterials::PictureUse::pattern(const Color& factor) const {
-    Pattern own = picture_by_uv(picture.pixels, picture.name, place, factor);
+Pattern GltfMaterials::PictureUse::pattern(const Color& factor, bool clear) const {
+    Pattern own = picture_by_uv(picture.pixels, picture.name, place, factor, clear);
     std::get<ImagePattern>(own.kind).sharp = sharp;
     return own;
 }
@@ -104,7 +104,9 @@ GltfMaterial GltfMaterials::read(const GltfValue& own) {
 
     const PictureUse color = use(model["baseColorTexture"], result);
     const bool colored = bool(color);
-    if (color) material.rgb = Pigment(color.pattern(base));
+    const std::string alpha = own["alphaMode"].text("OPAQUE");
+    const bool partly = (alpha == "MASK" || alpha == "BLEND") && color && !color.picture.pixels->opacity.empty();
+    if (color) material.rgb = Pigment(color.pattern(base, partly));
     double metal = std::clamp(model["metallicFactor"].number(1), 0., 1.);
     double rough = std::clamp(model["roughnessFactor"].number(1), 0., 1.);
     if (const PictureUse both = use(model["metallicRoughnessTexture"], result)) {
@@ -132,16 +134,16 @@ GltfMaterial GltfMaterials::read(const GltfValue& own) {
         material.normal.pattern = std::make_shared<const Pattern>(normal.pattern());
         material.normal.height = std::clamp(own["normalTexture"]["scale"].number(1), 0., 1e3);
     }
-    const std::string alpha = own["alphaMode"].text("OPAQUE");
     const double opacity = std::clamp(factors[3], 0., 1.);
-    if (alpha == "MASK" || alpha == "BLEND") {
-        const double limit = alpha == "MASK" ? std::max(own["alphaCutoff"].number(.5), 1e-9) : 0;
-        if (color && !color.picture.pixels->opacity.empty())
-            material.rgb = partly_clear(
-                material.rgb, {.pixels = color.picture.pixels, .factor = opacity, .limit = limit}, color.place);
-        else if (alpha == "BLEND" && !colored)
+    if (partly) {
+        Opacity own_opacity(*color.picture.pixels, false);
+        own_opacity.factor = opacity;
+        if (alpha == "MASK") own_opacity.limit = std::max(own["alphaCutoff"].number(.5), 1e-9);
+        material.rgb = partly_clear(material.rgb, std::move(own_opacity), color.place);
+    } else if (alpha == "BLEND") {
+        if (!colored)
             material.rgb.transmit = 1 - opacity;
-        else if (alpha == "BLEND")
+        else
             material.refraction = 1 - opacity, material.diffuse *= opacity, material.ambient *= opacity;
     }
     if (const double clear =

@@ -36,7 +36,7 @@ class GltfMaterials {
         TexturePlace place;
         bool sharp = false;
         explicit operator bool() const { return picture.pixels != nullptr; }
-        Pattern pattern(const Color& factor = Color(1)) const;
+        Pattern pattern(const Color& factor = Color(1), bool clear = false) const;
     };
     PictureUse use(const GltfValue& texture, GltfMaterial& result);
     GltfPicture picture(const GltfValue& index);

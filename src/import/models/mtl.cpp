@@ -172,6 +172,11 @@ Material material_of(const MtlMaterial& own, const std::string& path, const std:
                         : textures.read((fs::path(path).parent_path() / picture->file).string(),
                                         path + ":" + std::to_string(picture->line));
     };
+    const auto opacity = [&](const FilePixels& pixels, bool grey) {
+        Opacity result(pixels, grey);
+        result.factor = own.opacity;
+        return result;
+    };
     Color diffuse = linear_light(own.diffuse);
     Material material = plain_material(diffuse);
     const double shine = std::clamp(std::max({own.specular.x, own.specular.y, own.specular.z}), 0., 1.);
@@ -183,15 +188,16 @@ Material material_of(const MtlMaterial& own, const std::string& path, const std:
         place.around = diffuse;
         // Many files have no colour, or the default one, beside a picture.
         const bool none = own.diffuse == Color(0) || own.diffuse == Color(.8) || own.diffuse == Color(.64);
-        material.rgb = Pigment(picture_by_uv(pixels, name(*own.color_picture), place, none ? Color(1) : diffuse));
-        if (!pixels->opacity.empty() && !own.opacity_picture)
-            material.rgb =
-                partly_clear(material.rgb, {.pixels = pixels, .factor = own.opacity}, own.color_picture->place);
-    }
-    if (const auto pixels = pixels_of(own.opacity_picture))
+        const bool clear = !pixels->opacity.empty() && !own.opacity_picture;
         material.rgb =
-            partly_clear(material.rgb, {.pixels = pixels, .of_colors = pixels->opacity.empty(), .factor = own.opacity},
-                         own.opacity_picture->place);
+            Pigment(picture_by_uv(pixels, name(*own.color_picture), place, none ? Color(1) : diffuse, clear));
+        if (clear) material.rgb = partly_clear(material.rgb, opacity(*pixels, false), place);
+    }
+    if (const auto pixels = pixels_of(own.opacity_picture)) {
+        Opacity other = opacity(*pixels, true);
+        other.file = name(*own.opacity_picture);
+        material.rgb = partly_clear(material.rgb, std::move(other), own.opacity_picture->place);
+    }
     const bool mirrors = own.illum >= 3 && own.illum <= 8;
     if (mirrors)
         material.reflection = shine, material.mirror = shine > 0 ? own.specular / std::max(shine, 1e-9) : Color(1);

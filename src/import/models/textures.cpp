@@ -33,49 +33,12 @@ std::vector<Transformation> steps_of(const TexturePlace& place) {
     return steps;
 }
 
-/// The opacity at places in a picture, bilinear between the middles of pixels.
-struct OpacityFunction : SolidFunction {
-    Opacity opacity;
-    bool once;
-    std::vector<float> values;  // row by row from the top
-
-    OpacityFunction(const Opacity& own, bool once) : opacity(own), once(once) {
-        const FilePixels& pixels = *own.pixels;
-        if (!own.of_colors && !pixels.opacity.empty()) {
-            values = pixels.opacity;
-            return;
-        }
-        values.resize(std::size_t(pixels.width) * std::size_t(pixels.height), 1);
-        for (std::size_t i = 0; own.of_colors && i < values.size(); ++i) {
-            values[i] = 0;
-            for (std::size_t c = 0; c < 3; ++c) values[i] += float(brightness[c]) * pixels.values[3 * i + c];
-        }
-    }
-    double value_at(const DVec3& point) const override {
-        const double width = opacity.pixels->width, height = opacity.pixels->height;
-        const auto within = [&](double place) { return once ? std::clamp(place, 0., 1.) : place - std::floor(place); };
-        const double x = within(point.x) * width - .5, y = (1 - within(point.y)) * height - .5;
-        const auto at = [&](double column, double row) {
-            const auto wrapped = [&](double place, double size) {
-                return std::size_t(place < 0 ? (once ? 0 : size - 1) : place >= size ? (once ? size - 1 : 0) : place);
-            };
-            return double(values[wrapped(row, height) * std::size_t(width) + wrapped(column, width)]);
-        };
-        if (!std::isfinite(x + y)) return 1;
-        const double left = std::floor(x), top = std::floor(y), u = x - left, v = y - top;
-        const double mean = (1 - v) * ((1 - u) * at(left, top) + u * at(left + 1, top)) +
-                            v * ((1 - u) * at(left, top + 1) + u * at(left + 1, top + 1));
-        const double value = std::clamp(mean * opacity.factor, 0., 1.);
-        return opacity.limit > 0 ? (value >= opacity.limit ? 1 : 0) : value;
-    }
-};
-
 }  // namespace
 
 Pattern picture_by_uv(const std::shared_ptr<const FilePixels>& pixels, const std::string& file,
-                      const TexturePlace& place, const Color& factor) {
+                      const TexturePlace& place, const Color& factor, bool clear) {
     std::shared_ptr<const Pixels> shown = pixels;
-    std::string name = file;
+    std::string name = pixels->opacity.empty() || clear ? file : "";
     if (factor != Color(1)) {
         auto changed = std::make_shared<Pixels>(*pixels);
         // The factors are of linear light.
@@ -99,21 +62,9 @@ Pattern picture_by_uv(const std::shared_ptr<const FilePixels>& pixels, const std
             .by_uv = true};
 }
 
-bool make_opaque(Pigment& pigment) {
-    const auto* const values = pigment.pattern ? std::get_if<SolidPattern>(&pigment.pattern->kind) : nullptr;
-    if (!values || !dynamic_cast<const OpacityFunction*>(values->function.get())) return false;
-    const std::shared_ptr<const Pattern> whole = pigment.pattern;
-    const ColorStop& full = whole->colors.back();
-    pigment = full.pattern ? Pigment(*full.pattern) : Pigment(full.color);
-    return true;
-}
-
-Pigment partly_clear(const Pigment& opaque, const Opacity& opacity, const TexturePlace& place) {
-    const ColorStop clear{0, Color(1), 0, 1}, full{1, opaque.color, 0, 0, opaque.pattern};
-    SolidPattern values;
-    values.frequency = 0;
-    values.function = std::make_shared<const OpacityFunction>(opacity, place.clamped);
-    return Pigment(Pattern{.kind = values, .colors = {clear, full}, .transformations = steps_of(place), .by_uv = true});
+Pigment partly_clear(const Pigment& opaque, Opacity opacity, const TexturePlace& place) {
+    opacity.once = place.clamped;
+    return partly_clear(opaque, std::make_shared<const Opacity>(std::move(opacity)), steps_of(place), true);
 }
 
 }  // namespace strahl

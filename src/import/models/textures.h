@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "scene/material.h"
+#include "text/reading/opacity.h"
 #include "text/reading/scene_files.h"
 
 namespace strahl {
@@ -38,21 +39,12 @@ class Textures {
     std::map<std::string, std::shared_ptr<const FilePixels>> known;
 };
 
-/// Returns a picture by uv. `file` is its name in scenes. Colours are multiplied by `factor` unless it is 1.
+/// Returns a picture by uv. `file` is its name in scenes, which it keeps if its colours are multiplied by 1 and it is
+/// opaque or `clear` says that partly_clear() is to make it so.
 Pattern picture_by_uv(const std::shared_ptr<const FilePixels>& pixels, const std::string& file,
-                      const TexturePlace& place, const Color& factor = Color(1));
+                      const TexturePlace& place, const Color& factor = Color(1), bool clear = false);
 
-/// How opaque a surface is by a picture: value * factor or, with a limit above 0, wholly where that is at least the
-/// limit and not at all elsewhere.
-struct Opacity {
-    std::shared_ptr<const FilePixels> pixels;
-    bool of_colors = false;  // the brightness of the colours counts, not the alpha channel
-    double factor = 1, limit = 0;
-};
-/// Returns a pigment that lets light through where it is not opaque.
-Pigment partly_clear(const Pigment& opaque, const Opacity& opacity, const TexturePlace& place);
-
-/// Makes a pigment of partly_clear() the opaque one again. Returns false if it is none.
-bool make_opaque(Pigment& pigment);
+/// Returns a pigment that lets light through where the picture of `opacity` at this place is not opaque.
+Pigment partly_clear(const Pigment& opaque, Opacity opacity, const TexturePlace& place);
 
 }  // namespace strahl

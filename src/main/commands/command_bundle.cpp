@@ -18,10 +18,12 @@
 #include "files/os/system.h"
 #include "files/output_file.h"
 #include "files/read_file.h"
+#include "files/regular_file.h"
 #include "files/shell.h"
 #include "files/streams.h"
 #include "files/utf8.h"
 #include "image/pixels.h"
+#include "image/recognise.h"
 #include "image/uncompressed.h"
 #include "main/commands/scene_file.h"
 #include "main/licence.h"
@@ -91,14 +93,19 @@ class Collection {
         fs::permissions(folder / to, fs::status(from).permissions() | fs::perms::owner_read | fs::perms::owner_write);
     }
     void write(const fs::path& to, std::string_view bytes) {
-        if (*interrupt.flag()) throw Interrupted("interrupted; no bundle was made");
-        const fs::path path = folder / to;
-        fs::create_directories(path.parent_path());
+        const fs::path path = place(to);
         os::OpenFile file(path, os::OpenFile::OpenMode::create);
         int error = file ? file.append(bytes) : errno;
         if (!error) error = file.close();
         if (error) fail(path, error);
         total += double(bytes.size());
+    }
+    /// Returns the path of a file that is to be written, in a folder that is there.
+    fs::path place(const fs::path& to) {
+        if (*interrupt.flag()) throw Interrupted("interrupted; no bundle was made");
+        const fs::path path = folder / to;
+        fs::create_directories(path.parent_path());
+        return path;
     }
     double size() const { return total; }
     /// Returns a name for a file of the scene in the folder `files`. Each name is given once.
@@ -118,16 +125,29 @@ class Collection {
     std::set<std::string> given;
 };
 
-/// Writes a picture without compression, so that the bundle need not have OpenImageIO, which .exr and .gif files need
-/// and which needs hundreds of libraries. Returns its name.
-std::string plain_picture(const std::string& path, Collection& bundle) {
+/// Copies a picture that is read without OpenImageIO, which needs hundreds of libraries; others, .gif and .exr files,
+/// become .png and .pfm files. Returns its name. Throws FileError for floats that are not opaque.
+std::string bundled_picture(const std::string& path, Collection& bundle) {
+    if (recognised(RegularFile(path)).read) {
+        const std::string name = bundle.name_for(path, nullptr);
+        bundle.copy(path, "scene/" + name);
+        return name;
+    }
     Picture picture = read_picture(path);
-    const int channels = picture.channels < 3 ? 1 : 3;  // without alpha, which scenes do not use
+    if (picture.bits != 32) {
+        const std::string name = bundle.name_for(path, ".png");
+        write_picture(picture, bundle.place("scene/" + name).string(), {.bits = picture.bits});
+        return name;
+    }
+    const std::size_t all = std::size_t(picture.channels), colors = all < 3 ? 1 : 3;
     std::vector<double> values;
-    for (std::size_t i = 0; i < picture.values.size(); i += unsigned(picture.channels))
-        values.insert(values.end(), &picture.values[i], &picture.values[i] + channels);
-    picture.channels = channels, picture.values = std::move(values);
-    const std::string name = bundle.name_for(path, picture.bits == 32 ? ".pfm" : channels == 1 ? ".pgm" : ".ppm");
+    for (auto pixel = picture.values.begin(); pixel != picture.values.end(); pixel += std::ptrdiff_t(all)) {
+        if (all > colors && pixel[colors] != 1)
+            throw FileError("cannot bundle '" + path + "': it has an alpha channel beside floats; save it as .png");
+        values.insert(values.end(), pixel, pixel + std::ptrdiff_t(colors));
+    }
+    picture.channels = int(colors), picture.values = std::move(values);
+    const std::string name = bundle.name_for(path, ".pfm");
     bundle.write("scene/" + name, netpbm_of(picture));
     return name;
 }
@@ -153,7 +173,7 @@ std::string collect_scene(const std::string& path, Collection& bundle) {
     const Scene scene = parse_scene(text, path, {}, read_pixels, &names);
     print_warnings(names.warnings);
     std::map<std::string, std::string> renamed;
-    for (const std::string& name : names.pictures) renamed[name] = plain_picture(path_beside(path, name), bundle);
+    for (const std::string& name : names.pictures) renamed[name] = bundled_picture(path_beside(path, name), bundle);
     names.meshes.merge(names.sounds);
     for (const std::string& name : names.meshes) {
         renamed[name] = bundle.name_for(name, nullptr);

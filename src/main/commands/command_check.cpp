@@ -105,6 +105,8 @@ std::string summary(const Scene& scene, const std::string& path) {
          << (camera.projection == Projection::perspective
                  ? ""
                  : ", " + std::string(projection_words[static_cast<std::size_t>(camera.projection)]))
+         << (camera.stereo == Stereo::none ? ""
+                                           : ", " + std::string(stereo_words[static_cast<std::size_t>(camera.stereo)]))
          << '\n'
          << "  depth        " << scene.settings.max_trace_level << '\n'
          << "  background   " << scene.background.color << (scene.background.pattern ? " at most, by a pattern" : "")

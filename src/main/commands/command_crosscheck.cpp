@@ -101,7 +101,8 @@ bool check(const CrosscheckOptions& options, const std::string& path, const std:
     if (has_lens(camera)) std::cerr << show(path).text << ": compared through the middle of its lens\n";
     if (camera.shutter > 0)
         std::cerr << show(path).text << ": compared in the middle of the time its shutter is open\n";
-    camera.aperture = camera.shutter = 0;
+    if (camera.stereo != Stereo::none) std::cerr << show(path).text << ": compared as seen from between its two eyes\n";
+    camera.aperture = camera.shutter = 0, camera.stereo = Stereo::none;
     const View view{.camera = camera,
                     .width = options.opening.size.width,
                     .height = options.opening.size.height,

@@ -158,6 +158,14 @@ void check_aspect(const RenderOptions& options, const Scene& scene) {
     std::cerr << said;
 }
 
+/// Throws UsageError if two eyes cannot share the picture.
+void check_eyes(const PictureSize& size, const Camera& camera) {
+    const bool beside = camera.stereo == Stereo::side_by_side;
+    if (camera.stereo == Stereo::none || (beside ? size.width : size.height) % 2 == 0) return;
+    throw UsageError(std::string("the camera's two eyes need an even ") + (beside ? "width" : "height") +
+                     " of the picture");
+}
+
 /// Warns of averages over pixels whose error was measured and is above the one aimed at.
 void check_error(const Stats& stats) {
     const double aimed = std::max(stats.sampling.error, least_sampling_error), measured = stats.sampled.error();
@@ -205,13 +213,15 @@ int render_command(const RenderOptions& asked) {
     NamedLayers layers = named(options.layers, opened);
     Scene scene = std::move(opened.scene);
     stats.parse_seconds = watch.lap();
-    if (!options.prove.empty() && scene.camera.projection != Projection::perspective)
-        throw UsageError("--prove knows the rays of perspective cameras only, and this scene has another one");
+    if (!options.prove.empty() && !in_perspective(scene.camera))
+        throw UsageError(
+            "--prove knows the rays of perspective cameras with one eye only, and this scene has another one");
     if (!options.prove.empty() && has_lens(scene.camera))
         throw UsageError("--prove knows the rays of pinholes only, and this scene's camera has an aperture");
     if (!options.prove.empty() && scene.camera.shutter > 0)
         std::cerr << "strahl: --prove proves the picture in the middle of the time that the camera's shutter is open\n";
     check_aspect(options, scene);
+    check_eyes(options.opening.size, scene.camera);
     if (options.compression != Compression::fast && ending_of(ending) != ".png")
         std::cerr << "strahl: warning: --compression is for .png files; this picture is written without it\n";
     if (options.time || options.frames || !ffmpeg.empty()) {

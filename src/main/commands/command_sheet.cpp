@@ -10,6 +10,7 @@
 #include "files/error.h"
 #include "files/read_file.h"
 #include "files/utf8.h"
+#include "image/frame_rate.h"
 #include "image/picture.h"
 #include "image/pixels.h"
 #include "main/commands/scene_file.h"
@@ -103,14 +104,15 @@ int sheet_command(const SheetOptions& options, const std::atomic<bool>* stop) tr
             tracer = Tracer(open_scene(text, options.scene, opening, read_pixels).scene, Precision::float64);
         const Scene& scene = tracer.scene();
         const Camera camera = camera_at(scene, time);
-        const View view{.camera = camera,
-                        .width = width,
-                        .height = height,
-                        .depth = options.depth.value_or(scene.settings.max_trace_level),
-                        .error = half_step(format),
-                        .time = time,
-                        .moments = shutter_moments(tracer.declared(), time, camera.shutter,
-                                                   [&](double moment) { return camera_at(scene, moment); })};
+        const View view{
+            .camera = camera,
+            .width = width,
+            .height = height,
+            .depth = options.depth.value_or(scene.settings.max_trace_level),
+            .error = half_step(format),
+            .time = time,
+            .moments = shutter_moments(tracer.declared(), time, shutter_seconds(camera, FrameRate{}.per_second()),
+                                       [&](double moment) { return camera_at(scene, moment); })};
         const Picture picture{width, height, 3,
                               values_of(tracer, view, {.columns = width, .rows = height}, pool, sampling, stop)};
         if (stop && *stop) throw Interrupted("interrupted");

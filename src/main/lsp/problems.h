@@ -12,8 +12,8 @@ struct Problem {
     Message message;
 };
 
-/// Checks a scene as `strahl check` does: returns up to ten errors, or else warnings. `files` becomes the list of files
-/// that were read, unless there is an error.
+/// Checks a scene as `strahl check` does: returns up to ten errors, or else warnings. Of a .pov each block of the top
+/// level has one error at most. `files` becomes the list of files that were read, unless errors leave nothing to read.
 std::vector<Problem> check_scene(const std::string& text, const std::string& path, std::vector<std::string>& files);
 
 }  // namespace strahl

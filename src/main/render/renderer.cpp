@@ -221,7 +221,8 @@ std::shared_ptr<const std::vector<Shot>> Renderer::moments(const Shot& shot) con
         Shot moment{flies ? camera_at(scene(), time) : own_camera_at(scene(), time), time};
         return view(moment, 1, 0).camera;
     };
-    return shutter_moments(tracer.declared(), shot.time, shot.camera.shutter, camera);
+    return shutter_moments(tracer.declared(), shot.time, shutter_seconds(shot.camera, options.rate.per_second()),
+                           camera);
 }
 
 /// Traces the regions. Returns the number of finished pixels, of `all` in the picture or the share.

@@ -67,6 +67,10 @@ constexpr std::array homes{
     Home{"global_settings", "global_settings { ... }", {"assumed_gamma", "max_trace_level", "ambient_light"}},
 };
 
+/// Words that stand in bodies only.
+constexpr std::array<std::string_view, 10> parts_of_bodies{"translate", "rotate", "scale",  "matrix",    "texture",
+                                                           "pigment",   "finish", "normal", "no_shadow", "hollow"};
+
 /// The words of composites, whose parts come first.
 constexpr std::array<std::string_view, 4> composites{"union", "merge", "intersection", "difference"};
 
@@ -210,8 +214,14 @@ std::string Interpreter::State::advice_on_name(const std::string& name, const st
     const auto meant = [](std::string_view similar) { return "; did you mean " + strahl::quoted(similar) + "?"; };
     if (before.ends_with('#')) {
         const std::string_view similar = nearest(name, directives);
-        return similar.empty() ? "; colours are written rgb <1, 0, 0>" : meant(similar);
+        const bool digits = name.find_first_not_of("0123456789abcdefABCDEF") == name.npos;
+        return !similar.empty() ? meant(similar)
+               : digits         ? "; colours are written rgb <1, 0, 0>"
+                                : "; there is no such directive; #end ends loops, conditions and macros";
     }
+    const std::string_view line = before.substr(before.find_last_of("\r\n") + 1);
+    if (what == "a string" && line.find("#include") != line.npos)
+        return "; file names stand in quotes: #include \"" + name + ".inc\"";
     std::vector<std::string_view> declared;
     for (std::uint32_t i = 0; i < names.size(); ++i)
         if (i != next.raw->index && symbols.find(i)) declared.push_back(names.text(i));
@@ -274,6 +284,8 @@ void Interpreter::State::wrong_token(const std::string& what) {
         advice = "; a rotation is one vector, as in rotate 45*y";
     else if (row != foreign.end())
         advice = "; did you mean " + strahl::quoted(row->own) + "?";
+    else if (found == '=')
+        advice = "; values follow their words without '=', as in ior 1.5";
     else if (found == '^')
         advice = "; powers are written pow(x, 2)";
     else if (found == ',' && follows_colour_number(before))
@@ -283,6 +295,10 @@ void Interpreter::State::wrong_token(const std::string& what) {
     else if (found == '}' && blocks.empty() && closed)
         advice = "; the block before it, which line " + std::to_string(line_number(text, closed->at)) +
                  " begins, is closed already";
+    else if (found >= first_word_code && blocks.empty() && closed &&
+             std::ranges::find(parts_of_bodies, reserved_words[found - first_word_code]) != parts_of_bodies.end())
+        advice = "; it belongs inside the braces of the block before it, which line " +
+                 std::to_string(line_number(text, closed->at)) + " begins";
     else if (*in.form)
         advice = std::string("; the order is ") + in.form;
     fail(next.place, message + (at_end_of_block ? " does not belong here" : "") + advice);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "files/error.h"
+#include "files/os/memory.h"
 #include "pov/language/state.h"
 
 namespace strahl::pov {
@@ -12,6 +13,8 @@ Interpreter::State::State(Interpreter& in, InterpreterOptions given, SceneLayer&
 
 Interpreter::Interpreter(std::string text, InterpreterOptions options, SceneLayer& layer)
     : state(std::make_unique<State>(*this, std::move(options), layer)) {
+    std::size_t& most = state->options.limits.bytes;
+    most = static_cast<std::size_t>(std::min(static_cast<double>(most), os::available_memory() / 2));
     const auto declare = [&](const char* name, double value) {
         std::uint32_t number = 0;
         if (state->names.find(name, number) != end_code) return;
@@ -50,7 +53,10 @@ void Interpreter::State::pop_reading() {
 }
 
 /// Says how many bytes are too many.
-static std::string limit_of(std::size_t bytes) { return "; more than " + std::to_string(bytes >> 20) + " MiB in all"; }
+static std::string limit_of(std::size_t bytes) {
+    return "; more than " + std::to_string(bytes >> 20) + " MiB in all" +
+           (bytes < InterpreterLimits().bytes ? ", half of the memory that is free" : "");
+}
 
 void Interpreter::State::check_limits() {
     if (options.stop && options.stop->load(std::memory_order_relaxed)) throw Interrupted("reading was stopped");

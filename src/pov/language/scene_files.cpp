@@ -60,7 +60,11 @@ std::string similar_file(const std::vector<fs::path>& folders, const fs::path& p
                 if (entry.path().extension() == ending) files.push_back(entry.path().filename().string());
         }
     std::ranges::sort(files);
-    return std::string(nearest(path.filename().string(), std::vector<std::string_view>(files.begin(), files.end())));
+    // Without their ending, which they have in common.
+    std::vector<std::string_view> names(files.begin(), files.end());
+    for (std::string_view& name : names) name.remove_suffix(ending.size());
+    const std::string_view found = nearest(path.stem().string(), names);
+    return found.empty() ? "" : std::string(found) + ending;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <glm/matrix.hpp>
 #include <limits>
 
+#include "pov/meaning/part_faces.h"
 #include "scene/leaves.h"
 #include "scene/overlap.h"
 
@@ -140,6 +141,12 @@ void join_touching(Intersection& whole) {
     if (grows) whole.parts = std::make_shared<const std::vector<Primitive>>(std::move(parts));
 }
 
+/// Makes a cylinder or a cone wider by a hair.
+void widen(Shape& shape) {
+    if (auto* const cylinder = std::get_if<Cylinder>(&shape)) cylinder->radius *= 1 + hair;
+    if (auto* const cone = std::get_if<Cone>(&shape)) cone->base_radius *= 1 + hair, cone->cap_radius *= 1 + hair;
+}
+
 }  // namespace
 
 void keep_faces(Primitive& body) {
@@ -149,11 +156,20 @@ void keep_faces(Primitive& body) {
     if (!difference) return;
     std::vector<Primitive> parts = *difference->parts;
     // An open cylinder or cone is an intersection with planes.
-    if (!std::holds_alternative<Intersection>(parts[0].shape) && faces_of(parts[0], glm::dmat4(1)).empty()) return;
+    const bool has_flat =
+        std::holds_alternative<Intersection>(parts[0].shape) || !faces_of(parts[0], glm::dmat4(1)).empty();
+    const auto curved_of = [](const Primitive& leaf, const glm::dmat4& outer) {
+        std::vector<CurvedFace> curved;
+        add_curved(curved, leaf.shape, outer * matrix(leaf.transformations), {});
+        std::erase_if(curved, [](const CurvedFace& face) { return !face.round; });
+        return curved;
+    };
     std::vector<FlatFace> taken;
+    std::vector<CurvedFace> taken_curved;
     for (std::size_t i = 1; i < parts.size(); ++i)
         change_leaves(parts[i], glm::dmat4(1), true, [&](Primitive& leaf, const glm::dmat4& outer) {
-            if (std::holds_alternative<Plane>(leaf.shape)) return;
+            std::ranges::move(curved_of(leaf, outer), std::back_inserter(taken_curved));
+            if (std::holds_alternative<Plane>(leaf.shape) || !has_flat) return;
             std::ranges::move(faces_of(leaf, outer), std::back_inserter(taken));
         });
     bool grows = false;
@@ -166,6 +182,9 @@ void keep_faces(Primitive& body) {
         };
         for (const FlatFace& face : faces_of(leaf, outer))
             if (shared(face)) face.grow_by(hair), grows = true;
+        for (const CurvedFace& face : curved_of(leaf, outer))
+            if (std::ranges::any_of(taken_curved, [&](const CurvedFace& other) { return face.continues(other); }))
+                widen(leaf.shape), grows = true;
     });
     if (grows) difference->parts = std::make_shared<const std::vector<Primitive>>(std::move(parts));
 }

@@ -7,7 +7,8 @@
 namespace strahl::pov {
 
 /// Grows the first parts of differences by a hair where a part that is taken away has a face in the same place: POV-Ray
-/// keeps that face, since by its rounding a point on it is inside both parts or neither. Grows boxes and planes of
+/// keeps that face, since by its rounding a point on it is inside both parts or neither, or since in a cylinder or a
+/// cone no point of its surface is inside. Grows boxes and planes of
 /// intersections by a hair where they only touch, which POV-Ray shows as a face.
 void keep_faces(Primitive& body);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 #include "pov/things/blob_colors.h"
@@ -90,23 +91,26 @@ std::shared_ptr<const LayerValues> without_blend(const LayerValues& layer, const
 /// A texture that patterns of textures show: its layers, the lowest first, in the space of the outermost pattern.
 using Shown = std::vector<LayerValues>;
 
-/// Moves a layer from the space of a pattern that shows it into the space around this.
-void move_out(LayerValues& layer, const Blend& around) {
-    if (around.uv) set_by_uv(layer, around.moved_by_uv);
-    PigmentThing& own = layer.pigment;
+/// Moves a pigment or a normal from the space of a pattern that shows it into the space around this.
+template <class T>
+void move_out(T& own, const Blend& around) {
     const bool moves = !around.warps.empty() || around.turbulence != DVec3(0);
-    append(layer.normal.blend.steps, around.steps);
     if (!own.blend || !moves) return append(own.blend.steps, around.steps);
     // A mean of one is in the space that warps and turbulence lead to.
-    PigmentThing whole;
+    T whole;
     whole.blend = around;
     if (around.word == word("marble") || around.word == word("wood")) whole.blend.turbulence = DVec3(0);
     whole.blend.word = word("average"), whole.blend.values = nullptr, whole.blend.image = nullptr;
     whole.blend.function = nullptr, whole.blend.pigment = nullptr, whole.blend.slopes = nullptr;
+    if constexpr (std::is_same_v<T, NormalThing>) own.blend.uv = false;  // the mean finds the place by uv
     auto map = std::make_shared<MapThing>();
-    map->entries.push_back({.at = 1, .thing = std::make_shared<PigmentThing>(std::move(own))});
+    map->entries.push_back({.at = 1, .thing = std::make_shared<T>(std::move(own))});
     whole.blend.map = std::move(map);
     own = std::move(whole);
+}
+void move_out(LayerValues& layer, const Blend& around) {
+    if (around.uv) set_by_uv(layer, around.moved_by_uv);
+    move_out(layer.pigment, around), move_out(layer.normal, around);
 }
 
 /// Collects the textures that patterns of textures show, those within each other in the order of their maps. Returns

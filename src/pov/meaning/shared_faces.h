@@ -1,19 +1,27 @@
-// Finds composites in which POV-Ray's rounding decides whether faces are seen.
+// Finds faces in one place, of which POV-Ray's rounding decides which are seen.
 #pragma once
 #include <cstddef>
+#include <set>
 #include <vector>
 
+#include "pov/meaning/sight.h"
 #include "scene/scene.h"
 
 namespace strahl::pov {
 
-/// Do parts of a composite, or of one in it, have a face in one place, so that it is there or not as POV-Ray rounds the
-/// place where a ray meets it? Flat faces are found, and spheres, cylinders and cones that are there twice. In a merge
-/// through which light goes that is also so if parts only touch. Places that are hidden from the camera do not count.
-bool rounding_decides(const Scene& scene, const Primitive& whole);
+// What covers less than a four-hundredth of the picture, or is seen neither by the camera nor in mirrors, does not
+// count. Faces are flat, or of spheres, cylinders and cones.
 
-/// Returns the numbers of clear bodies with a face in a plane that is seen through them: POV-Ray's rounding decides
-/// which of the two a ray meets first, but of a box on a plane, where that is always the plane.
-std::vector<std::size_t> clear_bodies_on_planes(const Scene& scene);
+/// Returns the numbers of composites of whose parts several have a face in one place, so that it is there or not as
+/// POV-Ray rounds the place where a ray meets it, or one of two that look different. In a merge through which light
+/// goes that is also so if parts only touch.
+std::vector<std::size_t> shared_by_parts(const Scene& scene, Sight& sight);
+
+/// Returns places where two bodies have a face, and do not look the same.
+std::vector<Sight::Place> places_of_two_bodies(const Scene& scene, Sight& sight);
+/// Returns the numbers of the clear bodies, other than boxes, that have a face in a plane there.
+std::set<std::size_t> clear_bodies_on_planes(const Scene& scene, Sight& sight, const std::vector<Sight::Place>& places);
+/// Returns, once faces have been moved, the numbers of those bodies that still have one where one before them has one.
+std::set<std::size_t> bodies_in_one_place(const Scene& scene, Sight& sight, const std::vector<Sight::Place>& places);
 
 }  // namespace strahl::pov

@@ -338,16 +338,19 @@ Scene SceneMaker::make() {
             notes.left_out(kept_places[i],
                            "bodies of a composite beyond " + std::to_string(most_leaves) + " that are connected");
     if (!in.options().as_text) {
-        for (std::size_t i = 0; i < scene.primitives.size(); ++i)
-            if (rounding_decides(scene, scene.primitives[i]))
-                notes.approximated(
-                    kept_places[i],
-                    "faces of parts in one place: POV-Ray's rounding speckles them, which are whole here");
-        for (const std::size_t i : clear_bodies_on_planes(scene))
+        Sight sight(scene);
+        for (const std::size_t i : shared_by_parts(scene, sight))
+            notes.approximated(kept_places[i],
+                               "faces of parts in one place: POV-Ray's rounding speckles them, which are whole here");
+        const std::vector<Sight::Place> shared = places_of_two_bodies(scene, sight);
+        for (const std::size_t i : clear_bodies_on_planes(scene, sight, shared))
             notes.approximated(kept_places[i],
                                "a clear body's face in a plane: POV-Ray's rounding speckles it, which is whole here");
         for (Primitive& body : scene.primitives) keep_faces(body);
         settle_faces(scene), settle_slanted_faces(scene);
+        for (const std::size_t i : bodies_in_one_place(scene, sight, shared))
+            notes.approximated(kept_places[i],
+                               "a face in the place of another body's: rounding speckles it, in POV-Ray otherwise");
         scene.settings.passed_over = 1e-4, scene.settings.farthest = 1e7;
         // What is nearer to the eye is not seen.
         scene.camera.position = off_faces(scene, scene.camera, scene.settings.passed_over);

@@ -70,9 +70,9 @@ std::string numbers_text(const std::vector<double>& numbers) {
 
 }  // namespace
 
-BodyInput BodyPanel::draw(const BodyEditor& editor, const std::string& file, const Margins& margins) {
+BodyInput BodyPanel::draw(const BodyEditor& editor, const std::string& file, const Margins& margins, bool left) {
     BodyInput input;
-    begin_panel("body", 1, 0, margins);
+    begin_panel("body", left ? 0 : 1, 0, margins);
     const BodyText& body = editor.body();
     if (const auto& block = editor.block())
         ImGui::Text("%s: %s", *block == TopBlock::camera ? "camera" : "background", body.kind.c_str());
@@ -109,6 +109,7 @@ BodyInput BodyPanel::draw(const BodyEditor& editor, const std::string& file, con
     if (editor.block() == TopBlock::camera) {
         if (button("use this view", !editor.read_only())) input.command = {Action::keep_view};
         if (button("go there", true)) input.command = {Action::reset};
+        if (button("focus by a click", !editor.read_only())) input.command = {Action::focus};
         ImGui::NewLine();
     }
     ImGui::Separator();
@@ -119,6 +120,11 @@ BodyInput BodyPanel::draw(const BodyEditor& editor, const std::string& file, con
     const auto folded = [&](std::size_t i) {
         return (i > material && values[i].source == no_source) || values[i].fixed == "from the file";
     };
+    // Names have a column of their own.
+    const float font = ImGui::GetFontSize();
+    labels = 7 * font;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (!folded(i)) labels = std::max(labels, ImGui::CalcTextSize(values[i].name.c_str()).x + 1.4f * font);
     std::string source;
     std::vector<std::size_t> more;
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -191,7 +197,7 @@ void BodyPanel::draw_value(const BodyEditor& editor, std::size_t number, std::st
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(value.name.c_str());
     if (ImGui::IsItemHovered() && !value.help.empty()) ImGui::SetTooltip("%s", value.help.c_str());
-    ImGui::SameLine(std::max(7 * font, ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + font / 2));
+    ImGui::SameLine(std::max(labels, ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + font / 2));
     std::vector<double> numbers = value.numbers;
     if (open) {
         const bool color = value.color && numbers.size() == 3;

@@ -44,8 +44,8 @@ struct BodyInput {
 
 class BodyPanel {
   public:
-    /// To be called while ImGui makes a frame.
-    BodyInput draw(const BodyEditor& editor, const std::string& file, const Margins& margins);
+    /// To be called while ImGui makes a frame. `left`: it stands there, else at the right.
+    BodyInput draw(const BodyEditor& editor, const std::string& file, const Margins& margins, bool left);
     /// Its width in pixels, with the space beside it.
     float width() const { return wide; }
     const CoveredArea& area() const { return own; }
@@ -55,7 +55,7 @@ class BodyPanel {
     void draw_value(const BodyEditor& editor, std::size_t number, std::string& source, BodyInput& input);
     void draw_track(const BodyEditor& editor, std::size_t number, BodyInput& input);
 
-    float wide = 0;
+    float wide = 0, labels = 0;  // of the panel, and of the names of values in it, in pixels
     CoveredArea own;
     NumberFields fields;
     bool held = false;                                        // a value has been changed since the mouse button is down

@@ -3,6 +3,8 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include <utility>
+
 namespace strahl {
 
 void Panels::toggle(Action action) {
@@ -86,7 +88,9 @@ OutlinerInput Panels::draw_outline(const Session& session, const BodyEditor& edi
 
 BodyInput Panels::draw_body(const BodyEditor& editor, const std::string& file) {
     body_shown = editor.any() && !quiet && !help;  // the help needs the room
-    return body_shown ? body.draw(editor, file, margins()) : BodyInput{};
+    if (const auto x = std::exchange(clicked_x, std::nullopt))
+        clicked_at_right = *x > .6 * ImGui::GetIO().DisplaySize.x;
+    return body_shown ? body.draw(editor, file, margins(), body_left()) : BodyInput{};
 }
 
 std::optional<Command> Panels::draw_toolbar(const KeyMap& keys, ToolbarView view) {

@@ -34,6 +34,8 @@ class Panels {
     /// Returns false if there is none.
     bool delete_clicked_key();
     void forget_key() { timeline.forget_click(); }
+    /// Has the panel of the body that is chosen stand on the other side, if it would cover the point clicked there.
+    void keep_clear(double x) { clicked_x = x; }
     /// Draws the panel of the body that is chosen, if any. `file` is the name of the scene.
     BodyInput draw_body(const BodyEditor& editor, const std::string& file);
     /// Draws the list of what can be added. Returns what the user has clicked in it, or null.
@@ -56,9 +58,9 @@ class Panels {
                (toolbar_shown() && toolbar.area().has(x, y));
     }
     /// The width in pixels that it takes at the right of the window.
-    float reserved_right() const { return body_shown ? body.width() : 0; }
-    /// The width in pixels that the outline takes at the left.
-    float reserved_left() const { return outline_shown() ? outliner.width() : 0; }
+    float reserved_right() const { return body_shown && !body_left() ? body.width() : 0; }
+    /// The width in pixels that the outline or the panel of a body takes at the left.
+    float reserved_left() const { return outline_shown() ? outliner.width() : body_left() ? body.width() : 0; }
     /// The height in pixels of the toolbar at the top.
     float reserved_top() const { return toolbar_open && !quiet && !gallery && !help ? toolbar.height() : 0; }
     /// The height in pixels of what lies at the bottom of the window.
@@ -81,6 +83,7 @@ class Panels {
     bool add_shown() const { return add_open && !quiet; }
     bool outline_shown() const { return outline_open && !quiet; }
     bool toolbar_shown() const { return toolbar_open && !quiet && !gallery && !help && !toolbar_rests; }
+    bool body_left() const { return body_shown && clicked_at_right && !outline_shown(); }
     Margins margins() const { return {0, reserved_top(), reserved()}; }
 
     Pace& pace;
@@ -88,6 +91,8 @@ class Panels {
     bool timeline_open = false;
     Timeline timeline;
     bool body_shown = false;
+    std::optional<double> clicked_x;  // where a body was clicked since the last picture
+    bool clicked_at_right = false;
     BodyPanel body;
     bool add_open = false;
     AddPanel add;

@@ -31,6 +31,7 @@ std::vector<ToolbarButton> buttons_of(const ToolbarView& view) {
             {"camera", {Action::edit_camera}, view.camera},
             {"list", {Action::outline}},
             {"time", {Action::timeline}},
+            {"key", {Action::add_key}},
             {"play", {view.playing ? Action::pause : Action::play}, view.playing},
             {"record", {Action::record}, view.recording},
             {"film", {Action::film}},
@@ -53,10 +54,10 @@ std::string hidden_file() { return os::user_file("XDG_STATE_HOME", ".local/state
 std::optional<Command> Toolbar::draw(const KeyMap& keys, const ToolbarView& view) {
     std::optional<Command> clicked;
     const std::vector<ToolbarButton> buttons = buttons_of(view);
-    const float font = ImGui::GetFontSize(), space = .25f * font, edge = .4f * font;
+    const float font = ImGui::GetFontSize(), space = .2f * font, edge = .4f * font;
     const auto width = [&](const ToolbarButton& button) {
         const std::string key = keys.first_key(button.command.action);
-        return std::max(ImGui::CalcTextSize(button.name).x, ImGui::CalcTextSize(key.c_str()).x) + .5f * font;
+        return std::max(ImGui::CalcTextSize(button.name).x, ImGui::CalcTextSize(key.c_str()).x) + .35f * font;
     };
     float all = 0;
     for (const ToolbarButton& button : buttons) all += width(button) + space;

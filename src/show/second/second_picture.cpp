@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "files/error.h"
 #include "image/transfer.h"
 #include "pov/open_scene.h"
 #include "povref/compare/run_povray.h"
@@ -83,6 +85,41 @@ std::vector<double> own_values(const SecondOrder& order, Precision precision, co
     return values;
 }
 
+/// Shows distances as shares: the nearest is white, twice that half as bright. Normals are colours: red to the right.
+std::uint32_t layer_pixel(const SecondPicture::SeenPoint& seen, SecondKind kind, float nearest) {
+    if (std::isinf(seen.distance)) return 0xff000000u;
+    const auto bits = [](float share) { return static_cast<std::uint32_t>(std::lround(255 * share)); };
+    const auto& n = seen.normal;
+    if (kind == SecondKind::depth) return 0xff000000u | 0x10101u * bits(nearest / seen.distance);
+    return 0xff000000u | bits((1 + n[0]) / 2) << 16 | bits((1 + n[1]) / 2) << 8 | bits((1 + n[2]) / 2);
+}
+
+/// Traces what the pixels show.
+SecondPicture layer_picture(const SecondOrder& order, ThreadPool& pool, const std::atomic<bool>& stop) {
+    View view = order.view;
+    view.layers = {.depth = true, .normal = true, .position = true};
+    SecondPicture result{.finished = true};
+    result.seen.resize(std::size_t(view.width) * view.height);
+    const auto keep = [&](const Tile& tile) {
+        const float* from = tile.layers.data();
+        for (int i = 0; i < tile.lattice.columns * tile.lattice.rows; ++i, from += 10) {
+            const int x = tile.lattice.x + i % tile.lattice.columns, y = tile.lattice.y + i / tile.lattice.columns;
+            // Behind red, green and blue.
+            result.seen[std::size_t(y) * view.width + x] = {
+                from[3], {from[4], from[5], from[6]}, {from[7], from[8], from[9]}};
+        }
+    };
+    Tracer tracer(*order.scene, Precision::float64);
+    tracer.trace({view, pool, keep, &stop}, Lattice{.columns = view.width, .rows = view.height});
+    if (stop) throw Stopped{};
+    float nearest = std::numeric_limits<float>::infinity();
+    for (const auto& seen : result.seen) nearest = std::min(nearest, seen.distance);
+    result.image.resize(view.width, view.height);
+    std::ranges::transform(result.seen, result.image.pixels.begin(),
+                           [&](const auto& seen) { return layer_pixel(seen, order.kind, nearest); });
+    return result;
+}
+
 }  // namespace
 
 bool SecondOrder::operator==(const SecondOrder& other) const {
@@ -110,10 +147,12 @@ void compare(const ScreenImage& other, SecondPicture& result) {
 
 void make_second(const SecondOrder& order, ThreadPool& pool, const std::atomic<bool>& stop,
                  const std::function<void(SecondPicture)>& publish) {
+    if (order.kind >= SecondKind::depth) return publish(layer_picture(order, pool, stop));
     const TransferTable table(order.scene->settings.assumed_gamma, order.exposure);
     const Sampling one_ray{.grid = 1};
     const bool povray = order.kind == SecondKind::povray;
     SecondPicture result;
+    if (povray && order.view.camera.stereo != Stereo::none) throw FileError("POV-Ray has no pictures for two eyes");
     if (order.kind == SecondKind::flight) {
         const Sampling sampling = order.brief ? one_ray : Sampling{};
         result.image = encoded(own_values(order, Precision::float32, sampling, pool, stop), order.view, table);

@@ -14,7 +14,8 @@ namespace strahl {
 
 Ray<double> ray_at(const View& view, double x, double y) {
     const CameraFrame frame = frame_of(view.camera, double(view.width) / view.height);
-    const auto ray = camera_ray(view.camera.projection, frame, 2 * x / view.width - 1, 2 * y / view.height - 1);
+    const double across = 2 * x / view.width - 1, below = 2 * y / view.height - 1;
+    const auto ray = camera_ray(view.camera, frame, across, below, eye_at(view.camera, across, below));
     return {view.camera.position + ray.start, normalize(ray.way), -1};
 }
 

@@ -6,7 +6,7 @@
 namespace strahl {
 
 void Divider::next() {
-    second = second == SecondKind::flight ? SecondKind::none : static_cast<SecondKind>(static_cast<int>(second) + 1);
+    second = second >= SecondKind::flight ? SecondKind::none : static_cast<SecondKind>(static_cast<int>(second) + 1);
 }
 
 bool Divider::reached(const ScreenArea& picture, double x, double y, double reach) const {
@@ -42,6 +42,10 @@ std::string second_name(SecondKind kind) {
             return "in motion";
         case SecondKind::flight:
             return "the camera of the flight";
+        case SecondKind::depth:
+            return "depth";
+        case SecondKind::normals:
+            return "normals";
         default:
             return "";
     }

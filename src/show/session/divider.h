@@ -7,8 +7,8 @@
 namespace strahl {
 
 /// The second picture, to the right of the divider: by POV-Ray, or as Strahl shows the same view otherwise; or what the
-/// camera of the flight sees, while the first picture is from outside.
-enum class SecondKind { none, povray, one_ray, extended, in_motion, flight };
+/// camera of the flight sees, while the first picture is from outside; or a layer of it. Commands name their numbers.
+enum class SecondKind { none, povray, one_ray, extended, in_motion, flight, depth, normals };
 
 struct Divider {
     SecondKind second = SecondKind::none;
@@ -22,6 +22,8 @@ struct Divider {
     /// Returns the part of the window where the second picture is seen: all to the right of the divider, or the whole
     /// other view in the middle of that.
     ScreenArea second_area(const ScreenArea& picture) const;
+    /// Does it show what is seen, and not its light?
+    bool layer() const { return second >= SecondKind::depth; }
     bool shown() const { return second != SecondKind::none; }
     /// Is this point of the window so near to it that the pointer takes hold of it there? All in pixels.
     bool reached(const ScreenArea& picture, double x, double y, double reach) const;

@@ -147,14 +147,15 @@ std::vector<std::string> EditedText::unwritten() const {
     std::vector<std::string> list;
     std::size_t number = 1;
     for (std::size_t i = 0; i < lines.changed.size(); ++i) {
-        const Lines &before = lines.in_file[i], &now = lines.changed[i];
+        const Lines& now = lines.changed[i];
+        Lines lost = lines.in_file[i];
         for (const std::string& line : now)
-            if (std::ranges::find(before, line) == before.end())
+            if (const auto same = std::ranges::find(lost, line); same != lost.end())
+                lost.erase(same);
+            else
                 list.push_back(std::to_string(number + std::size_t(&line - now.data())) + ": " + line);
-        if (now.size() < before.size())
-            for (const std::string& line : before)
-                if (std::ranges::find(now, line) == now.end())
-                    list.push_back(std::to_string(number) + ", removed: " + line);
+        if (now.size() < lines.in_file[i].size())
+            for (const std::string& line : lost) list.push_back(std::to_string(number) + ", removed: " + line);
         number += now.size();
     }
     return list;

@@ -50,7 +50,7 @@ std::optional<glm::dvec2> place_in(const View& view, const DVec3& point) {
     const CameraFrame frame = frame_of(view.camera, double(view.width) / view.height);
     const DVec3 way = point - view.camera.position;
     const bool parallel = view.camera.projection == Projection::orthographic;
-    if (!parallel && view.camera.projection != Projection::perspective) return std::nullopt;
+    if (!parallel && !in_perspective(view.camera)) return std::nullopt;
     const double along = dot_product(way, frame.forward), depth = parallel ? 1 : along;
     if (!(along > 1e-9 * length(way))) return std::nullopt;
     return glm::dvec2((dot_product(way, frame.right) / (depth * frame.tan_x) + 1) * view.width / 2,

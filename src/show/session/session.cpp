@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "image/frame_rate.h"
 #include "image/picture.h"
 #include "num/decimal.h"
 #include "num/vec_math.h"
@@ -32,6 +33,14 @@ std::optional<double> motion_end_of(const Scene& scene) {
     return movers.any() || !scene.camera_follows.empty() ? std::optional(movers.last_key) : std::nullopt;
 }
 
+/// Gives a camera the lens and the shutter of another one.
+Camera with_lens(Camera camera, const Camera& other) {
+    camera.aperture = other.aperture, camera.blades = other.blades, camera.shutter = other.shutter;
+    camera.shutter_in_frames = other.shutter_in_frames;
+    camera.focus = other.focus, camera.focus_on = other.focus_on;
+    return camera;
+}
+
 }  // namespace
 
 Session::Session(std::shared_ptr<const Scene> first_scene, std::optional<int> depth)
@@ -44,7 +53,7 @@ Session::Session(std::shared_ptr<const Scene> first_scene, std::optional<int> de
       motion_end(motion_end_of(*scene)) {}
 
 bool Session::replace(std::shared_ptr<const Scene> newer, bool opened, std::shared_ptr<const Scene> picture) {
-    const bool moved = opened || newer->camera != scene->camera;
+    const bool moved = opened || newer->camera != with_lens(scene->camera, newer->camera);
     scene = std::move(newer);
     const bool same = picture && !opened && (tracks || picture->tracks == scene->tracks);
     pictured = same ? std::move(picture) : scene;
@@ -56,7 +65,8 @@ bool Session::replace(std::shared_ptr<const Scene> newer, bool opened, std::shar
     else
         lost = editor.reload(path_in(*scene), edits);
     flight.change(path_to_fly());
-    if (moved && !bound()) camera = scene->camera, speed = default_speed(camera);
+    if (!bound()) camera = moved ? scene->camera : with_lens(camera, scene->camera);
+    if (moved && !bound()) speed = default_speed(camera);
     return lost;
 }
 
@@ -365,9 +375,6 @@ void Session::path_changed(double now) {
 
 View Session::view(int window_width, int window_height) const {
     const Framing frame = framing(camera, window_width, window_height, fill);
-    const auto camera_of = [&](double moment) {
-        return framing(bound() ? flight_camera(moment) : camera, window_width, window_height, fill).camera;
-    };
     return {.camera = frame.camera,
             .width = frame.area.width,
             .height = frame.area.height,
@@ -375,7 +382,21 @@ View Session::view(int window_width, int window_height) const {
             .error = half_step({.bits = 8, .gamma = scene->settings.assumed_gamma, .exposure = exposure}),
             .time = time,
             .tracks = tracks,
-            .moments = shutter_moments(*scene, time, camera.shutter, camera_of)};
+            .moments = moments(window_width, window_height)};
+}
+
+/// Returns the moments of an open shutter: the same ones until the camera, the time or the scene changes.
+std::shared_ptr<const std::vector<Shot>> Session::moments(int window_width, int window_height) const {
+    if (!(camera.shutter > 0)) return nullptr;
+    ShutterState now{scene, tracks, camera, time, {}, window_width, window_height, fill};
+    if (bound()) now.path = flight.path();
+    if (now == shutter) return kept_moments;
+    const auto camera_of = [&](double moment) {
+        return framing(bound() ? flight_camera(moment) : camera, window_width, window_height, fill).camera;
+    };
+    kept_moments = shutter_moments(*scene, time, shutter_seconds(camera, FrameRate{}.per_second()), camera_of);
+    shutter = std::move(now);
+    return kept_moments;
 }
 
 bool Session::go_to(double seconds, double now) {

@@ -120,8 +120,23 @@ class Session {
     Answer add_key(double now);
     Answer record(double now);
     Answer expose(int step);
+    std::shared_ptr<const std::vector<Shot>> moments(int window_width, int window_height) const;
     void show_tracks(double now);
     Answer recall(int number);
+
+    /// All that the moments of an open shutter depend on.
+    struct ShutterState {
+        std::shared_ptr<const Scene> scene;
+        std::shared_ptr<const std::vector<Track>> tracks;
+        Camera camera;
+        double time = 0;
+        std::optional<Flythrough> path;  // on which the camera flies
+        int width = 0, height = 0;
+        bool fill = false;
+        bool operator==(const ShutterState&) const = default;
+    };
+    mutable ShutterState shutter;  // of these moments
+    mutable std::shared_ptr<const std::vector<Shot>> kept_moments;
 
     std::optional<int> own_depth;
     std::optional<std::vector<CameraMoment>> recorded;

@@ -93,8 +93,9 @@ void Timeline::buttons(const TimelineView& view, TimelineInput& input) {
     button("new", {Action::clear_path});
     const bool changed = view.editor.changed() || view.keys_changed;
     ImGui::BeginDisabled(!changed);
-    button("write", {Action::write_path});
+    button("write", {Action::write_path}, changed);
     ImGui::EndDisabled();
+    if (changed && ImGui::IsItemHovered()) ImGui::SetTooltip("the path or keys of tracks are not written");
     button("outside", {Action::outside}, view.outside);
     button("both", {Action::second, int(SecondKind::flight)}, view.both);
     const Flythrough& path = view.editor.path();
@@ -102,9 +103,6 @@ void Timeline::buttons(const TimelineView& view, TimelineInput& input) {
     if (pressed("loop", path.loop)) input.path = {looped(path, 3), path.loop ? "path opened" : "path closed", false};
     ImGui::EndDisabled();
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("closes the path, or ends it with its last key");
-    if (!changed) return;
-    make_room("not written");
-    ImGui::TextUnformatted("not written");
 }
 
 void Timeline::bar(const TimelineView& view, TimelineInput& input) {
@@ -284,7 +282,7 @@ void Timeline::music(const TimelineView& view, TimelineInput& input) {
     ImGui::TextUnformatted("sound");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(std::clamp(left_over, 8 * font, 15 * font));
-    if (ImGui::InputTextWithHint("##sound", "an .ogg file beside the scene", draft_sound.data(), draft_sound.size(),
+    if (ImGui::InputTextWithHint("##sound", "an .ogg file", draft_sound.data(), draft_sound.size(),
                                  ImGuiInputTextFlags_EnterReturnsTrue)) {
         draft_music.sound = draft_sound.data();
         input.music = {draft_music, false};

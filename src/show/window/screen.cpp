@@ -12,6 +12,7 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
+#include <utility>
 
 #include "show/window/icon.h"
 
@@ -264,7 +265,6 @@ void Screen::draw(const std::function<void()>& overlay) {
         scale = wanted;
         ImGui_ImplOpenGL3_DestroyFontsTexture();
         load_font(scale);
-        set_style(scale);
     }
     const int columns = width(), rows = height();
     if (columns == 0 || rows == 0) return;
@@ -276,8 +276,15 @@ void Screen::draw(const std::function<void()>& overlay) {
     io.MousePos = {io.MousePos.x * io.DisplayFramebufferScale.x, io.MousePos.y * io.DisplayFramebufferScale.y};
     io.DisplaySize = {static_cast<float>(columns), static_cast<float>(rows)};
     io.DisplayFramebufferScale = {1, 1};
-    // In a small window the panels shrink before they overlap.
-    io.FontGlobalScale = std::clamp(std::min(io.DisplaySize.x / 760, io.DisplaySize.y / 570) / scale, 0.5f, 1.f);
+    // A press, its release and the next press are taken by three drawings: slow ones must not part a double click.
+    io.MouseDoubleClickTime = static_cast<float>(std::clamp(3 * interval, 0.3, 1.5));
+    const double now = glfwGetTime();
+    interval = now - std::exchange(drawn, now);
+    // In a small window the panels shrink before they overlap, and the spaces in them to those of 96 dpi.
+    const float fits = std::min(io.DisplaySize.x / 760, io.DisplaySize.y / 570);
+    const float text = std::clamp(fits, std::min(0.5f, scale), scale);
+    io.FontGlobalScale = text / scale;
+    set_style(std::max(text, std::min(scale, 1.f)));
     ImGui_ImplOpenGL3_NewFrame();
     if (!io.Fonts->TexID) ImGui_ImplOpenGL3_CreateFontsTexture();
     ImGui::NewFrame();

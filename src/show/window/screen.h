@@ -76,9 +76,10 @@ class Screen {
     std::shared_ptr<const ScreenImage> second;
     ScreenArea second_part;
     bool second_whole = false;
-    float scale = 0;     // of the overlay: 1 at a usual pixel density
-    WindowState before;  // size and place before full screen
-    WindowState opened;  // size and place at the start
+    float scale = 0;                 // of the overlay: 1 at a usual pixel density
+    double drawn = 0, interval = 0;  // when it was drawn last, and the seconds from the time before to that one
+    WindowState before;              // size and place before full screen
+    WindowState opened;              // size and place at the start
 };
 
 }  // namespace strahl

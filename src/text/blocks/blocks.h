@@ -75,11 +75,11 @@ struct CameraText {
     EyeText eye;
     std::optional<double> aspectratio, fisheye, ultra_wide_angle, spherical, cylinder, cylinder2, cylinder3, cylinder4;
     bool orthographic = false, panoramic = false;
-    std::optional<double> aperture, focus, blades, shutter;
+    std::optional<double> aperture, focus, blades, shutter, shutter_share, side_by_side, top_bottom, convergence;
     std::optional<DVec3> focus_on;
 };
-inline std::array<Parameter, 21> camera_parameters(CameraText& camera) {
-    const std::array<Parameter, 15> more{
+inline std::array<Parameter, 25> camera_parameters(CameraText& camera) {
+    const std::array<Parameter, 19> more{
         {{"aspectratio", &camera.aspectratio, positive, "width / height of what the camera sees", "the picture's"},
          {projection_words[1],
           &camera.orthographic,
@@ -101,15 +101,23 @@ inline std::array<Parameter, 21> camera_parameters(CameraText& camera) {
           "as `cylinder`, but rows look level, from heights on its axis, as if it had the radius 1", "perspective"},
          {projection_words[9], &camera.cylinder4, wide_angles,
           "the same lying down, its angle that of the picture's height", "perspective"},
-         {"aperture", &camera.aperture, lengths, "the radius of the lens; what is not in focus is blurred",
+         {"aperture", &camera.aperture, not_negative, "the radius of the lens; what is not in focus is blurred",
           "everything is sharp"},
          {"focus", &camera.focus, lengths, "the distance from the camera of the plane that is sharp",
           "that of `look_at`", "focus_on"},
          {"focus_on", &camera.focus_on, coordinates, "a point of that plane", "`look_at`"},
          {"blades", &camera.blades, blade_counts, "corners of a lens that is a regular polygon, one of them on top",
           "a round lens"},
-         {"shutter", &camera.shutter, lengths, "for how many seconds it is open; what moves meanwhile is blurred",
-          "a moment"}}};
+         {"shutter", &camera.shutter, seconds, "for how many seconds it is open; what moves meanwhile is blurred",
+          "a moment", "shutter_share"},
+         {"shutter_share", &camera.shutter_share, not_negative,
+          "the same as a share of the time from frame to frame of a film"},
+         {stereo_words[1], &camera.side_by_side, not_negative,
+          "the distance of two eyes, whose pictures are the left and the right half", "one eye", stereo_words[2]},
+         {stereo_words[2], &camera.top_bottom, not_negative, "the same, in the upper and the lower half"},
+         {"convergence", &camera.convergence, lengths,
+          "the distance of what both eyes see in the same place of their pictures",
+          "infinite: eyes look in parallel"}}};
     return joined(eye_parameters(camera.eye, required), more);
 }
 /// The time of a key: in seconds or, in place of that, in beats of the music.

@@ -57,7 +57,13 @@ void CameraBlocks::camera(std::string_view word) {
                   text.focus,
                   text.focus_on,
                   text.blades,
-                  text.shutter.value_or(0)};
+                  text.shutter.value_or(text.shutter_share.value_or(0)),
+                  text.shutter_share.has_value(),
+                  text.side_by_side ? Stereo::side_by_side
+                  : text.top_bottom ? Stereo::top_bottom
+                                    : Stereo::none,
+                  text.side_by_side.value_or(text.top_bottom.value_or(0)),
+                  text.convergence};
     by_sky = eye.sky.has_value();
     const std::string fault = fault_of(the_camera, by_sky);
     if (!fault.empty()) reader.diagnostics.add(word, "invalid camera: " + fault);
@@ -73,10 +79,20 @@ void CameraBlocks::camera(std::string_view word) {
                 other->at, std::string("'") + name + "' changes nothing without 'aperture', the radius of the lens");
     if (lens && projection > Projection::orthographic)
         reader.diagnostics.add(lens->at, "only perspective and orthographic cameras have a lens");
+    const Parameter* const beside = given(stereo_words[1]);
+    const Parameter* const stereo = beside ? beside : given(stereo_words[2]);
+    if (stereo && projection == Projection::orthographic)
+        reader.diagnostics.add(stereo->at, "parallel rays show the same to both eyes");
+    if (const Parameter* const convergence = given("convergence"); convergence && !stereo)
+        reader.diagnostics.add(convergence->at, "'convergence' changes nothing without 'side_by_side' or 'top_bottom'");
+    else if (convergence && projection != Projection::perspective)
+        reader.diagnostics.add(convergence->at, "only the eyes of perspective cameras can converge");
     if (const Parameter* const point = given("focus_on");
         point && camera_good && !(dot_product(eye.look_at - eye.position, *text.focus_on - eye.position) > 0))
         reader.diagnostics.add(point->at, "this point is not before the camera, so nothing could be sharp");
     for (Follow& follow : follows) {
+        if (follow.parameter == "shutter_share") follow.parameter = "shutter";
+        if (follow.parameter == stereo_words[1] || follow.parameter == stereo_words[2]) follow.parameter = "eyes";
         if (follow.parameter == "sky") follow.parameter = "up", follow.factor = -1;
         if (follow.parameter == "angle" ||
             std::ranges::find(projection_words, follow.parameter) != projection_words.end())

@@ -42,7 +42,8 @@ const MaterialText& Definitions::material(std::string_view name, Diagnostics& di
     if (const auto found = materials.find(name); found != materials.end()) return found->second;
     std::vector<std::string_view> known;
     for (const auto& [own, text] : materials) known.push_back(own);
-    diagnostics.add(name, known.empty() ? "unknown material " + quoted(name) + ": no material is defined above"
+    diagnostics.add(name, known.empty() ? "unknown material " + quoted(name) + ": define it above, by define " +
+                                              std::string(name) + " material { ... }"
                                         : unknown_word(name, known, " for 'material'"));
     throw ParseAbort{};
 }

@@ -7,6 +7,7 @@
 #include "num/decimal.h"
 #include "text/blocks/blocks.h"
 #include "text/blocks/transformations.h"
+#include "text/reading/opacity.h"
 #include "text/reading/reader.h"
 
 namespace strahl {
@@ -40,6 +41,7 @@ class PatternBlock {
         return std::move(pattern);
     }
     std::optional<double> height;
+    std::shared_ptr<const Opacity> opacity;  // of an image that says how opaque it is
 
   private:
     template <class Kind, Use use>
@@ -56,6 +58,8 @@ class PatternBlock {
                 if (inner == "map") return read_map(kind, inner, block), true;
                 if (inner == "once" && read_once(kind, inner, block)) return true;
                 if (use == Use::color && inner == "sharp" && read_sharp(kind, inner, block)) return true;
+                if constexpr (std::is_same_v<Kind, ImagePattern>)
+                    if (use == Use::color && contains(opacity_words, inner)) return read_opacity(inner, block), true;
                 if (!contains(transformation_words, inner)) return false;
                 pattern.transformations.push_back(read_transformation(reader, inner, block));
                 last = inner;
@@ -66,6 +70,7 @@ class PatternBlock {
         else if (use == Use::color)
             reader.require(block, {}, {{!has_map<Kind> || colors_at.data(), "'colors'"}});
         check(kind, word, last, block);
+        if constexpr (std::is_same_v<Kind, ImagePattern>) finish(kind, block);
         outer.absorb(block);
         pattern.kind = kind;
     }
@@ -83,7 +88,7 @@ class PatternBlock {
         else if constexpr (has_map<Kind>)
             return all("colors", "map");
         else if constexpr (image)
-            return all("map", "once", "sharp");
+            return joined(opacity_words, all("map", "once", "sharp"));
         else
             return all("map");
     }
@@ -110,9 +115,40 @@ class PatternBlock {
     }
     void file(ImagePattern& image, Block& block) {
         reader.file(block, "picture", [&](std::string_view name) {
-            image.pixels = reader.files.pixels(name);
-            image.file = name;
+            image.pixels = picture = reader.files.pixels(name);
+            image.file = file_at = name;
         });
+    }
+    void read_opacity(std::string_view word, Block& block) {
+        const auto which = static_cast<std::size_t>(std::ranges::find(opacity_words, word) - opacity_words.begin());
+        block.bad |= !reader.once(opacity_at[which], word);
+        if (word == "opacity_of")
+            reader.file(block, "picture", [&](std::string_view name) {
+                other_picture = reader.files.pixels(name);
+                other_file = name;
+            });
+        else
+            reader.read(word == "mask" ? mask : share, shares, word, block);
+    }
+    /// Makes the opacity of an image if its words ask for one, and demands an opaque picture if they do not.
+    void finish(ImagePattern& image, Block& block) {
+        if (!picture) return;
+        const bool any = std::ranges::any_of(opacity_at, &std::string_view::data);
+        const auto clear = std::ranges::find_if(picture->opacity, [](float o) { return o != 1; });
+        if (any && image.map != ImageMap::planar) {
+            const std::string_view at = *std::ranges::find_if(opacity_at, &std::string_view::data);
+            reader.fault(block, at, "only the maps planar and uv show places that are not opaque");
+        } else if (any && block.good()) {
+            Opacity own(other_picture ? *other_picture : *picture, other_picture != nullptr);
+            own.file = other_file, own.factor = share, own.limit = mask, own.once = image.once.has_value();
+            opacity = std::make_shared<const Opacity>(std::move(own));
+        } else if (!any && clear != picture->opacity.end()) {
+            const auto i = clear - picture->opacity.begin();
+            reader.fault(block, file_at,
+                         "'" + image.file + "' has pixels that are not opaque, the first at column " +
+                             std::to_string(i % picture->width) + ", row " + std::to_string(i / picture->width) +
+                             "; 'opacity 1' behind its name lets light through them");
+        }
     }
     template <class Kind>
     void read_map(Kind& kind, std::string_view word, Block& block) {
@@ -162,7 +198,7 @@ class PatternBlock {
         outer.absorb(block);
         if (!again) pattern.colors = std::move(stops);
     }
-    /// Reads the colour of a stop, or a pattern in its place.
+    /// Reads the colour of a stop, or an opaque pattern in its place.
     void read_color(ColorStop& stop, std::string_view name, Block& block) {
         const std::string_view word = reader.lexer.token();
         reader.lexer.rewind(word);
@@ -178,6 +214,7 @@ class PatternBlock {
         stop.pattern = own.pattern;
         if (own.pattern && own.pattern->by_uv)
             reader.fault(block, word, "a pattern among colours cannot be mapped by uv");
+        if (opacity_of(own)) reader.fault(block, word, "a picture among colours must be opaque");
     }
     void add_stop(std::vector<ColorStop>& stops, Block& block) {
         const std::string_view at = reader.lexer.token();
@@ -208,7 +245,11 @@ class PatternBlock {
     BlockReader& reader;
     const NumberRange& colors;
     Pattern pattern;
-    std::string_view map_at, once_at, sharp_at, height_at;
+    std::string_view map_at, once_at, sharp_at, height_at, file_at;
+    std::array<std::string_view, 3> opacity_at;  // where each of `opacity_words` stands
+    std::shared_ptr<const FilePixels> picture, other_picture;
+    std::string other_file;
+    double share = 1, mask = 0;
 };
 
 /// Was it read without an error that leaves it without colours?
@@ -242,8 +283,14 @@ void BlockReader::read(Pigment& value, const NumberRange& range, std::string_vie
         diagnostics.add(word, unknown_word(word, pattern_words, " for " + quoted(name) + " of " + quoted(block.name)));
         throw ParseAbort{};
     }
-    Pattern pattern = PatternBlock(*this, range).read(word, block);
-    if (whole(pattern)) value = Pigment(std::move(pattern));
+    PatternBlock reading(*this, range);
+    Pattern pattern = reading.read(word, block);
+    if (!whole(pattern)) return;
+    if (!reading.opacity) return void(value = Pigment(std::move(pattern)));
+    std::vector<Transformation> steps = pattern.transformations;
+    const bool by_uv = pattern.by_uv;
+    if (!by_uv) pattern.transformations.clear();
+    value = partly_clear(Pigment(std::move(pattern)), std::move(reading.opacity), std::move(steps), by_uv);
 }
 
 namespace {
@@ -331,6 +378,14 @@ std::string block_text(const Pattern& pattern, const std::string& first) {
 }  // namespace
 
 std::string text_of(const Pigment& pigment) {
+    if (const Opacity* const own = opacity_of(pigment)) {
+        Pattern shown = *opaque_part(pigment).pattern;
+        shown.transformations = pigment.pattern->transformations;
+        std::string words = own->limit == 0 || own->factor != 1 ? "opacity " + text_of(own->factor) : "";
+        if (own->limit > 0) words += (words.empty() ? "mask " : "  mask ") + text_of(own->limit);
+        if (!own->file.empty()) words += "  opacity_of \"" + own->file + "\"";
+        return block_text(shown, words);
+    }
     return pigment.pattern ? block_text(*pigment.pattern, "")
                            : color_text({0, pigment.color, pigment.filter, pigment.transmit});
 }

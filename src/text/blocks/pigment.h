@@ -34,6 +34,9 @@ constexpr auto maps_of(const Kind&) {
         return std::array<std::string_view, 1>{uv_map};
 }
 
+/// The words of an image that lets light through where it is not opaque.
+inline constexpr std::array<std::string_view, 3> opacity_words{"opacity", "mask", "opacity_of"};
+
 /// Most stops of a colour map, as in POV-Ray.
 inline constexpr std::size_t most_stops = 256;
 

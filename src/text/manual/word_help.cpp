@@ -142,7 +142,12 @@ Rows pattern_rows() {
         rows = {
             {"\"NAME\"", "required", "a path, relative to the scene's folder", Kind::help},
             {"`once`", "it repeats", not_negative.words, "the picture is there once, with this colour around it"},
-            {"`sharp`", "colours change between pixels", "the word alone", "each pixel is a rectangle of its colour"}};
+            {"`sharp`", "colours change between pixels", "the word alone", "each pixel is a rectangle of its colour"},
+            {"`opacity`", "the picture must be opaque", shares.words,
+             "lets light through where the alpha channel, multiplied by this, is below 1"},
+            {"`mask`", "values are kept", shares.words, "is opaque where that is at least this, and clear elsewhere"},
+            {"`opacity_of`", "the same picture", "a path, relative to the scene's folder",
+             "takes the alpha channel of another picture, or its brightness if it has none"}};
     std::vector<std::string> maps;
     for (const std::string_view map : maps_of(kind)) maps.push_back(code(map));
     rows.push_back({"`map`", maps.size() == 1 ? "the body's points" : code(image_maps[0]), listed(maps),

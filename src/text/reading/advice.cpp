@@ -15,6 +15,8 @@ struct Foreign {
     std::string_view word, own, advice = {};
 };
 
+constexpr std::string_view in_body = "it belongs inside the braces of a body",
+                           in_flight = "it belongs in 'flythrough { ... }'";
 constexpr std::string_view colour = "use 'material { rgb <r, g, b> }'", in_material = "use 'material { ... }'",
                            numbers = "colours are numbers, as in rgb <1, 0, 0>";
 constexpr std::array foreign{
@@ -78,6 +80,16 @@ constexpr std::array foreign{
     Foreign{"declare", "define"},
     Foreign{"merge", "union"},
     Foreign{"object", "define", "use the defined name itself"},
+    // At the top level only, where there are bodies.
+    Foreign{"material", "defaultmaterial", in_body},
+    Foreign{"scale", "defaultmaterial", in_body},
+    Foreign{"rotate", "defaultmaterial", in_body},
+    Foreign{"translate", "defaultmaterial", in_body},
+    Foreign{"motion", "defaultmaterial", in_body},
+    Foreign{"rgb", "defaultmaterial", "it belongs in 'material { ... }'"},
+    Foreign{"key", "flythrough", in_flight},
+    Foreign{"duration", "flythrough", in_flight},
+    Foreign{"track", "flythrough", "it stands in place of a number, as in translate <0, 0, track \"height\">"},
 };
 
 /// Does a text begin with a colour of web pages, such as ff0000 or f00?
@@ -129,6 +141,12 @@ std::string advice_on_sign(std::string_view text, std::size_t at) {
         for (std::size_t i = open + 1; open != text.npos && text[open] == '<' && i < end; ++i)
             numbers += is_digit(i) && !is_digit(i - 1) && text[i - 1] != '.';
         if (numbers > 3) return "decimals have a point, as in 2.5";
+    }
+    const std::string_view head = text.substr(0, before);
+    if (is_digit(at) && head.ends_with("rotate")) return "degrees about each axis, as in rotate <0, 0, 45>";
+    if (sign == '"') {
+        if (head.ends_with("mesh {")) return "a mesh of a file is written mesh { file \"NAME\" }";
+        if (head.ends_with(" image")) return "an image is written image { \"NAME\" }";
     }
     if (sign == '#' && at + 1 < text.size() && is_hexadecimal(text.substr(at + 1)))
         return "colours are numbers, as in rgb <1, 0, 0>";

@@ -25,20 +25,12 @@ std::shared_ptr<const MeshData> SceneFiles::mesh(std::string_view name) {
     return data;
 }
 
-std::shared_ptr<const Pixels> SceneFiles::pixels(std::string_view name) {
+std::shared_ptr<const FilePixels> SceneFiles::pixels(std::string_view name) {
     const std::string path = path_beside(scene, *read.pictures.emplace(name).first);
     if (!read_pixels) throw FileError("cannot read '" + path + "': pictures are not read here");
-    std::shared_ptr<const Pixels>& data = pictures[path];
-    if (data) return data;
-    FilePixels own = read_pixels(path);
-    if (const auto clear = std::ranges::find_if(own.opacity, [](float o) { return o != 1; });
-        clear != own.opacity.end()) {
-        const auto i = clear - own.opacity.begin();
-        throw FileError("cannot use '" + path + "': it has pixels that are not opaque, the first at column " +
-                        std::to_string(i % own.width) + ", row " + std::to_string(i / own.width) +
-                        "; save it without an alpha channel");
-    }
-    return data = std::make_shared<const Pixels>(std::move(own));
+    std::shared_ptr<const FilePixels>& data = pictures[path];
+    if (!data) data = std::make_shared<const FilePixels>(read_pixels(path));
+    return data;
 }
 
 void SceneFiles::sound(std::string_view name) {

@@ -42,8 +42,7 @@ class SceneFiles {
   public:
     SceneFiles(std::string_view scene, ReadPixels read_pixels);
     std::shared_ptr<const MeshData> mesh(std::string_view name);
-    /// Throws also if some pixels are not opaque.
-    std::shared_ptr<const Pixels> pixels(std::string_view name);
+    std::shared_ptr<const FilePixels> pixels(std::string_view name);
     /// Checks that it is an Ogg Vorbis file.
     void sound(std::string_view name);
     /// The tracks saved beside the scene; none if there is no such file.
@@ -55,7 +54,7 @@ class SceneFiles {
     const std::string scene;
     const ReadPixels read_pixels;
     std::map<std::string, std::shared_ptr<const MeshData>> meshes;  // by their paths
-    std::map<std::string, std::shared_ptr<const Pixels>> pictures;
+    std::map<std::string, std::shared_ptr<const FilePixels>> pictures;
 };
 
 }  // namespace strahl

@@ -1,11 +1,31 @@
 #include "trace/cells/cell_picture.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "trace/cells/checked_pixels.h"
 
 namespace strahl {
+
+namespace {
+
+/// Returns the begins and the ends of tiles along a side of a view, of which a region takes a part. Tiles and cells are
+/// those of the whole view, or of the halves before and from `half` on; of a crop those that it touches.
+std::vector<std::array<int, 2>> tiles_along(int first, int last, int half, int side) {
+    std::vector<std::array<int, 2>> tiles;
+    for (const auto& [begin, end] : {std::array{0, half}, std::array{half, side}}) {
+        const int from = std::max(first, begin), to = std::min(last, end);
+        if (from >= to) continue;
+        const auto down = [begin = begin](int at, int step) { return begin + (at - begin) / step * step; };
+        for (int at = down(from, tile_pixels); at < to; at += tile_pixels)
+            tiles.push_back({std::max(at, down(from, coarsest_cell)),
+                             std::min({at + tile_pixels, down(to + coarsest_cell - 1, coarsest_cell), end})});
+    }
+    return tiles;
+}
+
+}  // namespace
 
 void CellPicture::begin(const Scene& scene, const View& view, const Lattice& new_region, double new_error,
                         int largest) {
@@ -21,16 +41,10 @@ void CellPicture::begin(const Scene& scene, const View& view, const Lattice& new
     if (!has_lens(camera) && !layers_in_time && (!view.moments || std::ranges::none_of(*view.moments, flies)))
         thin.emplace(scene, view);
     sum = {}, done = 0;
-    // Tiles and cells are those of the whole view; of a crop those that it touches.
-    const auto down = [](int x) { return x / coarsest_cell * coarsest_cell; };
-    const int right = region.x + region.columns, bottom = region.y + region.rows;
-    for (int y = region.y / tile_pixels * tile_pixels; y < bottom; y += tile_pixels)
-        for (int x = region.x / tile_pixels * tile_pixels; x < right; x += tile_pixels) {
-            const int left = std::max(x, down(region.x)), top = std::max(y, down(region.y));
-            const int end_x = std::min({x + tile_pixels, down(right + coarsest_cell - 1), view.width});
-            const int end_y = std::min({y + tile_pixels, down(bottom + coarsest_cell - 1), view.height});
-            places.push_back({left, top, end_x - left, end_y - top});
-        }
+    const EyeHalves halves = halves_of(view);
+    const auto columns = tiles_along(region.x, region.x + region.columns, halves.column, view.width);
+    for (const auto& [top, bottom] : tiles_along(region.y, region.y + region.rows, halves.row, view.height))
+        for (const auto& [left, right] : columns) places.push_back({left, top, right - left, bottom - top});
     made.resize(places.size());
     begun.resize(places.size());
 }

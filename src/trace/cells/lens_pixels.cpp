@@ -17,14 +17,15 @@ double allowed_deviation(double error) { return 2.2 * error; }
 
 template <class Sums>
 double variance_of(const Sums& sums, double taken) {
-    double variance = 0;
-    for (int c = 0; c < 3; ++c) {
+    double light = 0, alpha = 0;
+    for (int c = 0; c < 4; ++c) {
         double mean = 0, squares = 0;
         for (const auto& sum : sums) mean += sum[c] / taken / LensPixels::eighths;
         for (const auto& sum : sums) squares += (sum[c] / taken - mean) * (sum[c] / taken - mean);
-        variance += squares / (LensPixels::eighths * (LensPixels::eighths - 1)) / 3;
+        const double variance = squares / (LensPixels::eighths * (LensPixels::eighths - 1));
+        c < 3 ? light += variance / 3 : alpha = variance;
     }
-    return variance;
+    return std::max(light, alpha);
 }
 
 }  // namespace
@@ -63,10 +64,10 @@ class LensPixels::Rays {
         for (int moment = 0; moment <= tile.moments; ++moment) {
             auto& [rays, to] = buckets[moment];
             if (rays.empty()) continue;
-            rgb.assign(rays.size(), {});
-            trace(moment, rays, rgb, check);
+            light.assign(rays.size(), {});
+            trace(moment, rays, light, check);
             for (std::size_t i = 0; i < rays.size(); ++i)
-                for (int c = 0; c < 3; ++c) to[i][c] += rgb[i][c];
+                for (int c = 0; c < 4; ++c) to[i][c] += light[i][c];
             rays.clear(), to.clear();
         }
         count = 0;
@@ -81,7 +82,7 @@ class LensPixels::Rays {
     const TraceLensRays& trace;
     const bool check;
     std::vector<Bucket> buckets;  // by moment
-    std::vector<std::array<double, 3>> rgb;
+    std::vector<LensLight> light;
     std::size_t count = 0;
 };
 
@@ -120,7 +121,7 @@ void LensPixels::keep_still(std::span<const double> values, std::span<const std:
     const double unseen = aim / 4;
     struct StillSquare {
         int x, y, columns, rows;
-        std::array<std::array<std::array<double, 3>, 2>, tests> rgb{};  // at a moment, and at the view's time
+        std::array<std::array<LensLight, 2>, tests> light{};  // at a moment, and at the view's time
     };
     std::vector<StillSquare> squares;
     for (int y = 0; y < rows; y += coarsest_cell)
@@ -132,8 +133,8 @@ void LensPixels::keep_still(std::span<const double> values, std::span<const std:
         for (std::uint32_t i = 0; i < tests; ++i) {
             const auto [u, v, time] = net.point<3>(i);
             const double x = left + square.x + u * square.columns - .5, y = top + square.y + v * square.rows - .5;
-            rays.add(x, y, 0, 0, static_cast<int>(time * moments), square.rgb[i][0].data());
-            rays.add(x, y, 0, 0, moments, square.rgb[i][1].data());
+            rays.add(x, y, 0, 0, static_cast<int>(time * moments), square.light[i][0].data());
+            rays.add(x, y, 0, 0, moments, square.light[i][1].data());
         }
         rays.flush_if_many();
     }
@@ -145,7 +146,7 @@ void LensPixels::keep_still(std::span<const double> values, std::span<const std:
     };
     open.clear();
     for (const StillSquare& square : squares) {
-        const bool moving = std::ranges::any_of(square.rgb, changes);
+        const bool moving = std::ranges::any_of(square.light, changes);
         for (int y = square.y; y < square.y + square.rows; ++y)
             for (int x = square.x; x < square.x + square.columns; ++x) {
                 const int number = y * columns + x;
@@ -164,7 +165,7 @@ void LensPixels::take(std::uint32_t rays, const TraceLensRays& trace) {
     for (const int number : open) {
         LensPixel& pixel = pixels[number];
         for (int k = 0; k < eighths && pixel.taken > 0; ++k)  // two become an eighth of the doubled net
-            for (int c = 0; c < 3; ++c)
+            for (int c = 0; c < 4; ++c)
                 pixel.sums[k][c] = 2 * k < eighths ? pixel.sums[2 * k][c] + pixel.sums[2 * k + 1][c] : 0;
         parts.push_back({number, seed_of(number), pixel.taken, std::max(rays, 2 * pixel.taken), &pixel.sums});
         pixel.taken = parts.back().last;

@@ -21,10 +21,11 @@ namespace strahl {
 struct LensRay {
     double x, y, across, below;
 };
+/// What a ray brings: red, green and blue, and how opaque it is where alpha is asked for, else 0.
+using LensLight = std::array<double, 4>;
 /// Traces rays at a moment of the view, by its number, and writes the light that each brings. Rays of a check are not
 /// counted. Number `moments` is the time of the view itself.
-using TraceLensRays =
-    std::function<void(int moment, std::span<const LensRay>, std::span<std::array<double, 3>> rgb, bool check)>;
+using TraceLensRays = std::function<void(int moment, std::span<const LensRay>, std::span<LensLight> light, bool check)>;
 
 /// A tile of columns x rows pixels at (x, y) in the view; one after the other in the same memory. What a pixel does
 /// depends on the square of 8x8 pixels around it alone, of those that lie side by side from the view's corner on.
@@ -53,11 +54,13 @@ class LensPixels {
     MeasuredError measured(double chance, const TraceLensRays& trace) const;
 
   private:
-    using Sums = std::array<std::array<double, 3>, eighths>;
+    using Sums = std::array<LensLight, eighths>;
     struct LensPixel {
         Sums sums{};  // of the eighths of the net
         std::uint32_t taken = 0;
-        double variance = 0;  // variance that the mean of eight independent nets would have, averaged over channels
+        /// The variance that the mean of eight independent nets would have: of light, averaged over red, green and
+        /// blue, or of alpha, if that is larger.
+        double variance = 0;
     };
     /// Points `first` to `last` of the net of `last` points with this seed, in a pixel; their light is added to `sums`.
     struct NetPart {

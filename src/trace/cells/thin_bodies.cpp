@@ -63,31 +63,36 @@ ThinBodies::ThinBodies(const Scene& scene, const View& view, std::shared_ptr<con
     : own(known ? std::move(known) : std::make_shared<const CapsuleTree>(scene)),
       bodies(*own),
       lights(points_of(scene.lights)),
-      projection(view.camera.projection),
+      camera(view.camera),
       frame(frame_of(view.camera, static_cast<double>(view.width) / view.height)),
       width(view.width),
       height(view.height),
       shift_x(view.shift_x),
       shift_y(view.shift_y),
       eye(view.camera.position) {
-    right = (2 * frame.tan_x / view.width) * frame.right, down = (2 * frame.tan_y / view.height) * frame.down;
+    const EyeHalves halves = halves_of(view);
+    right = (2 * frame.tan_x / (view.width - halves.column)) * frame.right;
+    down = (2 * frame.tan_y / (view.height - halves.row)) * frame.down;
     diagonal = quick_length(right + down);
     if (!bodies.empty()) {
         const Capsule& all = bodies.around();
         end = std::max(length(all.from - eye), length(all.to - eye)) + all.radius;
     }
-    if (starts_apart(projection)) end += std::hypot(frame.tan_x, frame.tan_y);
+    if (camera.stereo != Stereo::none) end += camera.eye_distance / 2;
+    if (starts_apart(camera.projection)) end += std::hypot(frame.tan_x, frame.tan_y);
     first = frame.forward + (view.shift_x - view.width / 2.) * right + (view.shift_y - view.height / 2.) * down;
 }
 
 ThinBodies::Sights ThinBodies::sights_at(const std::array<CellCorner, 4>& corners) const {
     Sights sights;
+    const int which = eye_at(camera, (corners[0].x + corners[2].x + 2 * shift_x) / width - 1,
+                             (corners[0].y + corners[2].y + 2 * shift_y) / height - 1);
     for (int k = 0; k < 4; ++k) {
         const auto& [x, y, sample] = corners[k];
         sights.starts[k] = eye, sights.ways[k] = first + x * right + y * down;
-        if (projection != Projection::perspective) {
+        if (!in_perspective(camera)) {
             const auto ray =
-                camera_ray(projection, frame, 2 * (x + shift_x) / width - 1, 2 * (y + shift_y) / height - 1);
+                camera_ray(camera, frame, 2 * (x + shift_x) / width - 1, 2 * (y + shift_y) / height - 1, which);
             sights.starts[k] = eye + ray.start, sights.ways[k] = ray.way;
         }
         sights.units[k] = quick_unit(sights.ways[k]);
@@ -121,9 +126,9 @@ bool ThinBodies::hides_in(const std::array<CellCorner, 4>& corners, double least
     one_surface = one_surface && corners[0].sample->surface >= 0 && most_distance < most_receding * least_distance;
     // How far apart the corners are, at most. Where all bodies are larger, neither they nor their shadows are thin.
     const double half = std::max(corners[2].x - corners[0].x, corners[2].y - corners[0].y) * diagonal / 2;
-    const bool parallel = projection == Projection::orthographic;
+    const bool parallel = camera.projection == Projection::orthographic;
     const double own_radius = parallel ? half : 0;
-    const double own_growth = parallel ? 0 : projection == Projection::perspective ? half : most_bent * half;
+    const double own_growth = parallel ? 0 : camera.projection == Projection::perspective ? half : most_bent * half;
     const double across = 2 * (own_radius + own_growth * (furthest + 2 * bodies.least()));
     const bool wide = !(across + furthest - nearest < .99 * bodies.least());
     FourPoints places, reflected;
@@ -163,7 +168,7 @@ bool ThinBodies::hides_in(const std::array<CellCorner, 4>& corners, double least
 bool ThinBodies::hides_camera(const std::array<CellCorner, 4>& corners, const Sights& sights, double furthest,
                               FacetsSeen seen, double least, std::optional<FlatPart>* part) const {
     const auto& [starts, ways, units] = sights;
-    const bool parallel = projection == Projection::orthographic;
+    const bool parallel = camera.projection == Projection::orthographic;
     double depth = 0;  // in units of the ways: along `forward` in perspective
     for (int k = 0; k < 4; ++k)
         depth = std::max(depth, std::min(double(corners[k].sample->distance), end) / quick_length(ways[k]));
@@ -230,7 +235,7 @@ bool ThinBodies::hides_reflection(const FourPoints& points, double radius, const
                     .radius = start,
                     .growth = growth,
                     .area = std::min(near_area, far_area)};
-    if (projection == Projection::orthographic)
+    if (camera.projection == Projection::orthographic)
         return bodies.meets(tube,
                             {.from = points[0],
                              .corner = quick_unit(directions[0]),

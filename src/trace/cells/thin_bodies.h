@@ -50,7 +50,7 @@ class ThinBodies {
     const std::shared_ptr<const CapsuleTree> own;
     const CapsuleTree& bodies;
     const std::vector<Light> lights;
-    const Projection projection;
+    const Camera camera;
     const CameraFrame frame;
     const double width, height, shift_x, shift_y;  // of the view
     DVec3 eye, first, right, down;  // the direction through (x, y) is that of first + x right + y down, in perspective

@@ -17,12 +17,13 @@ CameraRays<T>::CameraRays(const Scene& scene, const View& view, const BuiltWorld
       frame(frame_of(view.camera, static_cast<double>(view.width) / view.height)),
       sharp(focal_distance(view.camera)) {
     const double radius = view.camera.aperture;
-    if (!starts_apart(view.camera.projection) && radius == 0) return;
+    const double eyes = view.camera.stereo == Stereo::none ? 0 : view.camera.eye_distance / 2;
+    if (!starts_apart(view.camera.projection) && radius == 0 && eyes == 0) return;
     const DVec3 middle = view.camera.position;
     const double wide = radius + starts_apart(view.camera.projection) * frame.tan_x;
     const double high = radius + starts_apart(view.camera.projection) * frame.tan_y;
     DVec3 reach;
-    for (int i = 0; i < 3; ++i) reach[i] = std::abs(wide * frame.right[i]) + std::abs(high * frame.down[i]);
+    for (int i = 0; i < 3; ++i) reach[i] = eyes + std::abs(wide * frame.right[i]) + std::abs(high * frame.down[i]);
     starts_in_bodies = std::ranges::any_of(scene.primitives, [&](const Primitive& body) {
         if (!transparent(scene, body)) return false;
         const Box box = world_bounds(body);
@@ -32,11 +33,17 @@ CameraRays<T>::CameraRays(const Scene& scene, const View& view, const BuiltWorld
     });
 }
 
-/// Returns the ray through a point in pixels, of which (0, 0) is the middle of the first, and a place on the lens.
+/// Returns the place in the picture, from -1 to 1, of a point in pixels, of which (0, 0) is the middle of the first.
 template <class T>
-auto CameraRays<T>::ray(Real x, Real y, Real across, Real below) const -> CameraRay<Real> {
-    CameraRay<Real> own = camera_ray(view.camera.projection, frame, (2 * (x + Real(view.shift_x)) + 1) / view.width - 1,
-                                     (2 * (y + Real(view.shift_y)) + 1) / view.height - 1);
+auto CameraRays<T>::place(Real x, Real y) const -> std::array<Real, 2> {
+    return {(2 * (x + Real(view.shift_x)) + 1) / view.width - 1, (2 * (y + Real(view.shift_y)) + 1) / view.height - 1};
+}
+
+/// Returns the ray of an eye through a point in pixels, and a place on the lens.
+template <class T>
+auto CameraRays<T>::ray(Real x, Real y, Real across, Real below, int eye) const -> CameraRay<Real> {
+    const auto [u, v] = place(x, y);
+    CameraRay<Real> own = camera_ray(view.camera, frame, u, v, eye);
     if (across != 0 || below != 0) {  // to the point in focus that all of the lens sees there
         const Vec3<Real> off =
             Real(view.camera.aperture) * (across * Vec3<Real>(frame.right) + below * Vec3<Real>(frame.down));
@@ -52,7 +59,9 @@ void CameraRays<T>::make(const PixelBatch<T>& batch, Workspace<T>& workspace, Ra
     for (int i = 0; i < batch.count; ++i) {
         const Real x = batch.x[i], y = batch.y[i];
         const Real across = batch.lens_x ? Real(batch.lens_x[i]) : 0, below = batch.lens_y ? Real(batch.lens_y[i]) : 0;
-        const CameraRay<Real> own = ray(x, y, across, below);
+        const auto [u, v] = place(x, y);
+        const int eye = eye_at(view.camera, u, v);
+        const CameraRay<Real> own = ray(x, y, across, below, eye);
         for (int c = 0; c < 3; ++c) {
             rays.origin[c][i] = static_cast<T>(own.start[c]);
             rays.direction[c][i] = static_cast<T>(own.way[c]);
@@ -70,7 +79,7 @@ void CameraRays<T>::make(const PixelBatch<T>& batch, Workspace<T>& workspace, Ra
         }
         if (!batch.footprints) continue;
         const Real side = batch.footprints->sides[i];
-        const CameraRay<Real> beside[2] = {ray(x + side, y, across, below), ray(x, y + side, across, below)};
+        const CameraRay<Real> beside[2] = {ray(x + side, y, across, below, eye), ray(x, y + side, across, below, eye)};
         if (rays.cone.width) {
             const DVec3 down(beside[1].start - own.start), turned(beside[1].way - own.way);
             rays.cone.width[i] = static_cast<T>(length(down)), rays.cone.spread[i] = static_cast<T>(length(turned));

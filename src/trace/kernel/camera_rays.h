@@ -1,6 +1,8 @@
-// Makes the camera rays of lenses and of projections other than perspective, one at a time: they are few beside the
-// others.
+// Makes the camera rays of lenses, of two eyes, and of projections other than perspective, one at a time: they are few
+// beside the others.
 #pragma once
+#include <array>
+
 #include "scene/camera.h"
 #include "trace/kernel/kernel.h"
 #include "trace/world/build_world.h"
@@ -19,7 +21,8 @@ class CameraRays {
 
   private:
     using Real = std::conditional_t<std::is_same_v<T, long double>, long double, double>;
-    CameraRay<Real> ray(Real x, Real y, Real across, Real below) const;
+    std::array<Real, 2> place(Real x, Real y) const;
+    CameraRay<Real> ray(Real x, Real y, Real across, Real below, int eye) const;
 
     const View& view;
     const BuiltWorld<T>& built;

@@ -25,12 +25,12 @@ constexpr double shortest = 1e-6;
 constexpr double most_pieces = 24;
 
 /// How loose filters count at least, found by experiment: they take surfaces for flat and their light for even
-/// (tests/bench/sampling.md).
+/// (tests/bench/tried.md).
 constexpr double exact = .03;
 /// How loose means of points on a grid count.
 constexpr double of_points = .3;
 /// Grids have fewer steps, in proportion, where the difference of colours times the weight of a ray is less than this:
-/// the error of a mean is about that over the root of the number of values (tests/bench/sampling.md).
+/// the error of a mean is about that over the root of the number of values (tests/bench/tried.md).
 constexpr double full_contrast = .5;
 /// Values so many cells apart are coarse: straight lines between them would deviate too little.
 constexpr double coarse_step = .25;

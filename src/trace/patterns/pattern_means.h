@@ -40,7 +40,7 @@ struct ValueGrid {
 };
 
 /// The grid has so many steps for each cell of the finest detail that counts, if these are not too many. Detail counts
-/// from this share of the strongest on (tests/bench/sampling.md).
+/// from this share of the strongest on (tests/bench/tried.md).
 inline constexpr int steps_per_cell = 5;
 inline constexpr double least_strength = 1. / 16;
 /// Returns the share of the steps that a grid needs, of rays of weight 1, for a pattern whose colours differ by this

@@ -212,7 +212,7 @@ void add_eye(Slack<T>& slack, const View& view, const Placement& placement) {
                        .bias_x = static_cast<T>(1 / width - 1 - eye.bias_x),
                        .bias_y = static_cast<T>(1 / height - 1 - eye.bias_y)};
     const Extended sine = quick_length(cross_product(quick_unit(extended(view.camera.up)), own.forward));
-    const bool known = view.camera.projection == Projection::perspective;
+    const bool known = in_perspective(view.camera);
     slack.eye_turn =
         known ? static_cast<T>(rounding / sine * (1 + quick_length(own.right) + quick_length(own.down))) : HUGE_VAL;
     slack.eye_away = static_cast<T>(quick_length(extended(slack.eye_lacks.position)) + rounding * sum_of(own.position));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <memory>
 #include <numbers>
@@ -247,6 +248,51 @@ void WorldArrays<T>::cull_for_lights() {
 }
 
 template <class T>
+void WorldArrays<T>::add_lights(const Scene& scene, const Placement& placement) {
+    for (const Light& light : points_of(scene.lights)) {
+        lights.push_back(light_kernel<T>(light, placement));
+        lights.back().group = finishes.group_number(light.group);
+        lights.back().special |= light.group != 0;
+    }
+    world.lights = lights.data();
+    world.light_count = static_cast<int>(lights.size());
+}
+
+template <class T>
+WorldArrays<T>::WorldArrays(const WorldArrays& bodies, const Scene& scene, const Placement& placement)
+    : world(bodies.world),
+      sort_bins(bodies.sort_bins),
+      reach(bodies.reach),
+      moving(nullptr),
+      images(bodies.images),
+      lanes(bodies.lanes) {
+    finishes.groups = bodies.finishes.groups, few.volumes = bodies.few.volumes;
+    add_lights(scene, placement);
+    if (world.bin_per_item) cull_for_lights();
+}
+
+template <class T>
+void WorldArrays<T>::share(const WorldArrays& other) {
+    const auto take = [](auto& own, const auto& theirs, std::size_t count) {
+        if (own && theirs && std::memcmp(own.get(), theirs.get(), count * sizeof(own[0])) == 0) own = theirs;
+    };
+    int form = 0;
+    world.groups.each([&](auto& group) {
+        using Form = typename std::remove_cvref_t<decltype(group)>::Form;
+        FormItems<T>& own = forms[form];
+        const FormItems<T>& theirs = other.forms[form];
+        const std::size_t fields = traits[form++].fields;
+        if (own.count != theirs.count || own.in_hierarchy != theirs.in_hierarchy) return;
+        if (composites.list.empty()) take(own.numbers, theirs.numbers, own.count * fields);  // parts point to numbers
+        take(own.columns, theirs.columns, own.in_hierarchy * fields);
+        group.items = reinterpret_cast<const Item<Form, T>*>(own.numbers.get());
+        group.columns = own.columns.get();
+    });
+    if (surfaces == other.surfaces) take(references, other.references, std::size_t(surfaces) + 1);
+    world.references = &references[1];
+}
+
+template <class T>
 WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, ThreadPool& pool, MovingHierarchy* moving,
                             std::shared_ptr<Images> kept, bool proves, int lanes)
     : moving(moving), images(std::move(kept)), lanes(lanes) {
@@ -264,11 +310,7 @@ WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, Thre
         std::ranges::any_of(patterns.list, averaged) || std::ranges::any_of(patterns.nested, averaged) ||
         std::ranges::any_of(finishes.layers, averaged, &LayerKernel<T>::pattern) ||
         std::ranges::any_of(finishes.shares, averaged) || (world.patterns.sky && averaged(*world.patterns.sky));
-    for (const Light& light : points_of(scene.lights)) {
-        lights.push_back(light_kernel<T>(light, placement));
-        lights.back().group = finishes.group_number(light.group);
-        lights.back().special |= light.group != 0;
-    }
+    add_lights(scene, placement);
     if (scene.fog) {
         const long double per = 1 / (scene.fog->distance * placement.scale);
         world.fog = {true, static_cast<T>(std::min<long double>(per, std::numeric_limits<T>::max())),
@@ -301,8 +343,6 @@ WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, Thre
                                                        std::ranges::any_of(scene.materials, shares)));
     world.background = cast<T>(scene.background.color);
     world.materials = materials.data();
-    world.lights = lights.data();
-    world.light_count = static_cast<int>(lights.size());
     if (world.nested) list_transparent(scene);
 
     add_items(scene, placement, pool, proves);
@@ -338,25 +378,35 @@ BuiltWorld<T>::BuiltWorld(const Scene& scene, const Placement& placement, Thread
     : arrays(std::make_unique<WorldArrays<T>>(scene, placement, pool, moving,
                                               images ? images : std::make_shared<Images>(), proves, lanes)) {}
 template <class T>
+BuiltWorld<T>::BuiltWorld(std::shared_ptr<const BuiltWorld> own_bodies, const Scene& scene, const Placement& placement)
+    : bodies(own_bodies->bodies ? own_bodies->bodies : std::move(own_bodies)),
+      arrays(std::make_unique<WorldArrays<T>>(*bodies->arrays, scene, placement)) {}
+template <class T>
 BuiltWorld<T>::~BuiltWorld() = default;
+template <class T>
+void BuiltWorld<T>::share(const BuiltWorld& other) {
+    arrays->share(*(other.bodies ? *other.bodies : other).arrays);
+}
 template <class T>
 const World<T>& BuiltWorld<T>::world() const {
     return arrays->world;
 }
 template <class T>
 std::vector<int> BuiltWorld<T>::bodies_around(const DVec3& eye) const {
-    std::vector<int> bodies;
+    if (bodies) return bodies->bodies_around(eye);
+    std::vector<int> around;
     for (const auto& body : arrays->media.transparent)
         if (arrays->world.references[body.surface].item >= 0 &&
             std::visit([&](const auto& shape) { return shape.contains(transform_point(body.inverse, eye)); },
                        body.shape) &&
-            std::ranges::find(bodies, body.medium) == bodies.end())
-            bodies.push_back(body.medium);
-    return bodies;
+            std::ranges::find(around, body.medium) == around.end())
+            around.push_back(body.medium);
+    return around;
 }
 
 template <class T>
 std::vector<int> BuiltWorld<T>::materials() const {
+    if (bodies) return bodies->materials();
     const auto& copies = arrays->copied_materials;
     std::vector<int> all(arrays->materials.size() - copies.size());
     std::iota(all.begin(), all.end(), 0);

@@ -49,7 +49,11 @@ class BuiltWorld {
     /// in long double, see extended_numbers.h. `lanes` are those of the kernel.
     BuiltWorld(const Scene& scene, const Placement& placement, ThreadPool& pool, MovingHierarchy* moving = nullptr,
                const std::shared_ptr<Images>& images = nullptr, bool proves = false, int lanes = 1);
+    /// Makes the world of a moment at which no more than the lights differ from those of another world.
+    BuiltWorld(std::shared_ptr<const BuiltWorld> bodies, const Scene& scene, const Placement& placement);
     ~BuiltWorld();
+    /// Takes over what is equal in a world of the same scene at another moment.
+    void share(const BuiltWorld& other);
     const World<T>& world() const;
     /// Returns the surface numbers of the transparent bodies that a point of the scene is in, in the order declared.
     std::vector<int> bodies_around(const DVec3& point) const;
@@ -57,6 +61,7 @@ class BuiltWorld {
     std::vector<int> materials() const;
 
   private:
+    const std::shared_ptr<const BuiltWorld> bodies;  // the world that this one differs from in its lights, or null
     std::unique_ptr<WorldArrays<T>> arrays;
 };
 

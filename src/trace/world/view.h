@@ -27,6 +27,10 @@ struct Lattice {
 struct Pixel {
     int x, y;
 };
+/// The first column and the first row of the second eye's half of a picture; 0 if it has none.
+struct EyeHalves {
+    int column = 0, row = 0;
+};
 /// A place in the picture, in pixels. Pixels have their middles at whole numbers.
 struct PicturePoint {
     double x, y;
@@ -78,6 +82,11 @@ struct View {
     std::shared_ptr<const std::vector<Shot>> moments{};
     bool operator==(const View&) const = default;  // of tracks and moments: the same ones
 };
+
+inline EyeHalves halves_of(const View& view) {
+    return {view.camera.stereo == Stereo::side_by_side ? view.width / 2 : 0,
+            view.camera.stereo == Stereo::top_bottom ? view.height / 2 : 0};
+}
 
 /// Work for the threads of a pool: all of it is done when it returns, or `stop` became true. Tiles that were handed to
 /// the sink are complete in both cases.

@@ -90,8 +90,8 @@ constexpr std::array<FormTraits, sizeof...(F)> traits_of(FormList<F...>) {
 /// The items of a form as plain numbers, one item after the other, so that code which moves them is compiled once.
 template <class T>
 struct FormItems {
-    Buffer<T> numbers, columns;
-    ItemBox* boxes = nullptr;  // boxes of all items, until the items are in order
+    std::shared_ptr<T[]> numbers, columns;  // perhaps those of another moment
+    ItemBox* boxes = nullptr;               // boxes of all items, until the items are in order
     int count = 0, in_hierarchy = 0;
     bool copied = false;  // are some in the hierarchy several times?
 };
@@ -162,7 +162,7 @@ struct WorldArrays {
     std::array<FormItems<T>, Forms::size> forms;
     Buffer<ItemBox> boxes;  // boxes of all forms, one form after the other
     Hierarchy hierarchy;
-    Buffer<ItemReference> references;
+    std::shared_ptr<ItemReference[]> references;
     std::vector<SortBin> sort_bins;
     std::vector<ItemRange> loops;
     std::vector<MaterialKernel<T>> materials;
@@ -186,6 +186,11 @@ struct WorldArrays {
 
     WorldArrays(const Scene& scene, const Placement& placement, ThreadPool& pool, MovingHierarchy* moving,
                 std::shared_ptr<Images> kept, bool proves, int lanes);
+
+    /// Makes a world that differs from another one in its lights alone, whose arrays have to stay.
+    WorldArrays(const WorldArrays& bodies, const Scene& scene, const Placement& placement);
+    /// Takes over arrays of the same scene's world at another moment that are equal, as where no body of a form moves.
+    void share(const WorldArrays& other);
 
     /// Returns by how much coordinates may be off, the largest of them being `furthest`.
     static double rounding(double furthest) { return 32 * culling_unit<T> * furthest; }
@@ -239,6 +244,7 @@ struct WorldArrays {
                     const Placement& placement, const PlacesKernel& places);
     void add_finishes(const Scene& scene, const Placement& placement);
     // build_world.cpp
+    void add_lights(const Scene& scene, const Placement& placement);
     void add_materials(const Scene& scene);
     void list_transparent(const Scene& scene);
     void fill_groups();

@@ -202,6 +202,18 @@ TEST_CASE("errors are where strahl check says") {
     const Json pov = diagnostics_of("camera { location <0,0,-9> }\n/* ä */ spere { 0, 1 }\n", "file:///nowhere/a.pov");
     REQUIRE(pov.size() == 1);
     CHECK(pov[0].at("range") == range(1, 8, 13));
+    // What an error declares is missing afterwards: that is not told once more.
+    const Json several = diagnostics_of(
+        "#declare A = 2 +* 3;\n#declare M = material { txture { } }\nsphere { 0, A }\nspere { 0, 1 }\n"
+        "box { 0, 1 material { M } }\nplane { y, 0 pigmnet { rgb 1 } }\ncamera { location <0,0,-9> }\n",
+        "file:///nowhere/a.pov");
+    REQUIRE(several.size() == 4);
+    for (const auto& [number, line] : {std::pair(0, 0), {1, 1}, {2, 3}, {3, 5}}) {
+        CHECK(several[std::size_t(number)].at("range").at("start").at("line") == line);
+        CHECK(several[std::size_t(number)].at("severity") == 1);
+    }
+    // A loop that is broken ends the search.
+    CHECK(diagnostics_of("#while (Foo)\nspere { 0, 1 }\n#end\nspere { 0, 1 }\n", "file:///nowhere/a.pov").size() == 1);
 }
 
 TEST_CASE("warnings are published, and a change replaces what was") {

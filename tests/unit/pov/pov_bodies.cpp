@@ -82,11 +82,59 @@ TEST_CASE("POV-Ray: faces of parts in one place are told where POV-Ray's roundin
     CHECK(!told("difference { sphere { <-1, -1, -1>, .4 } box { -.7, 1 } box { <.5, -.7, -.5>, <3, 1, .5> } }"));
     CHECK(!told("difference { box { -1, 1 } box { <-.5, -.5, -.5>, <.5, 1, .5> } }"));
     CHECK(told("difference { sphere { 0, 2 } union { " + open + "} union { " + open + "} rotate 9 }"));
-    for (const char* const body :
-         {"sphere { <.3, 1.5, -.3>, 1.2 } ", "cylinder { -3*y, 3*y, .5 } ", "cone { -y, .2, 3*y, 1 } "}) {
-        CHECK(told("difference { sphere { 0, 2 } " + std::string(body) + body + "}"));
-        CHECK(!told("difference { sphere { 0, 2 } " + std::string(body) + "torus { 1, .1 } }"));
+    const std::string ball = "sphere { <.3, 1.5, -.3>, 1.2 } ";
+    CHECK(told("difference { sphere { 0, 2 } " + ball + ball + "}"));
+    CHECK(!told("difference { sphere { 0, 2 } " + ball + "torus { 1, .1 } }"));
+    // No point of the surface of a cylinder or a cone is inside, so that their faces stay in differences and merges.
+    const std::string red = " pigment { rgb x } } ";
+    for (const std::string body : {"cylinder { -3*y, 3*y, .5 ", "cone { -y, 1, 3*y, .2 "}) {
+        CHECK(!told("difference { sphere { 0, 2 } " + body + "} " + body + "} }"));
+        CHECK(told("intersection { sphere { 0, 2 } " + body + "} " + body + "} }"));
+        CHECK(!told("merge { " + body + "} " + body + "} }"));
+        CHECK(told("merge { " + body + red + body + "} }"));
     }
+    // What is less than a four-hundredth of the picture does not count.
+    CHECK(!told("merge { " + flush + "scale .02 }"));
+}
+
+TEST_CASE("POV-Ray: differences keep the curved faces of cylinders and cones that they share with what they lose") {
+    const auto first = [](const std::string& parts) {
+        return (*std::get<Difference>(whole("difference { " + parts + " }").primitives[0].shape).parts)[0].shape;
+    };
+    CHECK(std::get<Cylinder>(first("cylinder { -2*y, 2*y, 1 } cylinder { y, 3*y, 1 }")).radius > 1);
+    CHECK(std::get<Cylinder>(first("cylinder { -2*y, 2*y, 1 } cylinder { y, 3*y, .9 }")).radius == 1);
+    CHECK(std::get<Cylinder>(first("cylinder { -2*y, 2*y, 1 } cylinder { y, <1, 3, 0>, 1 }")).radius == 1);
+    const auto cone = std::get<Cone>(first("cone { -y, 1, y, .2 } cone { 0, .6, 1.5*y, 0 }"));
+    CHECK((cone.base_radius > 1 && cone.cap_radius > .2));
+    CHECK(std::get<Cone>(first("cone { -y, 1, y, .2 } cone { 0, .5, 1.5*y, 0 }")).base_radius == 1);
+}
+
+TEST_CASE("POV-Ray: faces of bodies in one place are told where they are seen, by the camera or in mirrors") {
+    const auto told = [](const std::string& text) {
+        return says(notes_of("camera { right -4/3*x location <1, 5, -9> look_at 0 } " + text),
+                    "a face in the place of another body's");
+    };
+    const std::string red = " pigment { rgb x } } ", clear = " pigment { rgbt .8 } } ";
+    const std::string box = "box { -1, 1 } ", higher = "box { <-.5, -1, -.5>, <2, 1, .5>" + red;
+    CHECK(told(box + higher));
+    CHECK(told("union { " + box + higher + "rotate 20*z }") != told("union { " + box + higher + "rotate 0 }"));
+    CHECK(!told(box + "box { <-.5, -1, -.5>, <2, 1, .5> } "));  // looks the same
+    CHECK(!told(box + "box { <-.5, -1, -.5>, <2, .99, .5>" + red));
+    CHECK(!told(box + higher + "box { <-5, 2, -9>, <5, 2.1, 9> } "));                    // hidden
+    CHECK(!told("box { -1, 1 scale .1 } box { <-.05, -1, -.05>, <.2, .1, .05>" + red));  // small
+    CHECK(told("disc { y, y, 2" + red + box));
+    CHECK(told("polygon { 4, <-2, 1, -2>, <2, 1, -2>, <0, 1, 2>, <-2, 1, -2>" + red + box));
+    CHECK(told("cylinder { y, 2*y, .8" + clear + box));
+    CHECK(!told("cylinder { y, 2*y, .8 } " + box));
+    CHECK(told("sphere { 0, 2 } sphere { 0, 2" + red));
+    CHECK(told("cylinder { -y, y, 2 } cylinder { 0, 2*y, 2" + red));
+    CHECK(told("union { cylinder { -y, y, 2 } cylinder { 0, 2*y, 2" + red + "scale .8 rotate <30, 20, 10> }"));
+    CHECK(!told("cylinder { -y, y, 2 } cylinder { 0, <.01, 2, 0>, 2" + red));
+    CHECK(told("cone { -y, 2, y, 1 } cone { 0, 1.5, 3*y, 0" + red));
+    // The face that both boxes have is behind them.
+    const std::string turned = "box { <-2, -1, -1>, <2, 1, 2> } box { <-1, -.8, 1>, <1, .8, 2>" + red;
+    CHECK(!told(turned + "plane { z, 6 } "));
+    CHECK(told(turned + "plane { z, 6 finish { reflection .5 } } "));
 }
 
 TEST_CASE("POV-Ray: faces of clear bodies in planes are told, and the plane is seen in their place") {
@@ -97,7 +145,7 @@ TEST_CASE("POV-Ray: faces of clear bodies in planes are told, and the plane is s
     const std::string clear = " pigment { rgbt .8 } } ", floor = "plane { y, 0 } ";
     CHECK(told("cylinder { 0, y, 1" + clear + floor));
     CHECK(told("merge { cylinder { 0, y, 1 } sphere { y, 1.1 }" + clear + floor));
-    CHECK(told("prism { 0, 1, 4, <0, 0>, <1, 0>, <1, 1>, <0, 0>" + clear + floor));
+    CHECK(told("prism { 0, 1, 4, <0, 0>, <3, 0>, <3, 3>, <0, 0>" + clear + floor));
     CHECK(!told("box { <-1, 0, -1>, 1" + clear + floor));
     CHECK(!told("cylinder { .001*y, y, 1" + clear + floor));
     CHECK(!told("cylinder { 0, y, 1 } " + floor));
@@ -460,7 +508,7 @@ TEST_CASE("POV-Ray: textures move with what is written after them") {
 TEST_CASE("POV-Ray: defaults are those of a body's use") {
     const Scene scene = whole(
         "#declare Ball = sphere { 0, 1 } #default { pigment { rgb x } finish { ambient .5 } } object { Ball } "
-        "#default { finish { diffuse .9 } } object { Ball translate y } sphere { 0, 1 pigment { rgb z } }");
+        "#default { finish { diffuse .9 } } object { Ball translate y } sphere { 3*x, 1 pigment { rgb z } }");
     CHECK(material(scene, 0).rgb == Pigment(1, 0, 0));
     CHECK(material(scene, 0).ambient == .5);
     CHECK(material(scene, 0).diffuse == .6);

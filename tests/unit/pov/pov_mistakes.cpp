@@ -84,6 +84,13 @@ TEST_CASE("POV-Ray: words of other programs, and misspelt ones") {
     check_mistake("isosurface { function { x^2 } }", "powers are written pow(x, 2)");
     check_mistake("#inlcude \"colors.inc\"",
                   "unknown name 'inlcude'; a body, a light or a declaration expected; did you mean 'include'?");
+    check_mistake("#for (I, 1, 3) sphere { I, 1 } #next",
+                  "unknown name 'next'; a body, a light or a declaration expected; there is no such directive; #end "
+                  "ends loops, conditions and macros");
+    check_mistake("#include colors.inc", "a string expected; file names stand in quotes: #include \"colors.inc\"");
+    check_mistake("sphere { 0, 1 pigment { color = rgb 1 } }", "values follow their words without '='");
+    CHECK(!says(mistake_in(front_camera + "#include \"qqqqq.inc\""), "did you mean"));
+    CHECK(!says(mistake_in(front_camera + "#include \"parts.inc\""), "did you mean"));
     check_mistake("sphere { 0, 1 pigment { color 1, 0, 0 } }",
                   "',' does not belong here; a colour is written rgb <1, 0, 0>");
     check_mistake("camera { angle 180 }", "2:10: the angle of a perspective camera must be smaller than 180 degrees");
@@ -102,6 +109,8 @@ TEST_CASE("POV-Ray: braces") {
                "2:2: 'union {' of line 1 is not closed before 'camera'\n"));
     check_mistake("difference { box { 0, 1 } scale 2 box { 0, 1 } }", "parts come before textures and transformations");
     check_mistake("sphere { 0, 1 } }", "the block before it, which line 2 begins, is closed already");
+    check_mistake("sphere { 0, 1 } translate x",
+                  "but found 'translate'; it belongs inside the braces of the block before it, which line 2 begins");
     check_mistake("#declare Ball = sphere { 0, 1 } Ball { }", "a declared body is placed by object { NAME ... }");
     check_mistake("sphere { 0, 1 };", "';' ends only declarations");
 }

@@ -124,10 +124,10 @@ TEST_CASE("POV-Ray: patterns of textures are patterns of their pigments") {
 
 TEST_CASE("POV-Ray: materials whose inner patterns differ have other hashes, so that thousands are told apart soon") {
     const auto same = [](const std::string& one, const std::string& other) {
-        std::string text;
-        for (const std::string& inner : {one, other})
-            text += "sphere { 0, 1 pigment { checker pigment { " + inner + " } rgb 1 } }";
-        const Scene scene = whole(text);
+        const auto ball = [](const std::string& inner) {
+            return ", 1 pigment { checker pigment { " + inner + " } rgb 1 } } ";
+        };
+        const Scene scene = whole("sphere { 0" + ball(one) + "sphere { 3*x" + ball(other));
         return MaterialHash()(material(scene, 0)) == MaterialHash()(material(scene, 1));
     };
     CHECK(same("bozo scale .1", "bozo scale .1"));

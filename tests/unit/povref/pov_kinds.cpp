@@ -7,6 +7,7 @@
 #include <fstream>
 #include <functional>
 #include <iomanip>
+#include <optional>
 #include <random>
 #include <sstream>
 #include <string>
@@ -63,7 +64,8 @@ const std::string glass = " pigment { rgbf 1 } finish { ambient 0 diffuse 0 } ";
 struct Kind {
     const char* name;
     std::function<std::string(Texts&)> text;
-    double share = .006;  // of the pixels that may differ by more than 1/255: those on edges
+    double share = .006;    // of the pixels that may differ by more than 1/255: those on edges
+    bool speckled = false;  // may POV-Ray's rounding speckle faces? Then they are told, or pictures are the same
 };
 
 const Kind kinds[]{
@@ -94,6 +96,21 @@ const Kind kinds[]{
                 t.number(0, .3) + ", " + t.number(.4, .9) + " " + how + " } } interior { ior 1.4 } }";
      },
      .02},
+    {"normals of textures that a pattern with turbulence shows",
+     [](Texts& t) {
+         const auto look = [&](const char* color) {
+             return std::string("[.5 pigment { rgb ") + color + " } normal { " +
+                    t.one_of({"bumps", "dents", "agate", "ripples"}) + " " + t.number(.3, .9) + " scale " +
+                    t.number(.2, .6) + " } finish { phong .5 }] ";
+         };
+         const std::string moved =
+             t.one_of({"turbulence .4", "warp { turbulence .3 } scale <.5,1,2>",
+                       "rotate 30*z warp { repeat x*.7 flip x }", "scale .6 turbulence <.2,0,.5>"});
+         return t.camera() + lamp + "sphere { 0, 1.5 texture { " +
+                t.one_of({"bozo ", "gradient y ", "crackle ", "wood "}) + "scale .5 " + moved + " texture_map { " +
+                look("1") + look("<1,.5,.2>") + "} rotate " + t.vector(-60, 60) + " } }";
+     },
+     .01},
     {"numbers below 0",
      [](Texts& t) {
          return t.camera() + lamp + "sphere { 0, 1.5 pigment { rgb " + t.vector(.2, 1) + " } finish { ambient " +
@@ -185,6 +202,44 @@ const Kind kinds[]{
                 y + " pigment { checker rgb 1, rgb .3 } }";
      },
      .02},
+    {"cylinders and cones that go on where others are taken away",
+     [](Texts& t) {
+         const std::string radius = t.number(.5, 1), middle = t.number(-.3, .3), slope = t.number(.3, .5);
+         const std::string rods = "cylinder { -y, y, " + radius + " pigment { rgb x } } cylinder { y*" + middle +
+                                  ", 1.4*y, " + radius + " pigment { rgb y } } ";
+         const std::string cones = "cone { -y, 2.5*" + slope + ", y, .5*" + slope +
+                                   " pigment { rgb x } } cone { 0, 1.5*" + slope + ", 1.5*y, 0 pigment { rgb y } } ";
+         return t.camera() + lamp + checks + "difference { " + (t.one_of({"", "c"}) == "c" ? cones : rods) +
+                t.one_of({"", "rotate 30*x ", "scale 1.2 "}) + "}";
+     }},
+    {"clear bodies on others",
+     [](Texts& t) {
+         const std::string y = t.number(-1, 0), look = " pigment { checker rgb <1,.5,.3>, rgb .3 scale .3 } ";
+         const std::string clear = "pigment { rgbt <1,.9,.8,.8> } finish { reflection .1 } interior { ior 1.3 } ";
+         const std::string below[]{
+             "disc { y*" + y + ", y, 1.6" + look + "} ", "box { -1.3, <1.3," + y + ",1.3>" + look + "} ",
+             "polygon { 4, <-2,0,-2>, <2,0,-2>, <0,0,2>, <-2,0,-2>" + look + "translate y*" + y + " } ",
+             "box { -1.3, <1.3," + y + ",1.3> " + clear + "} "};
+         const std::string above[]{"cylinder { y*" + y + ", y, " + t.number(.5, .9),
+                                   "box { <-.6," + y + ",-.6>, <" + t.number(.3, 1) + ",1,.5>"};
+         return t.camera() + lamp + sky + below[std::stoul(t.one_of({"0", "1", "2", "3"}))] +
+                above[std::stoul(t.one_of({"0", "1"}))] + " " + clear + "}";
+     },
+     .006, true},
+    {"bodies with faces in one place, and before a mirror",
+     [](Texts& t) {
+         const std::string z = t.number(.2, .8), turn = t.one_of({"", "rotate <20,30,0> "});
+         const auto both = [&](const std::string& one, const std::string& other) {
+             return one + " pigment { rgb x } " + turn + "} " + other + " pigment { rgb y } " + turn + "} ";
+         };
+         const std::string bodies[]{both("box { -1, <1,.7," + z + ">", "box { <-.6,-.6,0>, <.6,.4," + z + ">"),
+                                    both("cylinder { -y, y, .8", "cylinder { y*" + z + ", 1.5*y, .8"),
+                                    both("sphere { 0, 1.2", "sphere { 0, 1.2"),
+                                    both("cylinder { -z, z*" + z + ", 1", "disc { z*" + z + ", z, .9")};
+         return t.camera() + lamp + sky + bodies[std::stoul(t.one_of({"0", "1", "2", "3"}))] +
+                "plane { z, 3 pigment { rgb .1 } finish { reflection .8 } }";
+     },
+     .006, true},
     {"fog in hollow bodies, and around a camera in a body", [](Texts& t) {
          const std::string bodies[]{
              "sphere { " + t.vector(-.5, .5) + ", " + t.number(.8, 1.5) + " pigment { rgbt <1,.8,.6,.6> } " +
@@ -199,15 +254,19 @@ const Kind kinds[]{
                 t.number(4, 40) + " rgb <.7,.7,.8> }";
      }}};
 
-/// Returns the share of the pixels that differ by more than 1/255 from POV-Ray's own.
-double differing(const std::string& path, const std::string& text) {
+/// Returns the share of the pixels that differ by more than 1/255 from POV-Ray's own; nothing if the scene may be
+/// speckled, and is told to be.
+std::optional<double> differing(const std::string& path, const std::string& text, bool speckled) {
     std::ofstream(path) << header << text << '\n';
     const OpenedScene opened = open_scene(bytes_of(path), path, {.size = {width, height}}, read_pixels);
+    const bool whole = opened.summary == "opens whole";
     // Parts at random may share faces, which is told; where POV-Ray speckles none of them, pictures are the same.
     const auto shared = [](const Message& note) {
-        return note.text.find("faces of parts in one place") != std::string::npos;
+        return note.text.find("faces of parts in one place") != std::string::npos ||
+               note.text.find("a face in the place of another body's") != std::string::npos;
     };
-    CHECK((opened.summary == "opens whole" || std::ranges::all_of(opened.notes, shared)));
+    CHECK((whole || std::ranges::all_of(opened.notes, shared)));
+    if (speckled && !whole) return {};
     const View view{.camera = opened.scene.camera,
                     .width = width,
                     .height = height,
@@ -239,6 +298,6 @@ TEST_CASE("random scenes of POV-Ray's show what POV-Ray shows") {
             const std::string text = kind.text(texts);
             CAPTURE(kind.name);
             CAPTURE(text);
-            CHECK(differing(folder / "scene.pov", text) <= kind.share);
+            CHECK(differing(folder / "scene.pov", text, kind.speckled).value_or(0) <= kind.share);
         }
 }

@@ -227,6 +227,10 @@ TEST_CASE("lines are added and removed, and undo and redo find them again") {
     edited.change("a\nb\nb2\nb3\nc\nd\n", {order, "change"});
     edited.change("a\nb\nb2\nb3\nd\n", {order, "change"});
     CHECK(edited.unwritten() == std::vector<std::string>{"3: b2", "4: b3", "5, removed: c"});
+    EditedText copied;  // a copy of a line, in the same place, would be lost as well
+    copied.open("a\nb\n");
+    copied.change("a\na\nb\n", {order, "copy"});
+    CHECK(copied.unwritten() == std::vector<std::string>{"2: a"});
     edited.change("a\nb\nb2\nB3\nd\n", {order, "change"});
     CHECK(!edited.reload("new\na\nb\nc\nd\n"));
     CHECK(edited.text() == "new\na\nb\nb2\nB3\nd\n");

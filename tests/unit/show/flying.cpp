@@ -267,3 +267,30 @@ TEST_CASE("after a change of the file the camera stays, unless the file's camera
     session.replace(scene_of(""), true);  // another file
     CHECK(session.camera == camera);
 }
+
+TEST_CASE(
+    "a lens that changes in the file leaves the view; moments of a shutter are kept until what they show changes") {
+    const std::string moving = "sphere { <0,0,0>, 1 motion { key { time 0 } key { time 2 translate <1,0,0> } } }";
+    const auto with = [&](const std::string& words) {
+        return std::make_shared<const Scene>(parse_scene(
+            "camera { position <5,-20,18> look_at <0,0,0> up <0,0,-1> fov 25 " + words + " }\n" + moving, "test"));
+    };
+    Session session(with(""));
+    session.steer({.push = {1, 0, 0}}, 0);
+    const Camera flown = session.camera;
+    session.replace(with("aperture .5 focus 3 shutter .5"), false);
+    CHECK(session.camera.position == flown.position);
+    CHECK((session.camera.aperture == .5 && session.camera.focus == 3 && session.camera.shutter == .5));
+    const auto moments = session.view(40, 30).moments;
+    REQUIRE(moments);
+    CHECK(moments->size() == 128);
+    CHECK(session.view(40, 30).moments == moments);
+    session.steer({.push = {1, 0, 0}}, 1);
+    const auto others = session.view(40, 30).moments;
+    CHECK(others != moments);
+    CHECK(others->at(0).camera.position == session.camera.position);
+    session.go_to(1, 2);
+    CHECK(session.view(40, 30).moments->at(0).time > .7);
+    session.replace(with("aperture .5 focus 3"), false);
+    CHECK(!session.view(40, 30).moments);
+}

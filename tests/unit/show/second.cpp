@@ -4,12 +4,16 @@
 #include <stdlib.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <string>
 
 #include "image/transfer_table.h"
+#include "scene/ray_hits.h"
 #include "show/second/second_pictures.h"
+#include "show/session/body_editor.h"
 #include "show/session/divider.h"
 #include "tests/unit/scratch.h"
 #include "tests/unit/show/show_scene.h"
@@ -118,6 +122,44 @@ TEST_CASE("a picture of one ray, and one in long double, are what the tracer mak
         });
     }
     CHECK(stages == 4);
+}
+
+TEST_CASE("a layer knows the distance, the normal and the point of each pixel's middle") {
+    const auto scene = shown_scene();
+    ThreadPool pool(1);
+    const std::atomic<bool> stop = false;
+    int bodies = 0, stages = 0;
+    for (const SecondKind kind : {SecondKind::depth, SecondKind::normals}) {
+        const SecondOrder order = order_of(scene, kind);
+        make_second(order, pool, stop, [&](const SecondPicture& made) {
+            ++stages;
+            CHECK((made.finished && made.difference.pixels.empty() && made.seen.size() == 300));
+            float nearest = std::numeric_limits<float>::infinity();
+            for (const auto& seen : made.seen) nearest = std::min(nearest, seen.distance);
+            for (int i = 0; i < 300; ++i) {
+                const auto ray = ray_at(order.view, i % 20 + .5, i / 20 + .5);
+                const auto hits = bodies_along(*scene, ray);
+                const auto& [distance, normal, position] = made.seen[std::size_t(i)];
+                const std::uint32_t pixel = made.image.pixels[std::size_t(i)] & 0xffffff;
+                REQUIRE(std::isinf(distance) == hits.empty());
+                if (hits.empty()) {
+                    CHECK(pixel == 0);
+                    continue;
+                }
+                ++bodies;
+                const auto& hit = hits[0].hit;
+                CHECK(double(distance) == doctest::Approx(hit.t).epsilon(1e-5));
+                const DVec3 point = ray.origin + hit.t * ray.direction;
+                for (int c = 0; c < 3; ++c) {
+                    CHECK(std::abs(double(position[std::size_t(c)]) - point[c]) < 1e-4);
+                    CHECK(std::abs(double(normal[std::size_t(c)]) - hit.normal[c]) < 1e-4);
+                    const double share = kind == SecondKind::depth ? double(nearest) / hit.t : (1 + hit.normal[c]) / 2;
+                    CHECK(std::abs(double(pixel >> (8 * (2 - c)) & 255) - 255 * share) < .51);
+                }
+            }
+        });
+    }
+    CHECK((stages == 2 && bodies > 100));
 }
 
 TEST_CASE("pictures on the screen are compared by steps of 8 bits") {

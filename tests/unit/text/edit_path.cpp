@@ -95,3 +95,19 @@ TEST_CASE("a view becomes the camera of a text, in its words; the rest stays") {
     CHECK((camera.up == DVec3(0, 1, 0) && camera.fov == 25 && camera.position.z == 6.5));
     CHECK(!with_camera("camera { position <track \"x\", 2, 3> look_at <0, 0, 0> }\n", view));
 }
+
+TEST_CASE("the point in focus takes the place of the one before, or of a distance; a camera without a lens gets one") {
+    const DVec3 point(1, 2.5, 3);
+    const auto focused = [&](const std::string& words) {
+        return with_focus_on("camera { fov 9" + words + " }\nsphere { <0,0,0>, 1 }\n", point, .1).value_or("nothing");
+    };
+    const std::string rest = "\nsphere { <0,0,0>, 1 }\n";
+    CHECK(focused("") == "camera { fov 9  aperture 0.1  focus_on <1, 2.5, 3> }" + rest);
+    CHECK(focused(" aperture 0") == "camera { fov 9 aperture 0.1  focus_on <1, 2.5, 3> }" + rest);
+    CHECK(focused(" aperture .2 focus 7 blades 5") ==
+          "camera { fov 9 aperture .2 focus_on <1, 2.5, 3> blades 5 }" + rest);
+    CHECK(focused(" focus_on <7, 8, 9> aperture .2") == "camera { fov 9 focus_on <1, 2.5, 3> aperture .2 }" + rest);
+    CHECK(focused(" aperture track \"a\" .2") == "nothing");
+    CHECK(focused(" aperture .2 focus track \"f\" 7") == "nothing");
+    CHECK(!with_focus_on("sphere { <0,0,0>, 1 }", point, .1));
+}

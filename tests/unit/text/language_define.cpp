@@ -54,7 +54,8 @@ TEST_CASE("mistakes with names") {
     check_fault(gold + "define gold sphere { <0,0,0>, 1 }", "3:8: a second 'gold'; the first is in line 2");
     check_fault("define x shpere { <0,0,0>, 1 }",
                 "2:10: unknown word 'shpere' after 'define x'; did you mean 'sphere'?");
-    check_fault("sphere { <0,0,0>, 1 material gold }", "2:30: unknown material 'gold': no material is defined above");
+    check_fault("sphere { <0,0,0>, 1 material gold }",
+                "2:30: unknown material 'gold': define it above, by define gold material { ... }");
     check_fault(gold + "sphere { <0,0,0>, 1 material glod }",
                 "3:30: unknown word 'glod' for 'material'; did you mean 'gold'?");
     check_fault(ball + "bal { }", "3:1: unknown word 'bal'; did you mean 'ball'?");

@@ -92,6 +92,20 @@ TEST_CASE("signs that mean something elsewhere get advice") {
     check_fault("sphere { <0,0,0>, 1 material { rgb red } }",
                 "2:36: unknown word 'red' for 'rgb' of 'material'" + colours);
     check_fault("ball { }", "2:1: unknown word 'ball'; use 'sphere'");
+    check_fault("sphere { <0,0,0>, 1 } translate <1,0,0>",
+                "2:23: unknown word 'translate'; it belongs inside the braces of a body");
+    check_fault("track \"a\"",
+                "2:1: unknown word 'track'; it stands in place of a number, as in translate <0, 0, track \"height\">");
+    check_fault("key { }", "2:1: unknown word 'key'; it belongs in 'flythrough { ... }'");
+    check_fault("mesh { \"a.obj\" }",
+                "2:8: a word or '}' expected in 'mesh', but found '\"'; a mesh of a file is written mesh { file "
+                "\"NAME\" }");
+    check_fault("sphere { <0,0,0>, 1 material { rgb image \"a.png\" } }",
+                "2:42: '{' expected after 'image', but found '\"'; an image is written image { \"NAME\" }");
+    check_fault(
+        "sphere { <0,0,0>, 1 rotate 45 }",
+        "2:28: a vector <x, y, z> expected for 'rotate' of 'sphere', but found '45'; degrees about each axis, as in "
+        "rotate <0, 0, 45>");
     check_fault("define gold { }",
                 "2:13: 'material' or a body expected after 'gold', as in define gold material { ... "
                 "}, but found '{'");

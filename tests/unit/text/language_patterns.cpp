@@ -1,4 +1,5 @@
 // The scene language: patterns in place of colours.
+#include "num/vec_math.h"
 #include "tests/unit/text/language.h"
 #include "text/blocks/pigment.h"
 #include "text/write.h"
@@ -35,6 +36,58 @@ TEST_CASE("patterns and their defaults") {
     CHECK(std::get<Noise>(pigment("noise { colors { 0 <1,1,1> } }").pattern->kind).octaves == 1);
     CHECK(pigment("wood { colors { 0 <1,1,1> } }") ==
           pigment("wood { octaves 6 omega .5 lambda 2 colors { 0 <1,1,1> } }"));
+}
+
+TEST_CASE("images that are opaque only in places") {
+    // A leaf of red with an alpha channel of .25, 1, 0, .5 by rows, and a grey one without.
+    const auto files = [](const std::string& path) {
+        FilePixels pixels(Pixels{2, 2, false, std::vector<float>(12, .5f), Color(.5)});
+        if (path == "leaf.png") pixels.opacity = {.25f, 1, 0, .5f};
+        return pixels;
+    };
+    const auto rgb = [&](const std::string& image) {
+        return parse_scene(eye + "sphere { <0,0,0>, 1 material { rgb " + image + " } }\n", "x.rt", {}, files)
+            .materials[0]
+            .rgb;
+    };
+    const auto check = [&](const std::string& image, const DVec3& at, double opaque) {
+        CAPTURE(image);
+        const Pigment own = rgb(image);
+        REQUIRE(own.pattern);
+        CHECK(own.clear());
+        const DVec3 there = transform_point(glm::inverse(matrix(own.pattern->transformations)), at);
+        CHECK(value_at(std::get<SolidPattern>(own.pattern->kind), there) == doctest::Approx(opaque));
+        // The text is read as the same pigment, and as the same text.
+        const Pigment again = rgb(text_of(own));
+        CHECK(text_of(again) == text_of(own));
+        CHECK(value_at(std::get<SolidPattern>(again.pattern->kind), there) == doctest::Approx(opaque));
+        CHECK(again.pattern->transformations == own.pattern->transformations);
+        CHECK(*again.pattern->colors[1].pattern == *own.pattern->colors[1].pattern);
+    };
+    const std::string leaf = "image { \"leaf.png\" ";
+    check(leaf + "opacity 1 }", {.25, .75, 0}, .25);
+    check(leaf + "opacity 1 }", {.75, .75, 9}, 1);
+    check(leaf + "opacity .5 }", {.75, .75, 0}, .5);
+    check(leaf + "mask .5 }", {.75, .25, 0}, 1);
+    check(leaf + "mask .6 }", {.75, .25, 0}, 0);
+    check(leaf + "opacity .5 mask .6 }", {.75, .75, 0}, 0);
+    check(leaf + "opacity 1 scale 2 translate <1,0,0> sharp }", {1.5, 1.5, 0}, .25);
+    check(leaf + "opacity 1 }", {1.25, -.25, 0}, .25);
+    check(leaf + "opacity 1 once <1,1,1> }", {1.25, .25, 0}, 1);
+    check("image { \"grey.png\" opacity_of \"leaf.png\" }", {.25, .25, 0}, 0);
+    check(leaf + "opacity_of \"grey.png\" opacity .5 }", {.75, .75, 0}, .25);
+    const auto fault = [&](const std::string& image, const char* said) {
+        CHECK_THROWS_WITH_AS(rgb(image), doctest::Contains(said), FileError);
+    };
+    fault(leaf + "}", "2:45: 'leaf.png' has pixels that are not opaque, the first at column 0, row 0; 'opacity 1'");
+    fault(leaf + "opacity 2 }", "'opacity' of 'image' must be from 0 to 1, not '2'");
+    fault(leaf + "opacity 1 opacity 1 }", "a second 'opacity'");
+    fault(leaf + "mask .5 map spherical }", "2:55: only the maps planar and uv show places that are not opaque");
+    fault("checker { " + leaf + "opacity 1 }, <1,1,1> }", "a picture among colours must be opaque");
+    fault("checker { " + leaf + "}, <1,1,1> }", "not opaque");
+    CHECK_THROWS_WITH_AS(
+        parse_scene(eye + "sphere { <0,0,0>, 1 material { bump " + leaf + "opacity 1 } } }", "x.rt", {}, files),
+        doctest::Contains("unknown word 'opacity' in 'image'"), FileError);
 }
 
 TEST_CASE("images, and what can be wrong with them") {
@@ -74,7 +127,7 @@ TEST_CASE("images, and what can be wrong with them") {
     check("image { \"wood.png\" sharp sharp }", "a second 'sharp'");
     check("image { \"wood.png\" once <1,1,-1> }", "'once' of 'image' must be from 0 to 1e9, not '-1'");
     check("image { \"wood.png\" colors { 0 <1,1,1> } }",
-          "unknown word 'colors' in 'image'; known here: map, once, sharp, rotate");
+          "unknown word 'colors' in 'image'; known here: opacity, mask, opacity_of, map, once, sharp, rotate");
     check_fault(sphere("image { \"wood.png\" }"), "2:45: cannot read 'wood.png': pictures are not read here");
 }
 

@@ -47,8 +47,10 @@ TEST_CASE("values out of range") {
     const auto lens = [](const std::string& words) {
         return faults("camera { position <0,0,0> look_at <0,1,0> up <0,0,-1>\n" + words + " }");
     };
-    CHECK(lens("fov 1 aperture 0") ==
-          Faults{"x.rt:2:16: 'aperture' of 'camera' must be greater than 0 and at most 1e9, not '0'"});
+    CHECK(lens("fov 1 aperture -1") == Faults{"x.rt:2:16: 'aperture' of 'camera' must be from 0 to 1e9, not '-1'"});
+    const std::string closed =
+        "camera { position <0,0,0> look_at <0,1,0> up <0,0,-1> fov 1 aperture 0 focus 3 shutter 0 }";
+    CHECK((!has_lens(parse(closed).camera) && parse(closed).camera.focus == 3));
     CHECK(lens("fov 1 aperture 1 blades 2") ==
           Faults{"x.rt:2:25: 'blades' of 'camera' must be a whole number from 3 to 64, not '2'"});
     CHECK(lens("fov 1 focus 3") ==
@@ -56,8 +58,7 @@ TEST_CASE("values out of range") {
     CHECK(lens("fov 1 aperture 1 focus 3 focus_on <0,4,0>").size() == 1);
     CHECK(lens("fov 1 aperture 1 focus_on <0,-4,0>") ==
           Faults{"x.rt:2:18: this point is not before the camera, so nothing could be sharp"});
-    CHECK(lens("fov 1 shutter 0") ==
-          Faults{"x.rt:2:15: 'shutter' of 'camera' must be greater than 0 and at most 1e9, not '0'"});
+    CHECK(lens("fov 1 shutter -1") == Faults{"x.rt:2:15: 'shutter' of 'camera' must be from 0 to 1e9, not '-1'"});
     CHECK(lens("fisheye 90 aperture 1") == Faults{"x.rt:2:12: only perspective and orthographic cameras have a lens"});
     // A wrong value does not hide a missing parameter.
     CHECK(faults("camera { position <0,0,0> look_at <0,1,0> fov 95 }") ==
@@ -208,6 +209,28 @@ TEST_CASE("invalid bodies and cameras") {
           Faults{"x.rt:1:1: invalid camera: sky is parallel to the direction from position to look_at"});
 }
 
+TEST_CASE("two eyes, and shutters by shares of a frame") {
+    const std::string place = "camera { position <0,-9,0> look_at <0,0,0> sky <0,0,1>\n";
+    const Camera beside = parse(place + "fov 20 side_by_side .06 convergence 5 }").camera;
+    CHECK((beside.stereo == Stereo::side_by_side && beside.eye_distance == .06 && beside.convergence == 5));
+    CHECK(frame_of(beside, 2).tan_x == doctest::Approx(frame_of(beside, 2).tan_y));
+    const Camera above = parse(place + "spherical 360 top_bottom .1 }").camera;
+    CHECK((above.stereo == Stereo::top_bottom && !above.convergence));
+    CHECK(frame_of(above, 1).tan_x == doctest::Approx(2 * frame_of(above, 1).tan_y));
+    CHECK(faults(place + "fov 20 side_by_side .1 top_bottom .1 }") ==
+          Faults{"x.rt:2:24: 'top_bottom' repeats 'side_by_side' of line 2; give only one of them"});
+    CHECK(faults(place + "fov 20 orthographic side_by_side .1 }") ==
+          Faults{"x.rt:2:21: parallel rays show the same to both eyes"});
+    CHECK(faults(place + "fov 20 convergence 1 }") ==
+          Faults{"x.rt:2:8: 'convergence' changes nothing without 'side_by_side' or 'top_bottom'"});
+    CHECK(faults(place + "fisheye 90 top_bottom 1 convergence 1 }") ==
+          Faults{"x.rt:2:25: only the eyes of perspective cameras can converge"});
+    const Camera share = parse(place + "fov 20 shutter_share .5 }").camera;
+    CHECK((shutter_seconds(share, 25) == .02 && shutter_seconds(share, 50) == .01));
+    CHECK(shutter_seconds(parse(place + "fov 20 shutter .5 }").camera, 25) == .5);
+    CHECK(faults(place + "fov 20 shutter .1 shutter_share .5 }").size() == 1);
+}
+
 TEST_CASE("cameras of other projections than perspective") {
     const std::string place = "camera { position <0,-9,0> look_at <0,0,0> sky <0,0,1> ";
     const Camera fisheye = parse(place + "fisheye 200 }").camera;
@@ -242,7 +265,7 @@ TEST_CASE("invalid flythroughs") {
                 "4:40: at this time the loop is back at its first key: make this key equal to that in line 3, or "
                 "'duration' longer");
     check_fault(path("duration 2", "0 tmie 3", "0"), "3:47: unknown word 'tmie' in 'key'; did you mean 'time'?");
-    check_fault("key { time 1 }", "2:1: " + unknown("key"));
+    check_fault("key { time 1 }", "2:1: unknown word 'key'; it belongs in 'flythrough { ... }'");
     CHECK(faults(eye + "flythrough { duration 2 key { time 0 position <0,0,0> look_at <0,0,0> }\nkey { time 1 position "
                        "<0,0,0> look_at <0,0,1> } }") ==
           Faults{"x.rt:2:25: invalid camera at this key: position and look_at are the same point",

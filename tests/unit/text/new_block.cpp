@@ -52,6 +52,11 @@ TEST_CASE("a new block is one that a person would write, behind the last body or
               .find("} light { position <0, 0, 4>  color <.7, .7, .7> } background") != std::string::npos);
     CHECK(with_new_block("camera { }", block_of("light"), 0, {0, 0, 0}, {0, 0, 1}, 1, 2) ==
           "camera { }\nlight { position <0, 0, 4>  color <.7, .7, .7> }\n");
+    CHECK(with_new_block(empty_scene, block_of("wall"), 0, {1, 2, 3}, {0, .1, .99}, 1, 2)
+              .find("box { <-8, -0.13, -3>, <8, 0.13, 3>") != std::string::npos);
+    CHECK(
+        with_new_block(empty_scene, block_of("wall"), 0, {1, 2, 3}, {0, .1, .99}, 1, 2).find("translate <1, 2, 6> }") !=
+        std::string::npos);
     // Bodies that a loop makes cannot be told apart in the text: the block comes behind all of it.
     CHECK(with_new_block("#for (I, 1, 2)\nsphere { <I, 0, 0>, 1 }\n#end\n", block_of("disc"), 2, {0, 0, 0}, {0, 0, 1},
                          1, 2)
@@ -75,18 +80,19 @@ TEST_CASE("new bodies stand on the surface, and lights are above it") {
             }
             const Primitive& body = scene.primitives[0];
             const auto hits = ray_hits(body, {point + 20. * size * normal, DVec3(0) - normal, -1}, 0);
-            // The hole of a torus is where it stands; a box stands straight, and touches a slope with an edge.
+            // The hole of a torus is where it stands; boxes and walls stand straight, and touch slopes with an edge.
+            const bool straight = std::string(block.name) == "box" || std::string(block.name) == "wall";
             if (std::string(block.name) != "torus") {
                 REQUIRE(!hits.empty());
                 CHECK(hits[0].t < 20 * size);
             }
-            if (const Box box = world_bounds(body); box.finite() && std::string(block.name) != "box")
+            if (const Box box = world_bounds(body); box.finite() && !straight)
                 for (int i = 0; i < 3; ++i) {
                     CHECK(box.low[i] > point[i] - 2.3 * size);
                     CHECK(box.high[i] < point[i] + 2.3 * size);
                 }
             for (const RayHit& hit : hits)
-                if (std::string(block.name) != "box") CHECK(hit.t < 20 * size + 1e-3 + 1e-3 * size);
+                if (!straight) CHECK(hit.t < 20 * size + 1e-3 + 1e-3 * size);
         }
     }
 }

@@ -241,7 +241,12 @@ class RandomScenes {
             else if (chance(2))
                 result.focus_on = result.look_at;
         }
-        if (chance(3)) result.shutter = positive();
+        if (chance(3)) result.shutter = positive(), result.shutter_in_frames = chance(2);
+        if (result.projection != Projection::orthographic && chance(4)) {
+            result.stereo = chance(2) ? Stereo::side_by_side : Stereo::top_bottom;
+            result.eye_distance = positive();
+            if (result.projection == Projection::perspective && chance(2)) result.convergence = positive();
+        }
         return degenerate(result) ? camera() : result;
     }
     Flythrough flythrough(const Camera& scene_camera) {

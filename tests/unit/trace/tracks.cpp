@@ -136,6 +136,13 @@ music { bpm 60  rows 1 })");
     CHECK(camera.focus == 7);
     CHECK(camera.blades == 9);
     CHECK(camera.shutter == .75);
+    Scene eyes = parse(R"(
+camera { position <0, -9, 1>  look_at <0, 0, 0>  sky <0, 0, 1>  angle 50
+         shutter_share track "a" 1  side_by_side track "b" 5  convergence track "c" 6 })");
+    CHECK(parse(write_scene(eyes)) == eyes);
+    eyes.tracks = {{"a", {{0, .5}}}, {"b", {{0, 7}}}, {"c", {{0, 9}}}};
+    const Camera two = camera_at(eyes, 5.);
+    CHECK((two.shutter == .5 && two.shutter_in_frames && two.eye_distance == 7 && two.convergence == 9));
 }
 
 TEST_CASE("pictures are those of the values at the moment") {

@@ -1,0 +1,36 @@
+// Follows some of the camera's rays, to tell what is seen: by the camera, through clear bodies, and in mirrors.
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace strahl::pov {
+
+class Sight {
+  public:
+    explicit Sight(const Scene& scene) : scene(scene) {}
+
+    /// A place where a ray meets the surface of a body that no opaque body hides.
+    struct Place {
+        DVec3 p, normal;
+        std::size_t body;
+        std::optional<std::size_t> other;  // another body that has a surface there
+    };
+    const std::vector<Place>& places();
+    /// Are so many places a share of the picture that counts, a four-hundredth?
+    bool counts(std::size_t some) {
+        places();
+        return rays > 0 && some * 400 >= rays;
+    }
+
+  private:
+    void follow_rays();
+
+    const Scene& scene;
+    std::size_t rays = 0;
+    std::optional<std::vector<Place>> all;
+};
+
+}  // namespace strahl::pov
