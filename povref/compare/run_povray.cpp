@@ -25,6 +25,7 @@ namespace fs = std::filesystem;
 
 /// Makes a temporary folder, in the one that TMPDIR names or else in /tmp.
 os::NewFolder scratch_folder() {
+    if (const std::string fault = os::confinement_fault(); !fault.empty()) throw std::runtime_error(fault);
     const char* const given = std::getenv("TMPDIR");
     const bool named = given && given[0] != 0;
     const std::string parent = named ? given : "/tmp";

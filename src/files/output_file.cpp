@@ -43,7 +43,7 @@ int overwrite(const fs::path& target, const os::OpenFile& source, std::uint64_t 
     std::vector<char> block(1 << 20);  // before anything is changed: memory may run out
     const os::FileStatus status = source.status();
     if (status.error) return status.error;
-    os::OpenFile file(target.c_str(), os::OpenFile::OpenMode::overwrite);
+    os::OpenFile file(target, os::OpenFile::OpenMode::overwrite);
     if (!file) return errno;
     int error = status.size > old_size ? file.reserve(old_size, status.size) : 0;
     begun = !error;
@@ -95,7 +95,7 @@ struct OutputFile::Implementation {
         look_at(own_path);
         if (exists() && !old.regular()) {
             if (for_other) throw OutputError("cannot write '" + path + "': it is not a regular file");
-            direct = os::OpenFile(target.c_str(), os::OpenFile::OpenMode::overwrite);
+            direct = os::OpenFile(target, os::OpenFile::OpenMode::overwrite);
             if (!direct) fail(path, errno);
             return;
         }
@@ -109,7 +109,7 @@ struct OutputFile::Implementation {
     /// Replaces the older file by the temporary one, which is on the disk.
     int replace() {
         if (!in_place()) {
-            if (std::rename(temporary->path().c_str(), target.c_str()) != 0) return errno;
+            if (const int error = os::rename(temporary->path(), target)) return error;
             temporary->keep();
             return 0;
         }

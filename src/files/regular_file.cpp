@@ -7,7 +7,7 @@
 
 namespace strahl {
 
-RegularFile::RegularFile(const std::string& path) : own_path(path), file(path.c_str(), os::OpenFile::OpenMode::read) {
+RegularFile::RegularFile(const std::string& path) : own_path(path), file(path, os::OpenFile::OpenMode::read) {
     if (!file) fail(errno == ENOENT ? "there is no such file" : std::generic_category().message(errno));
     const os::FileStatus status = file.status();
     if (status.error) fail(std::generic_category().message(status.error));

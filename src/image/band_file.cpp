@@ -146,7 +146,7 @@ std::string BandFile::bytes(int band) const {
 
 void BandFile::open_to_append() {
     if (file) return;
-    file = os::OpenFile(own_path.c_str(), os::OpenFile::OpenMode::overwrite);
+    file = os::OpenFile(own_path, os::OpenFile::OpenMode::overwrite);
     if (!file) fail(own_path, errno);
     if (file.lock() == EWOULDBLOCK)
         throw OutputError("'" + own_path + "' is being written by another strahl; wait for that to end");
@@ -165,7 +165,7 @@ void BandFile::sync() {
 }
 
 void BandFile::rename(const std::string& path) {
-    int error = std::rename(own_path.c_str(), path.c_str()) == 0 ? 0 : errno;
+    int error = os::rename(own_path, path);
     if (!error) error = os::sync_folder(std::filesystem::path(path).parent_path());
     if (error) fail(path, error);
     own_path = path;

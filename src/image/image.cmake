@@ -7,8 +7,11 @@ strahl_module(image src/image strahl_text)
 get_target_property(sources strahl_image SOURCES)
 list(FILTER sources EXCLUDE REGEX "/oiio/")
 set_property(TARGET strahl_image PROPERTY SOURCES ${sources})
-target_link_libraries(strahl_image PRIVATE PkgConfig::ZLIB PkgConfig::PNG PkgConfig::TURBOJPEG)
+target_link_libraries(strahl_image PRIVATE PkgConfig::PNG PkgConfig::TURBOJPEG PkgConfig::ZLIB)
 
+if(WIN32)
+  return()  # OpenImageIO is not built for Windows
+endif()
 # Not find_package(OpenImageIO): that of Debian 12 is broken (it requires a missing iconvert).
 pkg_check_modules(OIIO REQUIRED IMPORTED_TARGET OpenImageIO>=2.4)
 add_library(strahl_picture_module MODULE src/image/oiio/oiio_module.cpp)

@@ -60,10 +60,11 @@ PictureLibrary load_library() {
     fs::path path = folder / "lib/strahl/libstrahl_image.so";
     if (!fs::exists(path, error)) path = folder.parent_path() / "lib/strahl/libstrahl_image.so";
     if (!fs::exists(path, error))
-        throw OutputError("the part of strahl that reads pictures is missing: there is no '" + path.string() +
-                          "'; build or install strahl again");
+        throw OutputError(
+            "the part of strahl that reads such pictures is missing: there is no '" + path.string() +
+            "'; build or install strahl again, or on Windows, which has none, make a .png of the picture");
     require_threads();
-    const os::Library loaded(path);
+    const os::Library loaded(path.string());
     if (!loaded.fault().empty())
         throw OutputError("the part of strahl that reads pictures does not load: " + loaded.fault() +
                           "; it needs OpenImageIO in the version that strahl was built with");
@@ -85,8 +86,8 @@ const PictureLibrary& library() {
 }  // namespace
 
 std::string ending_of(const std::string& path) {
-    const auto dot = path.find_last_of("./");
-    std::string ending = dot == std::string::npos || path[dot] == '/' ? "" : path.substr(dot);
+    const auto dot = path.find_last_of("./\\");
+    std::string ending = dot == std::string::npos || path[dot] != '.' ? "" : path.substr(dot);
     for (char& c : ending) c = lower(c);
     return ending;
 }

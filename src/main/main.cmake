@@ -3,7 +3,7 @@ file(GLOB sources CONFIGURE_DEPENDS src/main/*.cpp src/main/*/*.cpp)
 list(FILTER sources EXCLUDE REGEX "/(options|lsp)/")
 if(NOT TARGET strahl_show)
   list(FILTER sources EXCLUDE REGEX "/command_view\\.cpp$")
-  list(APPEND sources src/main/commands/without_window/command_view.cpp)
+  list(APPEND sources ${CMAKE_SOURCE_DIR}/src/main/commands/without_window/command_view.cpp)
 endif()
 strahl_module(lsp src/main/lsp strahl_pov strahl_image)  # apart from the rest, which need not read the JSON library
 add_executable(strahl ${sources})
@@ -27,6 +27,8 @@ target_link_libraries(strahl PRIVATE strahl_options)
 # too, by the older of the linker's two kinds of such paths.
 set_target_properties(strahl PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}
                       BUILD_WITH_INSTALL_RPATH ON INSTALL_RPATH "$ORIGIN/../lib/strahl")
-target_link_options(strahl PRIVATE -Wl,--disable-new-dtags)
+if(NOT WIN32)
+  target_link_options(strahl PRIVATE -Wl,--disable-new-dtags)
+endif()
 
 include(src/main/package.cmake)

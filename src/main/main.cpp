@@ -10,6 +10,7 @@
 #include <string>
 
 #include "files/error.h"
+#include "files/os/system.h"
 #include "files/utf8.h"
 #include "main/options/command_line.h"
 #include "main/process/exit_status.h"
@@ -47,6 +48,7 @@ void flush_output() {
 int main(int argc, char** argv) {
     using namespace strahl;
     std::set_terminate(end_at_once);
+    os::prepare_streams();
     try {
         const int status = run_command_line(argc, argv);
         flush_output();

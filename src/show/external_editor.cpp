@@ -6,8 +6,6 @@
 #include <filesystem>
 #include <sstream>
 #include <string_view>
-#include <system_error>
-#include <utility>
 
 #include "files/os/process.h"
 
@@ -50,18 +48,7 @@ std::string open_in_editor(const std::string& file, int line) {
     const std::vector<std::string> command = editor_command(editor, terminal, file, line);
     if (command.empty())
         return "no editor is known: set EDITOR, as in EDITOR=gedit; this body is in line " + std::to_string(line);
-    // The shell starts it in the background and ends at once, so that nobody has to wait for it.
-    const char* const script =
-        "command -v \"$1\" >/dev/null || exit 1; trap '' HUP; \"$@\" </dev/null >/dev/null 2>&1 &";
-    std::vector<std::string> words{"sh", "-c", script, "sh"};
-    words.insert(words.end(), command.begin(), command.end());
-    const std::string fault = "the editor cannot be started: there is no '" + command[0] + "'";
-    try {
-        // Ctrl+C in Strahl's terminal does not end it.
-        return os::Process({.words = std::move(words), .own_session = true}).wait() == 0 ? "" : fault;
-    } catch (const std::system_error&) {
-        return fault;
-    }
+    return os::start_apart(command) ? "" : "the editor cannot be started: there is no '" + command[0] + "'";
 }
 
 }  // namespace strahl

@@ -1,4 +1,4 @@
-// Asks for a scene file by the dialog of the user's desktop: that of zenity or of kdialog.
+// Asks for a scene file by the dialog of the user's desktop.
 #pragma once
 #include <functional>
 #include <optional>
@@ -15,11 +15,9 @@ class FileDialog {
     /// `notify` is called from another thread when there is an answer to take.
     explicit FileDialog(std::function<void()> notify) : worker(std::move(notify)) {}
 
-    /// Opens the dialog in the folder of this scene, unless it is open. Does not wait for it. Returns the reason if it
-    /// cannot, or "". With a template it asks for the name of a new file, with `for_saving` for that of a copy of the
-    /// scene, with `for_sound` for a sound.
-    std::string open(const std::string& scene, const std::string& from = "");
-    std::string open_sound(const std::string& scene) { return open(scene, for_sound); }
+    /// Opens the dialog in the folder of this scene, unless it is open. Does not wait for it. With a template it asks
+    /// for the name of a new file, with `for_saving` for that of a copy of the scene, with `for_sound` for a sound.
+    void open(const std::string& scene, const std::string& from = "");
     static constexpr const char *for_sound = "sound", *for_saving = "saving";
     struct ChosenFile {
         std::string path;   // "" if the user has chosen none

@@ -52,8 +52,8 @@ void FilmRecorder::toggle(const Session& session, const std::string& scene_path,
         return notes.note("nothing flies or moves here; " + notes.key(Action::add_key) + " adds keys of a path");
     try {
         const std::string ffmpeg = find_ffmpeg("a film");
-        path = order->path =
-            reserve_file(std::filesystem::path(options.still_folder) / still_name(scene_path, std::nullopt), ".mp4");
+        path = order->path = reserve_file(
+            (std::filesystem::path(options.still_folder) / still_name(scene_path, std::nullopt)).string(), ".mp4");
     } catch (const FileError& error) {
         any_failed = true;
         return notes.fail(error.what());

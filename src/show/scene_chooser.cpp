@@ -26,18 +26,14 @@ void SceneChooser::open_now(const std::string& path) {
     file.open(path);
 }
 
-void SceneChooser::ask() {
-    if (const std::string why = dialog.open(file.path()); !why.empty()) notes.fail(why);
-}
+void SceneChooser::ask() { dialog.open(file.path()); }
 
-void SceneChooser::ask_for_sound() {
-    if (const std::string why = dialog.open_sound(file.path()); !why.empty()) notes.fail(why);
-}
+void SceneChooser::ask_for_sound() { dialog.open(file.path(), FileDialog::for_sound); }
 
 void SceneChooser::ask_where_to_save() {
     // Scenes of the program are copied to where the user is.
     const std::string beside = installed(file.path()) ? file.name() : file.path();
-    if (const std::string why = dialog.open(beside, FileDialog::for_saving); !why.empty()) notes.fail(why);
+    dialog.open(beside, FileDialog::for_saving);
 }
 
 /// Opens a new scene, made of a template, once the present one may be left.
@@ -55,7 +51,7 @@ void SceneChooser::begin(const std::string& from, const std::string& path) {
 
 void SceneChooser::take(const GalleryItem& item) {
     if (!item.begins) return open(item.path);
-    if (const std::string why = dialog.open(file.path(), item.path); !why.empty()) begin(item.path, "");
+    dialog.open(file.path(), item.path);
 }
 
 /// Returns the path of a copy of the scene: that which was chosen, with the scene's ending; or, if that is empty, a

@@ -260,8 +260,9 @@ void Viewer::take_sound(const std::string& path) {
     Music music = session.scene->music;
     std::error_code error;
     const auto folder = std::filesystem::absolute(file.path(), error).parent_path();
-    music.sound = std::filesystem::path(path).is_absolute() ? std::filesystem::path(path).lexically_proximate(folder)
-                                                            : std::filesystem::path(path);
+    std::filesystem::path name = path;
+    if (name.is_absolute()) name = name.lexically_proximate(folder);
+    music.sound = name.generic_string();
     take_music(music, false);
 }
 

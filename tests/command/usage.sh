@@ -13,7 +13,7 @@ done
 expect 0 "--print" check --help
 expect 0 "--benchmark" play --help
 expect 0 "--tolerance" compare --help
-[[ $("$strahl" --version) =~ ^strahl\ [0-9]+\.[0-9]+\.[0-9]+\ \(.+,\ [0-9]+\ float\ lanes,\ [0-9]+\ double\)$ ]] ||
+[[ $("$strahl" --version) =~ ^strahl\ [0-9]+\.[0-9]+\.[0-9]+\ for\ (Linux|Windows)\ \(.+,\ [0-9]+\ float\ lanes,\ [0-9]+\ double\)$ ]] ||
     fault "the version reads: $("$strahl" --version)"
 
 # The usual words for both.

@@ -55,7 +55,7 @@ const std::vector<std::pair<std::regex, std::vector<std::string>>> libraries{
     {std::regex("[a-z0-9]*intrin\\.h|arm_neon\\.h"), {"num"}},
     {std::regex(
          "(sys|linux|netinet|arpa)/.*|c?signal(\\.h)?|(unistd|fcntl|spawn|poll|dirent|ftw|malloc|link|dlfcn|pthread|"
-         "windows)\\.h"),
+         "windows|winsock2|commdlg|io)\\.h"),
      {"files/os"}},
 };
 

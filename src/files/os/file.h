@@ -45,7 +45,7 @@ class OpenFile {
     OpenFile() = default;
     explicit OpenFile(Descriptor opened) : file(std::move(opened)) {}
     /// Opens the file, or leaves it closed with the reason in errno.
-    OpenFile(const char* path, OpenMode mode);
+    OpenFile(const std::filesystem::path& path, OpenMode mode);
     static OpenFile standard_output();
 
     explicit operator bool() const { return bool(file); }
@@ -74,6 +74,9 @@ class OpenFile {
   private:
     Descriptor file;
 };
+
+/// Renames a file, which takes the place of one of the new name.
+int rename(const std::filesystem::path& from, const std::filesystem::path& to);
 
 /// Waits until the folder is on the disk; before, a power cut could lose the names in it. Succeeds for folders that may
 /// not be read, with which this is impossible.

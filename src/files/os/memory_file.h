@@ -12,10 +12,11 @@ class MemoryFile {
     /// Makes a file that holds these bytes while the object lives. Throws std::bad_alloc if there is no memory for it.
     explicit MemoryFile(std::string_view bytes);
     /// Returns the path at which this process can read it.
-    std::string path() const;
+    const std::string& path() const { return own_path; }
 
   private:
     Descriptor file;
+    std::string own_path;
 };
 
 }  // namespace strahl::os

@@ -39,6 +39,12 @@ class Process {
     int process = 0, status = 0;
 };
 
+/// Says why ProgramStart::writable is refused on this system, or returns "".
+std::string confinement_fault();
+
+/// Starts a program that goes on when this one ends, also by Ctrl-C in its terminal. Returns false if it cannot.
+bool start_apart(const std::vector<std::string>& words);
+
 /// Returns the path of a program in PATH, or "".
 std::string find_program(const std::string& name);
 

@@ -12,8 +12,12 @@ namespace strahl::os {
 std::string program_file();
 /// Returns the folder of the program.
 std::filesystem::path program_folder();
+/// Returns the folders in which programs such as POV-Ray keep files for their users.
+std::vector<std::filesystem::path> shared_folders();
 /// Returns the shared libraries that the program has loaded so far.
 std::vector<std::filesystem::path> loaded_libraries();
+/// Returns the system that this program is for: "Linux".
+const char* system_name();
 /// Returns where this program can run: "Linux on x86_64 with glibc 2.36 or later".
 std::string system_needed();
 
@@ -36,6 +40,8 @@ class Library {
     std::string why;
 };
 
+/// Makes standard streams read and write bytes as they are, and a terminal show UTF-8 and colours. For main().
+void prepare_streams();
 /// Is this stream a terminal?
 bool is_terminal(std::FILE* stream);
 /// Returns the number of columns of the terminal on standard output, or what COLUMNS says; 0 if there is neither.

@@ -94,7 +94,7 @@ class Collection {
     }
     void write(const fs::path& to, std::string_view bytes) {
         const fs::path path = place(to);
-        os::OpenFile file(path.c_str(), os::OpenFile::OpenMode::create);
+        os::OpenFile file(path, os::OpenFile::OpenMode::create);
         int error = file ? file.append(bytes) : errno;
         if (!error) error = file.close();
         if (error) fail(path, error);
@@ -227,12 +227,14 @@ int bundle_command(const BundleOptions& options) try {
     if (target.empty()) throw UsageError("no output folder. Add -o FOLDER");
     require_own(target);
     const std::vector<fs::path> own_libraries = libraries();
+    if (own_libraries.empty())  // the program is all in one file
+        throw UsageError("on Windows there are no bundles: a .zip of strahl.exe, the scene and its files does as well");
     const os::Interrupt interrupt;
     os::NewFolder folder = new_folder(target);
     Collection bundle(folder.path(), interrupt);
     const std::string scene = collect_scene(options.scene, bundle);
     // Reading it again here shows errors that would otherwise be noticed on the other machine.
-    const std::string copy = fs::path(folder.path()) / scene;
+    const std::string copy = (fs::path(folder.path()) / scene).string();
     parse_scene(read_text(copy), copy, {}, read_pixels);
     collect_program(own_libraries, bundle);
     bundle.write("play", start_script(scene));

@@ -51,7 +51,7 @@ class PictureNames {
     /// Returns the name of a file for the scene, from that for the model.
     std::string name_of(const std::string& file) const {
         const fs::path path = fs::path(model).parent_path() / file;
-        return path.is_absolute() ? path.string() : path.lexically_proximate(folder()).string();
+        return (path.is_absolute() ? path : path.lexically_proximate(folder())).generic_string();
     }
     fs::path folder() const { return to == "-" ? fs::path() : fs::path(to).parent_path(); }
 
@@ -94,7 +94,7 @@ Imported import_model(const ImportOptions& options) {
     for (Primitive& primitive : result.scene.primitives)
         if (auto* const mesh = std::get_if<Mesh>(&primitive.shape); mesh && !mesh->file.empty()) {
             const fs::path path = options.file;
-            mesh->file = path.is_absolute() ? path.string() : path.lexically_proximate(folder).string();
+            mesh->file = (path.is_absolute() ? path : path.lexically_proximate(folder)).generic_string();
         }
     return result;
 }

@@ -74,6 +74,8 @@ std::string path_of_uri(const std::string& uri) {
         else
             path += uri[i];
     }
+    // On Windows the path of file:///C:/a.rt begins with the drive.
+    if (std::filesystem::path(path.substr(1)).has_root_name()) path.erase(0, 1);
     return path;
 }
 
@@ -81,7 +83,9 @@ std::string uri_of_path(const std::string& path) {
     constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-._~/";
     constexpr std::string_view digits = "0123456789ABCDEF";
     std::string uri = "file://";
-    for (const char c : std::filesystem::absolute(path).lexically_normal().string()) {
+    std::string whole = std::filesystem::absolute(path).lexically_normal().generic_string();
+    if (!whole.starts_with('/')) whole.insert(0, 1, '/');
+    for (const char c : whole) {
         const auto byte = static_cast<unsigned char>(c);
         if (plain.find(c) != plain.npos)
             uri += c;

@@ -24,12 +24,12 @@
 namespace strahl {
 namespace {
 
-/// "strahl 0.1.0 (x86-64-v4, 16 float lanes, 8 double)"
+/// "strahl 0.1.0 for Linux (x86-64-v4, 16 float lanes, 8 double)"
 std::string version() {
     const Simd simd = best_simd();
     TextStream text;
-    text << "strahl " STRAHL_VERSION " (" << name(simd) << ", " << lanes(Precision::float32, simd) << " float lanes, "
-         << lanes(Precision::float64, simd) << " double)";
+    text << "strahl " STRAHL_VERSION " for " << os::system_name() << " (" << name(simd) << ", "
+         << lanes(Precision::float32, simd) << " float lanes, " << lanes(Precision::float64, simd) << " double)";
     return text.str();
 }
 
@@ -188,6 +188,7 @@ std::string other_commands(const CLI::App& app, const std::string& option, const
 
 int run_command_line(int argc, char** argv) {
     CLI::App app{"Strahl, a fast and exact ray tracer.", "strahl"};
+    app.allow_windows_style_options(false);  // /x/a.rt is a path
     app.set_version_flag("--version", version, "Print the version and the SIMD level in use");
     app.set_help_flag("-h,--help", "Print this help; strahl COMMAND --help describes a command");
     add_reference(app);

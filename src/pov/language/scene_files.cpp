@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "files/error.h"
+#include "files/os/system.h"
 #include "files/read_file.h"
 #include "files/shell.h"
 #include "files/utf8.h"
@@ -70,9 +71,9 @@ std::string similar_file(const std::vector<fs::path>& folders, const fs::path& p
 
 std::vector<std::string> standard_library() {
     std::vector<std::string> folders;
-    for (const char* parent : {"/usr/share", "/usr/local/share"})
-        for (const char* version : {"povray-3.7", "povray", "povray-3.8", "povray-3.6"}) {
-            const fs::path folder = fs::path(parent) / version / "include";
+    for (const fs::path& parent : os::shared_folders())
+        for (const char* version : {"povray-3.7", "povray", "povray-3.8", "povray-3.6", "POV-Ray/v3.7"}) {
+            const fs::path folder = parent / version / "include";
             std::error_code error;
             if (fs::is_directory(folder, error)) folders.push_back(folder.string());
         }

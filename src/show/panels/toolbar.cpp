@@ -110,7 +110,7 @@ void hide_toolbar(bool hidden) {
     if (!hidden) return void(std::filesystem::remove(file, error));
     std::filesystem::create_directories(file.parent_path(), error);
     try {
-        write_file(file, "");
+        write_file(file.string(), "");
     } catch (const OutputError&) {
     }
 }

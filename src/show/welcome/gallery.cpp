@@ -29,7 +29,7 @@ constexpr std::pair<const char*, const char*> folders[] = {{"", "Scenes"},
                                                            {"pov", "In POV-Ray's language"}};
 
 std::string name_of(const fs::path& scene) {
-    std::string name = scene.stem();
+    std::string name = scene.stem().string();
     std::ranges::replace(name, '_', ' ');
     return name;
 }
@@ -39,16 +39,17 @@ GallerySection section_of(const char* title, const fs::path& folder, bool begins
     std::error_code error;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
         if (entry.path().extension() == ".rt" || entry.path().extension() == ".pov")
-            section.items.push_back({name_of(entry.path()), entry.path(), begins});
+            section.items.push_back({name_of(entry.path()), entry.path().string(), begins});
     std::ranges::sort(section.items, {}, &GalleryItem::path);
     return section;
 }
 
 /// Returns the folders where installed scenes may be.
-std::array<fs::path, 2> scene_folders() {
+std::array<fs::path, 3> scene_folders() {
     const fs::path program = os::program_folder();
     return {(program / "../share/strahl/scenes").lexically_normal(),
-            (program / "../../scenes").lexically_normal()};  // of a program in build/release
+            (program / "../../scenes").lexically_normal(),  // of a program in build/release
+            program / "scenes"};                            // of one that was unpacked on Windows
 }
 
 }  // namespace
@@ -56,7 +57,7 @@ std::array<fs::path, 2> scene_folders() {
 std::string installed_scenes() {
     std::error_code error;
     for (const fs::path& folder : scene_folders())
-        if (fs::is_directory(folder / "templates", error)) return folder;
+        if (fs::is_directory(folder / "templates", error)) return folder.string();
     return "";
 }
 
@@ -71,9 +72,9 @@ bool installed(const std::string& path) {
 
 std::string missing_scenes() {
     if (!installed_scenes().empty()) return "";
-    const auto [installed, built] = scene_folders();
-    return "no scenes are installed with this program: there are none in " + installed.string() + " and none in " +
-           built.string();
+    const auto folders = scene_folders();
+    return "no scenes are installed with this program: there are none in " + folders[0].string() + " and none in " +
+           folders[1].string();
 }
 
 std::vector<GallerySection> gallery_of(const std::string& scenes, const std::vector<std::string>& recent) {
@@ -129,7 +130,7 @@ std::string begin_scene(const std::string& from, std::string path) {
         path = reserve_file("untitled", ".rt");
     } else {
         if (!path.ends_with(".rt")) path += ".rt";
-        if (!os::OpenFile(path.c_str(), os::OpenFile::OpenMode::create))
+        if (!os::OpenFile(path, os::OpenFile::OpenMode::create))
             throw FileError(errno == EEXIST ? "'" + path + "' exists; choose another name, or open that file"
                                             : "cannot write '" + path + "': " + std::generic_category().message(errno));
     }

@@ -14,7 +14,7 @@ std::vector<std::string> recent_files_in(std::string_view text) {
     std::vector<std::string> recent;
     while (!text.empty() && recent.size() < most_recent_files) {
         const std::string_view line = text.substr(0, text.find('\n'));
-        if (line.starts_with('/') && line.find('\0') == line.npos) recent.emplace_back(line);
+        if (std::filesystem::path(line).is_absolute() && line.find('\0') == line.npos) recent.emplace_back(line);
         text.remove_prefix(std::min(line.size() + 1, text.size()));
     }
     return recent;
@@ -23,7 +23,7 @@ std::vector<std::string> recent_files_in(std::string_view text) {
 std::vector<std::string> with_recent(std::vector<std::string> recent, const std::vector<std::string>& opened) {
     for (const std::string& path : opened) {
         std::error_code error;
-        const std::string whole = std::filesystem::absolute(path, error).lexically_normal();
+        const std::string whole = std::filesystem::absolute(path, error).lexically_normal().string();
         if (path == "-" || error || whole.find('\n') != whole.npos) continue;
         std::erase(recent, whole);
         recent.insert(recent.begin(), whole);
@@ -46,7 +46,7 @@ void remember_recent_files(const std::vector<std::string>& opened) {
     std::error_code error;
     std::filesystem::create_directories(file.parent_path(), error);
     try {
-        write_file(file, text);
+        write_file(file.string(), text);
     } catch (const OutputError&) {
     }
 }

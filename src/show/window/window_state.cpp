@@ -38,7 +38,7 @@ void write_window_state(const WindowState& s) {
     std::filesystem::create_directories(file.parent_path(), error);
     const auto number = [](int value) { return std::to_string(value) + " "; };
     try {
-        write_file(file, number(s.x) + number(s.y) + number(s.width) + std::to_string(s.height) + "\n");
+        write_file(file.string(), number(s.x) + number(s.y) + number(s.width) + std::to_string(s.height) + "\n");
     } catch (const OutputError&) {
     }
 }

@@ -17,8 +17,9 @@ void StillRequests::add(const Session& session, const std::string& scene_path, V
     if (const auto& size = options.still_size) view.width = size->width, view.height = size->height;
     const bool in_flight = session.flight.flying() || session.time != 0;
     const std::string name =
-        std::filesystem::path(options.still_folder) /
-        still_name(scene_path, in_flight ? std::optional(rounded_time(session.time)) : std::nullopt);
+        (std::filesystem::path(options.still_folder) /
+         still_name(scene_path, in_flight ? std::optional(rounded_time(session.time)) : std::nullopt))
+            .string();
     if (const std::string why = folder_fault(options.still_folder); !why.empty()) {
         any_failed = true;
         return notes.fail(why);

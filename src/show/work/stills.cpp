@@ -78,7 +78,7 @@ std::string reserve_file(const std::string& name, const std::string& ending) {
         std::string path = name;
         if (number > 1) path.append("-").append(std::to_string(number));
         path += ending;
-        if (os::OpenFile(path.c_str(), os::OpenFile::OpenMode::create)) return path;
+        if (os::OpenFile(path, os::OpenFile::OpenMode::create)) return path;
         if (errno != EEXIST) throw FileError("cannot write '" + path + "': " + std::generic_category().message(errno));
     }
 }

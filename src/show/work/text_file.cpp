@@ -60,7 +60,7 @@ std::string with_names_beside(const std::string& text, const std::string& from, 
         if (end == text.npos) break;
         const fs::path name = text.substr(begin + 1, end - begin - 1), file = whole(old_folder / name);
         if (text[end] == '"' && name.is_relative() && named.contains(file)) {
-            changed.append(text, done, begin + 1 - done).append(file.lexically_proximate(new_folder).string());
+            changed.append(text, done, begin + 1 - done).append(file.lexically_proximate(new_folder).generic_string());
             done = end;
         }
         begin = end;

@@ -12,7 +12,7 @@ namespace strahl {
 
 std::string path_beside(const std::string& scene, const std::string& name) {
     // An absolute path replaces the folder.
-    return (std::filesystem::path(scene).parent_path() / name).string();
+    return (std::filesystem::path(scene).parent_path() / name).generic_string();
 }
 
 SceneFiles::SceneFiles(std::string_view scene, ReadPixels read_pixels)

@@ -12,7 +12,7 @@ std::string user_file(const char* variable, const char* usual, const char* name)
     };
     std::filesystem::path folder = absolute(variable);
     if (folder.empty() && !absolute("HOME").empty()) folder = absolute("HOME") / usual;
-    return folder.empty() ? "" : folder / name;
+    return folder.empty() ? "" : (folder / name).string();
 }
 
 }  // namespace strahl::os

@@ -18,7 +18,7 @@
 #include <thread>
 #include <utility>
 
-#include "files/os/confine.h"
+#include "files/os/linux/confine.h"
 
 namespace strahl::os {
 namespace {
@@ -107,6 +107,19 @@ std::string Process::output() const {
     std::string text(static_cast<std::size_t>(::lseek(printed.number, 0, SEEK_END)), '\0');
     text.resize(static_cast<std::size_t>(::pread(printed.number, text.data(), text.size(), 0)));
     return text;
+}
+
+std::string confinement_fault() { return ""; }  // whether the kernel can do it, it says when asked
+
+bool start_apart(const std::vector<std::string>& words) try {
+    // The shell starts it in the background and ends at once, so that nobody has to wait for it.
+    const char* const script =
+        "command -v \"$1\" >/dev/null || exit 1; trap '' HUP; \"$@\" </dev/null >/dev/null 2>&1 &";
+    std::vector<std::string> all{"sh", "-c", script, "sh"};
+    all.insert(all.end(), words.begin(), words.end());
+    return Process({.words = std::move(all), .own_session = true}).wait() == 0;
+} catch (const std::system_error&) {
+    return false;
 }
 
 std::string find_program(const std::string& name) {

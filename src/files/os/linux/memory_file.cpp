@@ -15,8 +15,7 @@ MemoryFile::MemoryFile(std::string_view bytes) : file(::memfd_create("strahl", M
         bytes.remove_prefix(static_cast<std::size_t>(count));
     }
     if (!file) throw std::bad_alloc();
+    own_path = "/proc/self/fd/" + std::to_string(file.number);
 }
-
-std::string MemoryFile::path() const { return "/proc/self/fd/" + std::to_string(file.number); }
 
 }  // namespace strahl::os

@@ -1,4 +1,4 @@
-#include "files/os/confine.h"
+#include "files/os/linux/confine.h"
 
 #include <fcntl.h>
 #include <linux/landlock.h>

@@ -74,7 +74,7 @@ int writable(const fs::path& path) {
     return error_of(::access(path.c_str(), status_of(path).folder() ? W_OK | X_OK : W_OK));
 }
 
-OpenFile::OpenFile(const char* path, OpenMode mode) : file(::open(path, flags_of(mode), 0666)) {}
+OpenFile::OpenFile(const fs::path& path, OpenMode mode) : file(::open(path.c_str(), flags_of(mode), 0666)) {}
 
 OpenFile OpenFile::standard_output() {
     std::fflush(stdout);
@@ -142,6 +142,8 @@ int OpenFile::close() {
     const int number = std::exchange(file.number, -1);
     return number == STDOUT_FILENO ? 0 : error_of(::close(number));
 }
+
+int rename(const fs::path& from, const fs::path& to) { return error_of(::rename(from.c_str(), to.c_str())); }
 
 int sync_folder(const fs::path& folder) {
     OpenFile opened(Descriptor(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)));

@@ -20,6 +20,8 @@ fs::path program_folder() {
     return fs::read_symlink(program_file(), error).parent_path();
 }
 
+std::vector<fs::path> shared_folders() { return {"/usr/share", "/usr/local/share"}; }
+
 std::vector<fs::path> loaded_libraries() {
     std::vector<fs::path> all;
     const auto add = [](dl_phdr_info* info, std::size_t, void* list) {
@@ -30,6 +32,8 @@ std::vector<fs::path> loaded_libraries() {
     std::erase_if(all, [](const fs::path& path) { return !path.has_filename(); });  // the program itself
     return all;
 }
+
+const char* system_name() { return "Linux"; }
 
 std::string system_needed() {
     utsname system{};
@@ -43,6 +47,8 @@ Library::Library(const std::string& path) : handle(::dlopen(path.c_str(), RTLD_L
 }
 
 void* Library::find(const char* name) const { return handle ? ::dlsym(handle, name) : nullptr; }
+
+void prepare_streams() {}  // so they are on Linux
 
 int terminal_columns() {
     if (const char* const given = std::getenv("COLUMNS")) return std::atoi(given);
