@@ -37,14 +37,14 @@ point 332 31
 await 'lights are hidden'
 point 385 31
 await 'chosen: the camera, perspective, line 1'
-change 705 164 7
+change 704 164 7
 writes '^camera \{ position <7, -20, 18>  look_at <0, 0, 0>  up <0, 0, -1>  fov 20 \}$'
 
 echo "-- a drag with Shift and the middle button moves across the view, which becomes the scene's camera"
 xdotool mousemove --window "$id" 300 300 keydown Shift_L mousedown 2 mousemove_relative 50 0 mousemove_relative 50 0 \
     mouseup 2 keyup Shift_L
 await 'rest after'
-point 640 137
+point 642 137
 await "this view is the scene's camera now"
 writes '^camera'
 # The direction of view stays, and the camera is to the left of where it was, at the same height.
