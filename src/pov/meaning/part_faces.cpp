@@ -130,7 +130,7 @@ bool PartFace::may_meet(const PartFace& other) const {
     return all;
 }
 
-void add_flat(std::vector<PartFace>& faces, const Shape& shape, const glm::dmat4& m, Face part, double reach) {
+void add_flat(std::vector<PartFace>& faces, const Shape& shape, const glm::dmat4& m, BodyFace part, double reach) {
     part.round = is_round(shape);
     each_part_face(shape, reach, [&](const DVec3& middle, const DVec3& u, const DVec3& v) {
         PartFace face{part, cross_product(glm::dmat3(m) * u, glm::dmat3(m) * v), 0, {}, {}};
@@ -172,7 +172,7 @@ bool CurvedFace::continues(const CurvedFace& other) const {
            std::fabs(size - other.size) <= off(size) && length(axis - other.axis) <= off(0);
 }
 
-void add_curved(std::vector<CurvedFace>& faces, const Shape& shape, const glm::dmat4& m, Face part) {
+void add_curved(std::vector<CurvedFace>& faces, const Shape& shape, const glm::dmat4& m, BodyFace part) {
     part.round = is_round(shape);
     const double scale = length(DVec3(m[0]));
     for (int i = 0; i < 3; ++i)

@@ -14,14 +14,14 @@ namespace strahl::pov {
 inline double off(double at) { return 1e-10 * (1 + std::fabs(at)); }
 
 /// A face of a simple body.
-struct Face {
+struct BodyFace {
     std::size_t part;   // that the body is, or is in
     int material;       // of the body
     bool there = true;  // is it a surface, not only the end of an open body's inside?
     bool round = true;  // of a cylinder or a cone: in POV-Ray its points are always outside
 };
 /// A flat one: a convex polygon that holds it.
-struct PartFace : Face {
+struct PartFace : BodyFace {
     DVec3 normal;  // of length 1; its first coordinate that is not 0 is positive
     double at;     // normal . p of its points
     std::vector<DVec3> corners;
@@ -30,7 +30,7 @@ struct PartFace : Face {
     bool may_meet(const PartFace& other) const;
 };
 /// Adds the flat faces of a simple body, which a matrix moves. `reach` is how far planes go.
-void add_flat(std::vector<PartFace>& faces, const Shape& shape, const glm::dmat4& matrix, Face face, double reach);
+void add_flat(std::vector<PartFace>& faces, const Shape& shape, const glm::dmat4& matrix, BodyFace face, double reach);
 /// Returns the part of a convex polygon that another one in its plane covers.
 std::vector<DVec3> common_part(std::vector<DVec3> polygon, const PartFace& other);
 /// Returns the part of it in a box.
@@ -55,7 +55,7 @@ struct PointOnFace {
     DVec3 p, normal;
 };
 /// The curved face of a sphere, a cylinder or a cone.
-struct CurvedFace : Face {
+struct CurvedFace : BodyFace {
     std::size_t kind;  // Shape::index()
     DVec3 centre;      // of a sphere; the tip of a cone; of a cylinder's axis the point that is nearest to the origin
     DVec3 axis;        // of length 1; its first coordinate that is not 0 is positive
@@ -66,7 +66,7 @@ struct CurvedFace : Face {
     bool continues(const CurvedFace& other) const;
 };
 /// Adds the curved face of a simple body, which a matrix moves that keeps shapes similar.
-void add_curved(std::vector<CurvedFace>& faces, const Shape& shape, const glm::dmat4& matrix, Face face);
+void add_curved(std::vector<CurvedFace>& faces, const Shape& shape, const glm::dmat4& matrix, BodyFace face);
 /// Returns points on the curved face of a body, which such a matrix moves.
 std::vector<PointOnFace> points_on(const Shape& shape, const glm::dmat4& matrix);
 /// Calls test(a, b) for pairs of faces of two parts that continue each other until it returns true, and returns whether

@@ -26,7 +26,7 @@ constexpr double step_aside = 1e-7;      // relative to coordinates: a step to o
 class SharedFaces {
   public:
     SharedFaces(const Primitive& own, const glm::dmat4& to_world, const Primitive& whole, const Scene& scene,
-                Sight& sight)
+                SeenPlaces& sight)
         : scene(scene), sight(sight), whole(whole), to_world(to_world), clear(shows_inside(own)) {
         each_part(own, [&](const Primitive& part) { parts.push_back(&part); });
         const auto look = [&]<class Kind>(const Kind& kind) {
@@ -47,18 +47,18 @@ class SharedFaces {
         std::size_t with_points = 0;
         for (std::size_t i = 0; i < parts.size(); ++i)
             for_each_leaf(*parts[i], [&](const Primitive& leaf, const glm::dmat4& matrix) {
-                const Face face{i, leaf.material, !is_nothing(leaf)};
+                const BodyFace face{i, leaf.material, !is_nothing(leaf)};
                 add_flat(flat, leaf.shape, matrix, face, reach), add_curved(curved, leaf.shape, matrix, face);
                 if (with_points < curved.size())
                     curved.back().points = points_on(leaf.shape, matrix), with_points = curved.size();
             });
-        std::vector<std::pair<Face, Face>> pairs;
+        std::vector<std::pair<BodyFace, BodyFace>> pairs;
         bool touches = false;
-        const auto look = [&](const Face& one, const Face& other, const DVec3& p, const DVec3& normal) {
-            const Decision decision = decision_on(one, other, p, normal);
-            touches |= decision == Decision::touches;
-            if (decision == Decision::by_rounding) pairs.emplace_back(one, other);
-            return decision != Decision::none;
+        const auto look = [&](const BodyFace& one, const BodyFace& other, const DVec3& p, const DVec3& normal) {
+            const FaceVerdict decision = decision_on(one, other, p, normal);
+            touches |= decision == FaceVerdict::touches;
+            if (decision == FaceVerdict::by_rounding) pairs.emplace_back(one, other);
+            return decision != FaceVerdict::none;
         };
         const auto enough = [&] { return touches || pairs.size() == most_pairs; };
         any_pair_of(flat, [&](const PartFace& one, const PartFace& other) {
@@ -76,11 +76,11 @@ class SharedFaces {
         if (pairs.empty()) return 0;
         const glm::dmat4 back = glm::inverse(to_world);
         const glm::dmat3 turn = glm::transpose(glm::dmat3(to_world));
-        return static_cast<std::size_t>(std::ranges::count_if(sight.places(), [&](const Sight::Place& place) {
+        return static_cast<std::size_t>(std::ranges::count_if(sight.places(), [&](const SeenPlaces::Place& place) {
             if (&scene.primitives[place.body] != &whole) return false;
             const DVec3 p = transform_point(back, place.p), normal = normalize(turn * place.normal);
             return std::ranges::any_of(pairs, [&](const auto& pair) {
-                return decision_on(pair.first, pair.second, p, normal) == Decision::by_rounding;
+                return decision_on(pair.first, pair.second, p, normal) == FaceVerdict::by_rounding;
             });
         }));
     }
@@ -102,29 +102,29 @@ class SharedFaces {
         return any;
     }
 
-    enum class Decision { none, by_rounding, touches };
+    enum class FaceVerdict { none, by_rounding, touches };
     /// Is a surface of the whole at a point, where faces of two parts are, there or one of theirs only if POV-Ray
     /// rounds the point to one side of them? Or is there none although there should be one? Or do clear parts touch
     /// there?
-    Decision decision_on(const Face& one, const Face& other, const DVec3& p, const DVec3& normal) const {
+    FaceVerdict decision_on(const BodyFace& one, const BodyFace& other, const DVec3& p, const DVec3& normal) const {
         const DVec3 step = step_aside * (1 + length(p)) * normal;
         const DVec3 below = p - step, above = p + step;
-        const auto in = [&](const Face& face, const DVec3& q) { return contains(*parts[face.part], q); };
+        const auto in = [&](const BodyFace& face, const DVec3& q) { return contains(*parts[face.part], q); };
         const bool one_below = in(one, below), other_below = in(other, below);
-        if (one_below == in(one, above) || other_below == in(other, above)) return Decision::none;
+        if (one_below == in(one, above) || other_below == in(other, above)) return FaceVerdict::none;
         const auto whole_at = [&](const DVec3& q) { return contains(whole, transform_point(to_world, q)); };
         const std::array<bool, 2> at_below = shown(one, other, below), at_above = shown(one, other, above);
         const bool any_below = at_below[0] || at_below[1], any_above = at_above[0] || at_above[1];
         if (operation == Operation::unite && one_below != other_below) {
             const bool touch = clear && any_below && any_above && whole_at(below) && whole_at(above);
-            return touch ? Decision::touches : Decision::none;
+            return touch ? FaceVerdict::touches : FaceVerdict::none;
         }
         const bool either = one.material != other.material && (at_below != at_above || (at_below[0] && at_below[1]));
         const bool certain = any_below && any_above && !either;
-        return !certain && whole_at(below) != whole_at(above) ? Decision::by_rounding : Decision::none;
+        return !certain && whole_at(below) != whole_at(above) ? FaceVerdict::by_rounding : FaceVerdict::none;
     }
     /// Does POV-Ray show the faces of two parts at a point that both have, if it rounds the point to q?
-    std::array<bool, 2> shown(const Face& one, const Face& other, const DVec3& q) const {
+    std::array<bool, 2> shown(const BodyFace& one, const BodyFace& other, const DVec3& q) const {
         std::array<bool, 2> all{true, true};
         for (std::size_t k = 0; k < parts.size() && (all[0] || all[1]); ++k) {
             const bool outside = (k == one.part && one.round) || (k == other.part && other.round);
@@ -137,7 +137,7 @@ class SharedFaces {
     }
 
     const Scene& scene;
-    Sight& sight;
+    SeenPlaces& sight;
     const Primitive& whole;
     const glm::dmat4 to_world;
     const bool clear;
@@ -150,7 +150,7 @@ class SharedFaces {
 
 /// Returns how many places SharedFaces finds in a composite and in those within it.
 std::size_t shared_in(const Primitive& own, const glm::dmat4& outer, const Primitive& whole, const Scene& scene,
-                      Sight& sight) {
+                      SeenPlaces& sight) {
     std::size_t count = 0;
     bool composite = false;
     const glm::dmat4 to_world = outer * matrix(own.transformations);
@@ -166,7 +166,7 @@ class BodiesInOnePlace {
         for (const Material& own : scene.materials) mirrors |= own.reflection > 0;
     }
 
-    bool may_differ(const Face& one, const Face& other) const {
+    bool may_differ(const BodyFace& one, const BodyFace& other) const {
         const bool patterned = scene.materials[static_cast<std::size_t>(one.material)].patterned();
         return clear(one.part) || clear(other.part) || one.material != other.material ||
                (patterned && body(one.part).transformations != body(other.part).transformations);
@@ -177,7 +177,7 @@ class BodiesInOnePlace {
         std::vector<CurvedFace> curved;
         for (std::size_t i = 0; i < scene.primitives.size(); ++i)
             for_each_leaf(body(i), [&](const Primitive& leaf, const glm::dmat4& matrix) {
-                const Face face{i, leaf.material};
+                const BodyFace face{i, leaf.material};
                 add_flat(flat, leaf.shape, matrix, face, reach), add_curved(curved, leaf.shape, matrix, face);
             });
         return any_pair_of(flat,
@@ -209,7 +209,7 @@ class BodiesInOnePlace {
 
 }  // namespace
 
-std::vector<std::size_t> shared_by_parts(const Scene& scene, Sight& sight) {
+std::vector<std::size_t> shared_by_parts(const Scene& scene, SeenPlaces& sight) {
     std::vector<std::size_t> found;
     std::size_t count = 0;
     for (std::size_t i = 0; i < scene.primitives.size(); ++i) {
@@ -219,21 +219,21 @@ std::vector<std::size_t> shared_by_parts(const Scene& scene, Sight& sight) {
     return count > 0 && sight.counts(count) ? found : std::vector<std::size_t>();
 }
 
-std::vector<Sight::Place> places_of_two_bodies(const Scene& scene, Sight& sight) {
+std::vector<SeenPlaces::Place> places_of_two_bodies(const Scene& scene, SeenPlaces& sight) {
     const BodiesInOnePlace bodies(scene);
-    std::vector<Sight::Place> found;
+    std::vector<SeenPlaces::Place> found;
     if (!bodies.any()) return found;
-    for (const Sight::Place& place : sight.places())
+    for (const SeenPlaces::Place& place : sight.places())
         if (place.other && bodies.may_differ({place.body, place.material}, {*place.other, place.other_material}))
             found.push_back(place);
     return found;
 }
 
-std::set<std::size_t> clear_bodies_on_planes(const Scene& scene, Sight& sight,
-                                             const std::vector<Sight::Place>& places) {
+std::set<std::size_t> clear_bodies_on_planes(const Scene& scene, SeenPlaces& sight,
+                                             const std::vector<SeenPlaces::Place>& places) {
     std::set<std::size_t> found;
     std::size_t count = 0;
-    for (const Sight::Place& place : places) {
+    for (const SeenPlaces::Place& place : places) {
         const auto is_plane = [&](std::size_t body) {
             return std::holds_alternative<Plane>(scene.primitives[body].shape);
         };
@@ -246,10 +246,11 @@ std::set<std::size_t> clear_bodies_on_planes(const Scene& scene, Sight& sight,
     return sight.counts(count) ? found : std::set<std::size_t>();
 }
 
-std::set<std::size_t> bodies_in_one_place(const Scene& scene, Sight& sight, const std::vector<Sight::Place>& places) {
+std::set<std::size_t> bodies_in_one_place(const Scene& scene, SeenPlaces& sight,
+                                          const std::vector<SeenPlaces::Place>& places) {
     std::set<std::size_t> found;
     std::size_t count = 0;
-    for (const Sight::Place& place : places) {
+    for (const SeenPlaces::Place& place : places) {
         const double size = 1 + length(place.p), step = 1e-4 * size;
         const auto is_there = [&](std::size_t body) {
             const auto hits = ray_hits(scene.primitives[body], {place.p + step * place.normal, -place.normal, -1}, 0);

@@ -15,13 +15,15 @@ namespace strahl::pov {
 /// Returns the numbers of composites of whose parts several have a face in one place, so that it is there or not as
 /// POV-Ray rounds the place where a ray meets it, or one of two that look different. In a merge through which light
 /// goes that is also so if parts only touch.
-std::vector<std::size_t> shared_by_parts(const Scene& scene, Sight& sight);
+std::vector<std::size_t> shared_by_parts(const Scene& scene, SeenPlaces& sight);
 
 /// Returns places where two bodies have a face, and do not look the same.
-std::vector<Sight::Place> places_of_two_bodies(const Scene& scene, Sight& sight);
+std::vector<SeenPlaces::Place> places_of_two_bodies(const Scene& scene, SeenPlaces& sight);
 /// Returns the numbers of the clear bodies, other than boxes, that have a face in a plane there.
-std::set<std::size_t> clear_bodies_on_planes(const Scene& scene, Sight& sight, const std::vector<Sight::Place>& places);
+std::set<std::size_t> clear_bodies_on_planes(const Scene& scene, SeenPlaces& sight,
+                                             const std::vector<SeenPlaces::Place>& places);
 /// Returns, once faces have been moved, the numbers of those bodies that still have one where one before them has one.
-std::set<std::size_t> bodies_in_one_place(const Scene& scene, Sight& sight, const std::vector<Sight::Place>& places);
+std::set<std::size_t> bodies_in_one_place(const Scene& scene, SeenPlaces& sight,
+                                          const std::vector<SeenPlaces::Place>& places);
 
 }  // namespace strahl::pov

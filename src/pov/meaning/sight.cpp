@@ -70,12 +70,12 @@ class Surfaces {
 
 }  // namespace
 
-const std::vector<Sight::Place>& Sight::places() {
+const std::vector<SeenPlaces::Place>& SeenPlaces::places() {
     if (!all) all.emplace(), follow_rays();
     return *all;
 }
 
-void Sight::follow_rays() {
+void SeenPlaces::follow_rays() {
     constexpr int columns = 48, rows = 36, most_turns = 3;
     const Camera& camera = scene.camera;
     if (camera.projection != Projection::perspective) return;

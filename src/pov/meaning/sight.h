@@ -8,9 +8,9 @@
 
 namespace strahl::pov {
 
-class Sight {
+class SeenPlaces {
   public:
-    explicit Sight(const Scene& scene) : scene(scene) {}
+    explicit SeenPlaces(const Scene& scene) : scene(scene) {}
 
     /// A place where a ray meets the surface of a body that no opaque body hides.
     struct Place {

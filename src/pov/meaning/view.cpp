@@ -338,11 +338,11 @@ Scene SceneMaker::make() {
             notes.left_out(kept_places[i],
                            "bodies of a composite beyond " + std::to_string(most_leaves) + " that are connected");
     if (!in.options().as_text) {
-        Sight sight(scene);
+        SeenPlaces sight(scene);
         for (const std::size_t i : shared_by_parts(scene, sight))
             notes.approximated(kept_places[i],
                                "faces of parts in one place: POV-Ray's rounding speckles them, which are whole here");
-        const std::vector<Sight::Place> shared = places_of_two_bodies(scene, sight);
+        const std::vector<SeenPlaces::Place> shared = places_of_two_bodies(scene, sight);
         for (const std::size_t i : clear_bodies_on_planes(scene, sight, shared))
             notes.approximated(kept_places[i],
                                "a clear body's face in a plane: POV-Ray's rounding speckles it, which is whole here");
