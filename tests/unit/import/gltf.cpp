@@ -221,7 +221,8 @@ TEST_CASE("glTF: skins and morph targets move with the animation") {
     std::string text =
         triangle(R"({"mesh": 0, "skin": 0, "translation": [9, 9, 9]}, {"translation": [0, 0, 5]})",
                  R"("skins": [{"joints": [1]}], "animations": [{"channels": [
- {"sampler": 0, "target": {"node": 1, "path": "translation"}}, {"sampler": 1, "target": {"node": 0, "path": "weights"}}],
+ {"sampler": 0, "target": {"node": 1, "path": "translation"}},
+ {"sampler": 1, "target": {"node": 0, "path": "weights"}}],
  "samplers": [{"input": 5, "output": 6}, {"input": 5, "output": 7}]}])",
                  R"("attributes": {"POSITION": 0, "JOINTS_0": 3, "WEIGHTS_0": 4}, "targets": [{"POSITION": 0}])");
     text = with(text, "\"type\": \"SCALAR\"}]", R"("type": "SCALAR"},
