@@ -47,7 +47,7 @@ class SharedFaces {
         std::size_t with_points = 0;
         for (std::size_t i = 0; i < parts.size(); ++i)
             for_each_leaf(*parts[i], [&](const Primitive& leaf, const glm::dmat4& matrix) {
-                const BodyFace face{i, leaf.material, !is_nothing(leaf)};
+                const BodyFace face{i, leaf.material, !shows_nothing(material(leaf))};
                 add_flat(flat, leaf.shape, matrix, face, reach), add_curved(curved, leaf.shape, matrix, face);
                 if (with_points < curved.size())
                     curved.back().points = points_on(leaf.shape, matrix), with_points = curved.size();
@@ -89,15 +89,10 @@ class SharedFaces {
     const Material& material(const Primitive& leaf) const {
         return scene.materials[static_cast<std::size_t>(leaf.material)];
     }
-    /// Is it the surface of an open body's inside, which is not there?
-    bool is_nothing(const Primitive& leaf) const {
-        const Material& own = material(leaf);
-        return own.rgb.transmit == 1 && own.diffuse == 0 && own.specular == 0 && own.reflection == 0;
-    }
     bool shows_inside(const Primitive& own) const {
         bool any = false;
         for_each_leaf(own, [&](const Primitive& leaf, const glm::dmat4&) {
-            any |= material(leaf).transmits() && !is_nothing(leaf);
+            any |= material(leaf).transmits() && !shows_nothing(material(leaf));
         });
         return any;
     }

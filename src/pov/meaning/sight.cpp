@@ -40,6 +40,10 @@ class Surfaces {
     explicit Surfaces(const Scene& scene) : scene(scene) {
         std::vector<Box> boxes;
         for (std::size_t i = 0; i < scene.primitives.size(); ++i) {
+            open.push_back(false);
+            for_each_leaf(scene.primitives[i], [&](const Primitive& leaf, const glm::dmat4&) {
+                if (shows_nothing(scene.materials[static_cast<std::size_t>(leaf.material)])) open.back() = true;
+            });
             const Box box = world_bounds(scene.primitives[i]);
             if (box.finite())
                 boxes.push_back(box), bounded.push_back(i);
@@ -52,8 +56,11 @@ class Surfaces {
         std::vector<BodyHit> found;
         const auto add = [&](std::size_t body) {
             for (const RayHit& hit :
-                 ray_hits(scene.primitives[body], ray, 1e-6, std::numeric_limits<double>::infinity(), &meshes))
-                found.push_back({static_cast<int>(body), hit});
+                 ray_hits(scene.primitives[body], ray, 1e-6, std::numeric_limits<double>::infinity(), &meshes)) {
+                const BodyHit at{static_cast<int>(body), hit};
+                if (!open[body] || !shows_nothing(scene.materials[static_cast<std::size_t>(material_at(scene, at))]))
+                    found.push_back(at);
+            }
         };
         std::ranges::for_each(unbounded, add);
         tree->visit([&](const Box& box) { return meets(box, ray); }, [&](std::size_t i) { add(bounded[i]); });
@@ -64,11 +71,16 @@ class Surfaces {
   private:
     const Scene& scene;
     std::vector<std::size_t> bounded, unbounded;
+    std::vector<char> open;  // bodies some surfaces of which are not there
     std::optional<BoxTree> tree;
     MeshTrees meshes;
 };
 
 }  // namespace
+
+bool shows_nothing(const Material& own) {
+    return own.rgb.transmit == 1 && own.diffuse == 0 && own.specular == 0 && own.reflection == 0;
+}
 
 const std::vector<SeenPlaces::Place>& SeenPlaces::places() {
     if (!all) all.emplace(), follow_rays();

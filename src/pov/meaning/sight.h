@@ -8,6 +8,9 @@
 
 namespace strahl::pov {
 
+/// Is this the material of surfaces that are not there, such as those where a body is clipped?
+bool shows_nothing(const Material& material);
+
 class SeenPlaces {
   public:
     explicit SeenPlaces(const Scene& scene) : scene(scene) {}
