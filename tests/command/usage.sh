@@ -84,7 +84,7 @@ refuse "in double" -o x.bmp --prove map.png --precision float
 refuse "one ray in each pixel" -o x.bmp --prove map.png --samples 2x2
 refuse "one picture" -o x.bmp --prove map.png --frames 0-1
 sed 's/camera {/camera { orthographic/' scene.rt >parallel.rt
-expect 2 "perspective cameras only" render parallel.rt -o x.bmp --prove map.png
+expect 2 "perspective cameras with one eye only" render parallel.rt -o x.bmp --prove map.png
 rm parallel.rt
 refuse ".png or .bmp" -o x.bmp --prove map.exr
 refuse "overwrite the picture" -o x.png --prove x.png

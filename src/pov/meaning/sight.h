@@ -25,6 +25,7 @@ class SeenPlaces {
     const std::vector<Place>& places();
     /// Are so many places a share of the picture that counts, a four-hundredth?
     bool counts(std::size_t some) {
+        if (some == 0) return false;
         places();
         return rays > 0 && some * 400 >= rays;
     }
