@@ -5,7 +5,7 @@
 
 namespace strahl::os {
 
-/// What a dialog asks for.
+/// Says what a dialog asks for.
 struct FileQuestion {
     std::string title;
     std::string folder;         // the one that is shown first, with a slash at its end

@@ -66,7 +66,7 @@ class GltfReader {
         GltfPlace place;
         std::vector<MotionKey> keys;
         glm::dmat4 matrix{1};  // to the scene, as it rests
-        /// The same at the beginning of the animation, and at the time that is read.
+        /// Takes it to the scene at the beginning of the animation, and at the time that is read.
         std::array<glm::dmat4, 2> posed{glm::dmat4(1), glm::dmat4(1)};
         bool visited = false;
     };

@@ -46,13 +46,13 @@ class PictureNames {
         pigment = partly_clear(shown, std::make_shared<const Opacity>(std::move(own)), pigment.pattern->transformations,
                                pigment.pattern->by_uv);
     }
-
-  private:
     /// Returns the name of a file for the scene, from that for the model.
     std::string name_of(const std::string& file) const {
         const fs::path path = fs::path(model).parent_path() / file;
         return (path.is_absolute() ? path : path.lexically_proximate(folder())).generic_string();
     }
+
+  private:
     fs::path folder() const { return to == "-" ? fs::path() : fs::path(to).parent_path(); }
 
     /// `opacity` is the alpha channel of the picture, if it needs one.
@@ -90,12 +90,9 @@ Imported import_model(const ImportOptions& options) {
         names.set(material.rgb), names.set(material.bump.pattern), names.set(material.normal.pattern);
         for (Material& coat : material.coats) names.set(coat.rgb.pattern);
     }
-    const fs::path folder = options.output == "-" ? fs::path() : fs::path(options.output).parent_path();
     for (Primitive& primitive : result.scene.primitives)
-        if (auto* const mesh = std::get_if<Mesh>(&primitive.shape); mesh && !mesh->file.empty()) {
-            const fs::path path = options.file;
-            mesh->file = (path.is_absolute() ? path : path.lexically_proximate(folder)).generic_string();
-        }
+        if (auto* const mesh = std::get_if<Mesh>(&primitive.shape); mesh && !mesh->file.empty())
+            mesh->file = names.name_of(mesh->file);
     return result;
 }
 

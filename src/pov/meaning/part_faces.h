@@ -79,7 +79,7 @@ bool any_pair_of(std::vector<CurvedFace>& faces, const Test& test) {
             if (faces[a].part != faces[b].part && faces[a].continues(faces[b]) && test(faces[a], faces[b])) return true;
     return false;
 }
-/// The same for flat faces in one plane.
+/// Calls test(a, b) for pairs of flat faces in one plane, until it is true; returns whether it was.
 template <class Test>
 bool any_pair_of(std::vector<PartFace>& faces, const Test& test) {
     std::ranges::sort(faces, {}, &PartFace::at);

@@ -11,6 +11,7 @@ namespace strahl::pov {
 /// Is this the material of surfaces that are not there, such as those where a body is clipped?
 bool shows_nothing(const Material& material);
 
+/// Finds places that the camera sees, once they are asked for.
 class SeenPlaces {
   public:
     explicit SeenPlaces(const Scene& scene) : scene(scene) {}

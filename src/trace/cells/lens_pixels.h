@@ -21,7 +21,7 @@ namespace strahl {
 struct LensRay {
     double x, y, across, below;
 };
-/// What a ray brings: red, green and blue, and how opaque it is where alpha is asked for, else 0.
+/// Holds what a ray brings: red, green, blue, and how opaque it is where alpha is asked for, else 0.
 using LensLight = std::array<double, 4>;
 /// Traces rays at a moment of the view, by its number, and writes the light that each brings. Rays of a check are not
 /// counted. Number `moments` is the time of the view itself.
