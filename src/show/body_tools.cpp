@@ -226,7 +226,7 @@ void BodyTools::begin_adding(const NewBlock& block) {
 
 void BodyTools::begin_focusing() {
     pace.redraw(3);
-    if (bodies.read_only()) return notes.note("the text of this scene is changed in an editor");
+    if (bodies.read_only() && session.bound()) return notes.note("the flight has the camera: its lens is the file's");
     if (session.camera.projection > Projection::orthographic)
         return notes.note("only perspective and orthographic cameras have a lens");
     end_adding(), to_focus = true;
@@ -256,7 +256,8 @@ void BodyTools::add(const View& view, const glm::dvec2& point) {
 }
 
 /// Brings the point of the view's picture into focus. A camera without a lens gets one, by which what is twice as far
-/// is blurred over about a thirtieth of the picture's width.
+/// is blurred over about a thirtieth of the picture's width. Where the text is read only, the window's camera alone
+/// gets it.
 void BodyTools::focus_on(const View& view, const glm::dvec2& point) {
     if (awaited.scene) return;
     to_focus = false;
@@ -267,7 +268,14 @@ void BodyTools::focus_on(const View& view, const glm::dvec2& point) {
     camera.focus_on = sharp;
     const double width = 2 * frame_of(camera, double(view.width) / view.height).tan_x;
     const double across = camera.projection == Projection::orthographic ? width : width * focal_distance(camera);
-    const auto newer = with_focus_on(bodies.edited.text(), sharp, round_length(across / 30));
+    const double aperture = round_length(across / 30);
+    if (bodies.read_only()) {
+        if (!has_lens(camera)) camera.aperture = aperture;
+        session.camera.aperture = camera.aperture;
+        session.camera.focus.reset(), session.camera.focus_on = sharp;
+        return notes.announce("in focus: " + text_of(sharp));
+    }
+    const auto newer = with_focus_on(bodies.edited.text(), sharp, aperture);
     if (!newer) return notes.note("the lens of this scene is changed in its text");
     if (change_text(*newer, "focus of the camera")) notes.announce("in focus: " + text_of(sharp));
 }

@@ -108,7 +108,7 @@ class Batches {
             for (int i = 0; i < count; ++i) {
                 const auto place = [](double at) { return static_cast<int>(std::floor(at + .5)); };
                 const int column = place(rays[done + i].x) - layered->x, row = place(rays[done + i].y) - layered->y;
-                layers->average(row * layered->columns + column, i, 1);
+                layers->average(row * layered->columns + column, i, rays[done + i].weight);
                 if (layers->layers().alpha) light[done + i][3] = layers->alpha(i);
             }
         }

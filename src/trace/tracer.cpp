@@ -198,6 +198,10 @@ class TracerOf : public AnyTracer {
     }
 
     Counts traced(const Job& job, const CellPass& pass) {
+        if (has_lens(job.view.camera) && !job.view.moments && spots_of != job.view) {
+            spots.begin(1), spots.add(scene(), job.view);
+            spots_of = job.view;
+        }
         const auto refine = [&](Batches<T>& batches, int i, int) {
             const Lattice place = pass.picture.place_of(i);
             pass.picture.refine(
@@ -210,7 +214,7 @@ class TracerOf : public AnyTracer {
                 [&](int moment, std::span<const LensRay> rays, std::span<LensLight> light, bool check) {
                     batches.trace_nets(moment, rays, light, check, place);
                 },
-                batches.layers);
+                spots, batches.layers);
         };
         const auto way = pass.picture.by_nets() ? RayPlaces::nets : RayPlaces::cells;
         return each(job, pass.picture.tiles(), pass.picture.contrast(), refine, 0, way);
@@ -339,7 +343,7 @@ class TracerOf : public AnyTracer {
     void prepare_moments(const Job& job) {
         const View& view = job.view;
         if (!moments.empty() && moments_of == view) return;
-        moments.clear();
+        moments.clear(), spots.begin(view.moments->size());
         // The system may promise more than it has, and end the program when the worlds fill it.
         constexpr double bytes_of_surface = 220;  // in a world: of a triangle, measured
         const double bytes_of_world = in_time.moves() ? bytes_of_surface * double(surfaces_of(scene())) : 0;
@@ -360,13 +364,14 @@ class TracerOf : public AnyTracer {
             View own = view;
             own.camera = moment.camera, own.time = moment.time;
             make_ready(moments.emplace_back(), own, world, eye_of_camera(own.camera, *world), light, true);
+            spots.add(scene(), own);
         };
         for (const Shot& moment : *view.moments)
             if (!job.stopped()) add(moment);
         in_time.set(view.time, view.tracks, job.pool);
         if (job.stopped()) return moments.clear();
         make_ready(moments.emplace_back(), view, built, *known, *bound, true);
-        moments_of = view;
+        moments_of = spots_of = view;
     }
 
     KnownEye eye_of_camera(const Camera& camera, const BuiltWorld<T>& world) const {
@@ -434,6 +439,8 @@ class TracerOf : public AnyTracer {
     std::shared_ptr<const BuiltWorld<T>> built;
     std::deque<ReadyView> moments;                   // of a shutter and, last, the time of the view
     View moments_of;                                 // the view whose moments these are
+    BrightSpots spots;                               // of these moments, or through a lens
+    View spots_of;
     std::unique_ptr<LightBuffers<T>> light_buffers;  // made when they are worth it
     std::int64_t traced_pixels = 0;                  // in this world
     std::shared_ptr<const CapsuleTree> capsules;     // made when first needed

@@ -76,4 +76,19 @@ await 'second picture: normals'
 xdotool key shift+z
 await 'one picture'
 quit
+
+echo "-- the camera of a .pov gets a lens in the window alone"
+printf '%s\n' 'camera { location <0, 2, -10> look_at <0, 1, 0> right x*16/9 up y angle 40 }' \
+    'light_source { <-5, 10, -10> rgb 1 }' 'plane { y, 0 pigment { rgb .5 } }' \
+    'sphere { <0, 1, 0>, 1 pigment { rgb <.9, .2, .1> } }' >scene.pov
+cp scene.pov before.pov
+start scene.pov --size 480x270 --depth 2
+await 'finished'
+xdotool key j
+await 'a click chooses what is sharp'
+point 240 135
+await 'in focus: <'
+await 'finished'
+cmp -s scene.pov before.pov || fault 'the .pov was written'
+quit
 finish

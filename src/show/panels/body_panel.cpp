@@ -109,7 +109,7 @@ BodyInput BodyPanel::draw(const BodyEditor& editor, const std::string& file, con
     if (editor.block() == TopBlock::camera) {
         if (button("use this view", !editor.read_only())) input.command = {Action::keep_view};
         if (button("go there", true)) input.command = {Action::reset};
-        if (button("focus by a click", !editor.read_only())) input.command = {Action::focus};
+        if (button("focus by a click", true)) input.command = {Action::focus};
         ImGui::NewLine();
     }
     ImGui::Separator();

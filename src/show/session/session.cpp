@@ -76,7 +76,9 @@ void Session::replace_reread(std::shared_ptr<const Scene> newer, std::shared_ptr
     const bool reshaped = newer->camera == same && same != scene->camera && !bound();
     Camera kept = camera;
     const double kept_speed = speed;
+    const bool own_lens = camera != with_lens(camera, scene->camera);  // by a click
     replace(std::move(newer), false, std::move(picture));
+    if (own_lens && !bound()) camera = with_lens(camera, kept);
     if (reshaped) kept.fov = same.fov, kept.aspectratio = same.aspectratio, camera = kept, speed = kept_speed;
 }
 

@@ -58,7 +58,7 @@ std::unique_ptr<CellPicture::InWork> CellPicture::make() {
 }
 
 void CellPicture::refine(int i, int finest, const Job& job, const TraceAt& trace, const TraceLensRays& trace_lens,
-                         LayerTile* layers) {
+                         const BrightSpots& spots, LayerTile* layers) {
     const TilePlace& place = places[i];
     if (std::exchange(begun[i], true) && !made[i]) return;  // finished before
     const bool first = !made[i];
@@ -67,7 +67,7 @@ void CellPicture::refine(int i, int finest, const Job& job, const TraceAt& trace
     if (layers) layers->begin(place.columns * place.rows);
     const auto begin_nets = [&] {
         by_nets = true;
-        nets.begin(place.x, place.y, place.columns, place.rows, error, camera, moments);
+        nets.begin(place.x, place.y, place.columns, place.rows, error, camera, moments, &spots);
     };
     if (first && thin) {
         by_nets = false;

@@ -43,10 +43,10 @@ class CellPicture {
     /// Traces points of the tile whose corner is (x, y). Footprints have this side, in pixels; 0 for side_of() each.
     using TraceAt = std::function<void(int x, int y, std::span<const Point>, double side, CellSample*)>;
     /// Refines tile i and hands it to the job's sink, unless the job is stopped: then the tile cannot go on. The second
-    /// function traces the rays of nets. Tiles with layers are finished at once, with `finest` 0; both functions add
-    /// their samples to `layers`.
+    /// function traces the rays of nets, some of which are aimed at `spots`. Tiles with layers are finished at once,
+    /// with `finest` 0; both functions add their samples to `layers`.
     void refine(int i, int finest, const Job& job, const TraceAt& trace, const TraceLensRays& trace_lens,
-                LayerTile* layers = nullptr);
+                const BrightSpots& spots, LayerTile* layers = nullptr);
     /// Returns the rectangle of tile i in the view.
     Lattice place_of(int i) const {
         return {.x = places[i].x, .y = places[i].y, .columns = places[i].columns, .rows = places[i].rows};

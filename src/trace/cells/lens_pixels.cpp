@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "num/scrambled_net.h"
 #include "trace/cells/cells.h"
@@ -10,36 +11,200 @@ namespace strahl {
 namespace {
 
 constexpr std::uint32_t first_rays = 32, most_rays = 16384;
+constexpr std::size_t most_targets = 8;  // where more bodies are seen, rays that are not aimed find enough of them
 
 /// Returns the largest standard deviation of eight independent nets that a pixel may have. One net of all their points
 /// is better, by how much depends on the world; the factor was found by experiment (tests/bench/lens.md).
 double allowed_deviation(double error) { return 2.2 * error; }
 
-template <class Sums>
-double variance_of(const Sums& sums, double taken) {
+/// Returns the most light that a pixel may lack where the first rays in it and those around it miss what a share of
+/// them would meet.
+double most_missed(double light, double share) {
+    constexpr double rays = 9 * first_rays;
+    return light * share * std::exp(-rays / 2 * share);
+}
+
+double variance_of(const std::array<LensLight, LensPixels::eighths>& parts) {
     double light = 0, alpha = 0;
-    for (int c = 0; c < 4; ++c) {
+    for (std::size_t c = 0; c < 4; ++c) {
         double mean = 0, squares = 0;
-        for (const auto& sum : sums) mean += sum[c] / taken / LensPixels::eighths;
-        for (const auto& sum : sums) squares += (sum[c] / taken - mean) * (sum[c] / taken - mean);
+        for (const LensLight& part : parts) mean += part[c] / LensPixels::eighths;
+        for (const LensLight& part : parts) squares += (part[c] - mean) * (part[c] - mean);
         const double variance = squares / (LensPixels::eighths * (LensPixels::eighths - 1));
         c < 3 ? light += variance / 3 : alpha = variance;
     }
     return std::max(light, alpha);
 }
 
+/// Returns whether a place, relative to its radius, is on the lens.
+bool on_lens(const Camera& camera, double across, double below) {
+    if (!camera.blades) return across * across + below * below <= 1;
+    const double side = 2 * std::numbers::pi / std::round(*camera.blades);
+    const double angle = std::atan2(across, -below), middle = (std::floor(angle / side) + .5) * side;
+    return across * std::sin(middle) - below * std::cos(middle) <= std::cos(side / 2);
+}
+
+/// Returns the area of the lens for a radius of 1.
+double area_of_lens(const Camera& camera) {
+    if (!camera.blades) return std::numbers::pi;
+    const double corners = std::round(*camera.blades);
+    return corners / 2 * std::sin(2 * std::numbers::pi / corners);
+}
+
+/// Returns what is in [from, to) of the stretch around `middle`.
+std::array<double, 2> stretch_around(double middle, double half, double from, double to) {
+    return {std::clamp(middle - half, from, to), std::clamp(middle + half, from, to)};
+}
+
 }  // namespace
 
 void LensPixels::begin(int x, int y, int own_columns, int own_rows, double error, const Camera& own_camera,
-                       int own_moments) {
+                       int own_moments, const BrightSpots* spots) {
     left = x, top = y, columns = own_columns, rows = own_rows, moments = own_moments;
-    aim = error;
+    aim = error, bright = spots;
     camera = own_camera, lens = has_lens(camera);
     const auto count = static_cast<std::size_t>(columns) * rows;
     pixels.assign(count, {});
     means.assign(3 * count, 0);
     open.resize(count);
     for (std::size_t i = 0; i < count; ++i) open[i] = static_cast<int>(i);
+    if (bright) find_targets();
+}
+
+void LensPixels::NetSums::make_room() {
+    for (std::size_t k = 0; k < eighths; ++k) {
+        const bool known = 2 * k < eighths;
+        for (std::size_t c = 0; c < 4; ++c) light[k][c] = known ? light[2 * k][c] + light[2 * k + 1][c] : 0;
+        weights[k] = known ? weights[2 * k] + weights[2 * k + 1] : 0;
+    }
+}
+
+LensLight LensPixels::NetSums::mean() const {
+    LensLight sum{};
+    double all = 0;
+    for (std::size_t k = 0; k < eighths; ++k) {
+        for (std::size_t c = 0; c < 4; ++c) sum[c] += light[k][c];
+        all += weights[k];
+    }
+    for (double& value : sum) value = all > 0 ? value / all : 0;
+    return sum;
+}
+
+LensLight LensPixels::NetSums::mean(int eighth) const {
+    const auto k = static_cast<std::size_t>(eighth);
+    if (!(weights[k] > 0)) return mean();
+    LensLight part = light[k];
+    for (double& value : part) value /= weights[k];
+    return part;
+}
+
+template <class... Eighth>
+LensLight LensPixels::light_of(const LensPixel& pixel, const PixelSums& sums, Eighth... eighth) const {
+    LensLight all = sums.own.mean(eighth...);
+    double rest = 1;
+    for (const Target& target : pixel.targets) rest -= target.share;
+    for (double& value : all) value *= rest;
+    for (std::size_t k = 0; k < pixel.targets.size(); ++k) {
+        const LensLight part = sums.targets[k].mean(eighth...);
+        for (std::size_t c = 0; c < 4; ++c) all[c] += pixel.targets[k].share * part[c];
+    }
+    return all;
+}
+
+/// Finds the spots that pixels may see and the first rays might miss, the brightest first.
+void LensPixels::find_targets() {
+    const std::vector<BrightSpot>& spots = bright->spots();
+    const auto light_at = [&](const Target& target) {
+        return spots[static_cast<std::size_t>(target.spot)].light * target.share;
+    };
+    std::vector<int> seen;  // pixels that see the spot
+    for (std::size_t i = 0; i < spots.size(); ++i) {
+        const int count = static_cast<int>(spots[i].seen.size());
+        for (int moment = 0; moment < count; ++moment) {
+            const SeenBall& ball = spots[i].seen[static_cast<std::size_t>(moment)];
+            if (!(ball.half_x > 0)) continue;
+            const auto [from_x, to_x] =
+                stretch_around(ball.x - left + .5, ball.half_x + std::abs(ball.blur_x), 0, columns);
+            const auto [from_y, to_y] = stretch_around(ball.y - top + .5, ball.half_y + std::abs(ball.blur_y), 0, rows);
+            for (int y = static_cast<int>(from_y); y < to_y; ++y)
+                for (int x = static_cast<int>(from_x); x < to_x; ++x) {
+                    std::vector<Target>& targets = pixels[static_cast<std::size_t>(y * columns + x)].targets;
+                    if (targets.empty() || targets.back().spot != static_cast<int>(i)) {
+                        targets.push_back({static_cast<int>(i), moment, moment});
+                        seen.push_back(y * columns + x);
+                    }
+                    targets.back().last = moment + 1;
+                    targets.back().share += ball.share() / count;
+                }
+        }
+        for (const int pixel : seen) {
+            std::vector<Target>& targets = pixels[static_cast<std::size_t>(pixel)].targets;
+            if (!(most_missed(spots[i].light, targets.back().share) > 4 * aim)) {
+                targets.pop_back();
+                continue;
+            }
+            for (std::size_t k = targets.size(); --k > 0 && light_at(targets[k]) > light_at(targets[k - 1]);)
+                std::swap(targets[k], targets[k - 1]);
+            if (targets.size() > most_targets) targets.pop_back();
+        }
+        seen.clear();
+    }
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        pixels[i].sums.targets.resize(pixels[i].targets.size());
+        for (std::size_t k = 0; k < pixels[i].targets.size(); ++k) measure_share(static_cast<int>(i), k);
+    }
+}
+
+bool LensPixels::meets(const LensPixel& pixel, std::size_t targets, const LensRay& ray, int moment) const {
+    return std::any_of(pixel.targets.begin(), pixel.targets.begin() + std::ptrdiff_t(targets), [&](const Target& own) {
+        const SeenBall& ball =
+            bright->spots()[static_cast<std::size_t>(own.spot)].seen[static_cast<std::size_t>(moment)];
+        return own.first <= moment && moment < own.last && ball.meets(ray.x, ray.y, ray.across, ray.below);
+    });
+}
+
+LensPixels::AimedRay LensPixels::aimed(int number, std::size_t target, const std::array<double, 5>& point) const {
+    const LensPixel& pixel = pixels[static_cast<std::size_t>(number)];
+    const Target& own = pixel.targets[target];
+    const int moment = own.first + static_cast<int>(point[4] * (own.last - own.first));
+    const SeenBall& ball = bright->spots()[static_cast<std::size_t>(own.spot)].seen[static_cast<std::size_t>(moment)];
+    const double x = left + number % columns - .5, y = top + number / columns - .5;
+    LensRay ray{x + point[0], y + point[1], 0, 0, double(own.last - own.first) / std::max(moments, 1)};
+    if (lens) {
+        const auto [across, below] = lens_place(camera, point[2], point[3]);
+        ray.across = across, ray.below = below;
+    }
+    // Chooses the place on the lens for one in the pixel, or the other way round in the plane in focus.
+    constexpr double enough = .5;
+    const auto choose = [&](double& place, double share, double middle, double half, double from, double to) {
+        const auto [low, high] = stretch_around(middle, half, from, to);
+        place = std::min(low + share * (high - low), std::nextafter(to, from));
+        ray.weight *= high - low;
+    };
+    if (std::min(std::abs(ball.blur_x), std::abs(ball.blur_y)) > enough) {
+        choose(ray.across, point[2], (ball.x - ray.x) / ball.blur_x, ball.half_x / std::abs(ball.blur_x), -1, 1);
+        choose(ray.below, point[3], (ball.y - ray.y) / ball.blur_y, ball.half_y / std::abs(ball.blur_y), -1, 1);
+        ray.weight = on_lens(camera, ray.across, ray.below) ? ray.weight / area_of_lens(camera) : 0;
+    } else {
+        choose(ray.x, point[0], ball.x - ball.blur_x * ray.across, ball.half_x, x, x + 1);
+        choose(ray.y, point[1], ball.y - ball.blur_y * ray.below, ball.half_y, y, y + 1);
+    }
+    if (!ball.meets(ray.x, ray.y, ray.across, ray.below) || meets(pixel, target, ray, moment)) ray.weight = 0;
+    return {ray, moment};
+}
+
+/// Finds the share of a target by many points, without tracing.
+void LensPixels::measure_share(int pixel, std::size_t target) {
+    constexpr int points = 4096;
+    constexpr double root = 1.1347241384015194;  // of x^6 = x + 1 (the sequence R5 of M. Roberts, 2018)
+    std::array<double, 5> point{.5, .5, .5, .5, .5};
+    double sum = 0;
+    for (int i = 0; i < points; ++i) {
+        double step = 1;
+        for (double& at : point) step /= root, at += step, at -= std::floor(at);
+        sum += aimed(pixel, target, point).ray.weight;
+    }
+    pixels[static_cast<std::size_t>(pixel)].targets[target].share = sum / points;
 }
 
 std::uint32_t LensPixels::seed_of(int pixel) const {
@@ -52,9 +217,9 @@ class LensPixels::Rays {
   public:
     Rays(const LensPixels& pixels, const TraceLensRays& own_trace, bool own_check)
         : tile(pixels), trace(own_trace), check(own_check), buckets(pixels.moments + 1) {}
-    /// Adds the light of the ray through this place to `sum` later.
-    void add(double x, double y, double across, double below, int moment, double* sum) {
-        buckets[moment].rays.push_back({x, y, across, below}), buckets[moment].to.push_back(sum), ++count;
+    /// Adds the light of the ray to `sum` later, by its weight.
+    void add(const LensRay& ray, int moment, double* sum) {
+        buckets[moment].rays.push_back(ray), buckets[moment].to.push_back(sum), ++count;
     }
     /// To be called between pixels, so that sums do not depend on the tile.
     void flush_if_many() {
@@ -67,7 +232,7 @@ class LensPixels::Rays {
             light.assign(rays.size(), {});
             trace(moment, rays, light, check);
             for (std::size_t i = 0; i < rays.size(); ++i)
-                for (int c = 0; c < 4; ++c) to[i][c] += light[i][c];
+                for (int c = 0; c < 4; ++c) to[i][c] += rays[i].weight * light[i][c];
             rays.clear(), to.clear();
         }
         count = 0;
@@ -89,25 +254,41 @@ class LensPixels::Rays {
 void LensPixels::trace_nets(std::span<const NetPart> parts, const TraceLensRays& trace, bool check) const {
     Rays rays(*this, trace, check);
     for (const NetPart& part : parts) {
+        const LensPixel& pixel = pixels[static_cast<std::size_t>(part.pixel)];
         const double x = left + part.pixel % columns - .5, y = top + part.pixel / columns - .5;
+        const auto add = [&](const LensRay& ray, int moment, NetSums& sums, std::uint32_t i) {
+            const std::uint64_t eighth = std::uint64_t(i) * eighths / part.last;
+            rays.add(ray, moment, sums.light[eighth].data());
+            sums.weights[eighth] += ray.weight;
+        };
+        const auto add_own = [&](const LensRay& ray, double time, std::uint32_t i) {
+            const int moment = static_cast<int>(time * moments);
+            if (!meets(pixel, pixel.targets.size(), ray, moment)) add(ray, moment, part.sums->own, i);
+        };
         const ScrambledNet net(part.seed);
         for (std::uint32_t i = part.first; i < part.last; ++i) {
-            double* const sum = (*part.sums)[std::uint64_t(i) * eighths / part.last].data();
             if (!lens) {
                 const auto [u, v, time] = net.point<3>(i);
-                rays.add(x + u, y + v, 0, 0, static_cast<int>(time * moments), sum);
+                add_own({x + u, y + v, 0, 0}, time, i);
                 continue;
             }
-            const auto add = [&](double u, double v, double s, double t, double time) {
+            const auto through = [&](double u, double v, double s, double t) {
                 const auto [across, below] = lens_place(camera, s, t);
-                rays.add(x + u, y + v, across, below, static_cast<int>(time * moments), sum);
+                return LensRay{x + u, y + v, across, below};
             };
             if (moments > 0) {
                 const auto [u, v, s, t, time] = net.point<5>(i);
-                add(u, v, s, t, time);
+                add_own(through(u, v, s, t), time, i);
             } else {
                 const auto [u, v, s, t] = net.point(i);
-                add(u, v, s, t, 0);
+                add_own(through(u, v, s, t), 0, i);
+            }
+        }
+        for (std::size_t k = 0; k < pixel.targets.size(); ++k) {
+            const ScrambledNet other(ScrambledNet::mix(part.seed + 8 + static_cast<std::uint32_t>(k)));
+            for (std::uint32_t i = part.first; i < part.last; ++i) {
+                const auto [ray, moment] = aimed(part.pixel, k, other.point<5>(i));
+                if (ray.weight > 0) add(ray, moment, part.sums->targets[k], i);
             }
         }
         rays.flush_if_many();
@@ -133,8 +314,8 @@ void LensPixels::keep_still(std::span<const double> values, std::span<const std:
         for (std::uint32_t i = 0; i < tests; ++i) {
             const auto [u, v, time] = net.point<3>(i);
             const double x = left + square.x + u * square.columns - .5, y = top + square.y + v * square.rows - .5;
-            rays.add(x, y, 0, 0, static_cast<int>(time * moments), square.light[i][0].data());
-            rays.add(x, y, 0, 0, moments, square.light[i][1].data());
+            rays.add({x, y, 0, 0}, static_cast<int>(time * moments), square.light[i][0].data());
+            rays.add({x, y, 0, 0}, moments, square.light[i][1].data());
         }
         rays.flush_if_many();
     }
@@ -146,7 +327,10 @@ void LensPixels::keep_still(std::span<const double> values, std::span<const std:
     };
     open.clear();
     for (const StillSquare& square : squares) {
-        const bool moving = std::ranges::any_of(square.light, changes);
+        bool moving = std::ranges::any_of(square.light, changes);
+        for (int y = square.y; y < square.y + square.rows; ++y)
+            for (int x = square.x; x < square.x + square.columns; ++x)
+                moving |= !pixels[static_cast<std::size_t>(y * columns + x)].targets.empty();
         for (int y = square.y; y < square.y + square.rows; ++y)
             for (int x = square.x; x < square.x + square.columns; ++x) {
                 const int number = y * columns + x;
@@ -164,21 +348,20 @@ void LensPixels::take(std::uint32_t rays, const TraceLensRays& trace) {
     std::vector<NetPart> parts;
     for (const int number : open) {
         LensPixel& pixel = pixels[number];
-        for (int k = 0; k < eighths && pixel.taken > 0; ++k)  // two become an eighth of the doubled net
-            for (int c = 0; c < 4; ++c)
-                pixel.sums[k][c] = 2 * k < eighths ? pixel.sums[2 * k][c] + pixel.sums[2 * k + 1][c] : 0;
+        if (pixel.taken > 0) {
+            pixel.sums.own.make_room();
+            for (NetSums& sums : pixel.sums.targets) sums.make_room();
+        }
         parts.push_back({number, seed_of(number), pixel.taken, std::max(rays, 2 * pixel.taken), &pixel.sums});
         pixel.taken = parts.back().last;
     }
     trace_nets(parts, trace, false);
     for (const int number : open) {
         LensPixel& pixel = pixels[number];
-        pixel.variance = variance_of(pixel.sums, double(pixel.taken) / eighths);
-        for (int c = 0; c < 3; ++c) {
-            double sum = 0;
-            for (const auto& eighth : pixel.sums) sum += eighth[c];
-            means[std::size_t(3) * number + c] = sum / pixel.taken;
-        }
+        std::array<LensLight, eighths> light;
+        for (int k = 0; k < eighths; ++k) light[static_cast<std::size_t>(k)] = light_of(pixel, pixel.sums, k);
+        pixel.variance = variance_of(light);
+        std::copy_n(light_of(pixel, pixel.sums).begin(), 3, &means[std::size_t(3) * number]);
     }
 }
 
@@ -220,23 +403,23 @@ MeasuredError LensPixels::measured(double chance, const TraceLensRays& trace) co
     std::vector<int> chosen;
     for (int i = 0; i < columns * rows; ++i)
         if (ScrambledNet::mix(seed_of(i) + 1) * 0x1p-32 < chance) chosen.push_back(i);
-    std::vector<std::array<Sums, 2>> sums(chosen.size());
+    std::vector<std::array<PixelSums, 2>> sums(chosen.size());
     std::vector<NetPart> parts;
     for (std::size_t k = 0; k < chosen.size(); ++k)
-        for (std::uint32_t half = 0; half < 2; ++half)
+        for (std::uint32_t half = 0; half < 2; ++half) {
+            sums[k][half].targets.resize(pixels[chosen[k]].targets.size());
             parts.push_back(
                 {chosen[k], ScrambledNet::mix(seed_of(chosen[k]) + 2 + half), 0, checks(chosen[k]), &sums[k][half]});
+        }
     trace_nets(parts, trace, true);
     MeasuredError error{.checked = chosen.size()};
     for (std::size_t k = 0; k < chosen.size(); ++k) {
+        const LensLight first = light_of(pixels[chosen[k]], sums[k][0]),
+                        second = light_of(pixels[chosen[k]], sums[k][1]);
         double product = 0;
-        for (int c = 0; c < 3; ++c) {
-            double off[2];
-            for (int half = 0; half < 2; ++half) {
-                off[half] = -means[std::size_t(3) * chosen[k] + c];
-                for (const auto& sum : sums[k][half]) off[half] += sum[c] / checks(chosen[k]);
-            }
-            product += off[0] * off[1] / 3;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double own = means[std::size_t(3) * chosen[k] + c];
+            product += (first[c] - own) * (second[c] - own) / 3;
         }
         error.squares += product / chance, error.variance += product / chance * (product / chance);
     }

@@ -5,6 +5,9 @@
 // on the lens, and the time. Each pixel therefore has a scrambled net of its own (num/scrambled_net.h). Its eighths are
 // nets as well, and how far their means differ says how wrong the mean of all may be. As long as that is too much, the
 // net is doubled.
+//
+// Rays that meet the ball around a small bright body (bright_spots.h) are averaged apart: a net of rays that are aimed at
+// the ball gives their mean, and the pixel's net leaves them out.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -13,13 +16,15 @@
 #include <vector>
 
 #include "scene/camera.h"
+#include "trace/cells/bright_spots.h"
 #include "trace/cells/pixel_sampling.h"
 
 namespace strahl {
 
 /// A place in the picture, in pixels that have their middles at whole numbers, and one on the lens, see lens_place().
+/// `weight` is that of the ray's light in its pixel, where another ray has 1.
 struct LensRay {
-    double x, y, across, below;
+    double x, y, across, below, weight = 1;
 };
 /// Holds what a ray brings: red, green, blue, and how opaque it is where alpha is asked for, else 0.
 using LensLight = std::array<double, 4>;
@@ -33,8 +38,10 @@ class LensPixels {
   public:
     static constexpr int eighths = 8;
 
-    /// `error` is the RMS error aimed at; `moments` is the number of moments of a shutter, or 0.
-    void begin(int x, int y, int columns, int rows, double error, const Camera& camera, int moments);
+    /// `error` is the RMS error aimed at; `moments` is the number of moments of a shutter, or 0. `spots`, if any, are
+    /// those of all moments, and have to stay.
+    void begin(int x, int y, int columns, int rows, double error, const Camera& camera, int moments,
+               const BrightSpots* spots = nullptr);
     /// Gives squares of 8x8 pixels in which nothing changes while the shutter is open the values and the numbers of
     /// samples of a picture of the view's time, and takes no rays there. Finds that out by two rays for each pixel at
     /// moments, and two of the same at the view's time.
@@ -54,20 +61,54 @@ class LensPixels {
     MeasuredError measured(double chance, const TraceLensRays& trace) const;
 
   private:
-    using Sums = std::array<LensLight, eighths>;
+    /// Sums of the light of a net's rays, by eighths of it, and of their weights.
+    struct NetSums {
+        std::array<LensLight, eighths> light{};
+        std::array<double, eighths> weights{};
+        /// Makes two eighths one of a net that is twice as large.
+        void make_room();
+        LensLight mean() const;
+        /// Returns the mean of an eighth, or of all if that has no rays.
+        LensLight mean(int eighth) const;
+    };
+    /// A spot that a pixel may see from moment `first` until before `last`.
+    struct Target {
+        int spot, first, last;
+        double share = 0;  // of the pixel's rays: those which meet its ball, and none of the targets before it
+    };
+    /// The sums of a pixel's own net, and of those of its targets.
+    struct PixelSums {
+        NetSums own;
+        std::vector<NetSums> targets;
+    };
     struct LensPixel {
-        Sums sums{};  // of the eighths of the net
+        PixelSums sums;
+        std::vector<Target> targets;
         std::uint32_t taken = 0;
         /// The variance that the mean of eight independent nets would have: of light, averaged over red, green and
         /// blue, or of alpha, if that is larger.
         double variance = 0;
     };
-    /// Points `first` to `last` of the net of `last` points with this seed, in a pixel; their light is added to `sums`.
+    /// Points `first` to `last` of the nets of `last` points with this seed, in a pixel; their light is added to
+    /// `sums`.
     struct NetPart {
         int pixel;
         std::uint32_t seed, first, last;
-        Sums* sums;
+        PixelSums* sums;
     };
+    struct AimedRay {
+        LensRay ray;
+        int moment;
+    };
+    void find_targets();
+    void measure_share(int pixel, std::size_t target);
+    /// Returns whether a ray of a pixel meets one of its first targets.
+    bool meets(const LensPixel& pixel, std::size_t targets, const LensRay& ray, int moment) const;
+    /// Returns the ray to a target of a pixel that belongs to a point of the unit cube. Its weight is 0 if it misses.
+    AimedRay aimed(int pixel, std::size_t target, const std::array<double, 5>& point) const;
+    /// Returns what a pixel's sums come to, in all or in an eighth of them.
+    template <class... Eighth>
+    LensLight light_of(const LensPixel& pixel, const PixelSums& sums, Eighth... eighth) const;
     std::uint32_t seed_of(int pixel) const;
     class Rays;
     /// Traces these parts, many rays at once.
@@ -75,6 +116,7 @@ class LensPixels {
     void settle();
 
     int left = 0, top = 0, columns = 0, rows = 0, moments = 0;
+    const BrightSpots* bright = nullptr;
     double aim = 0;  // the RMS error
     Camera camera;
     bool lens = false;

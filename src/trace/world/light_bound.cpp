@@ -186,4 +186,10 @@ std::vector<double> scattered_light(const Scene& given) {
     return light;
 }
 
+std::vector<double> own_glow(const Scene& scene) {
+    std::vector<double> light;
+    for (const Material& m : scene.materials) light.push_back(own_light(scene, m, 0, true));
+    return light;
+}
+
 }  // namespace strahl

@@ -20,4 +20,7 @@ Bound bound_for(const Scene& scene, int depth);
 /// reflection and refraction; of plain ones without highlights unless these are fainter than what it scatters.
 std::vector<double> scattered_light(const Scene& scene);
 
+/// Returns for each material the most light of its own that a surface sends out.
+std::vector<double> own_glow(const Scene& scene);
+
 }  // namespace strahl

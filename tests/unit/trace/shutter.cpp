@@ -139,6 +139,27 @@ box { <0, 10, -100>, <100, 10.000001, 100>  material { rgb <1, 1, 1>  ambient 1 
     CHECK(std::sqrt(squares) * 510 < 1.5);
 }
 
+TEST_CASE("a small bright ball that passes by leaves all its light") {
+    for (const bool flies : {false, true}) {  // the camera instead of the ball
+        CAPTURE(flies);
+        const std::string motion = "{ key { time 0  translate <-1, 0, .1> }  key { time 1  translate <1, 0, -.1> } }";
+        Scene scene = language::parse(
+            "camera { position <0, 0, 0>  look_at <0, 1, 0>  sky <0, 0, 1>  fov 20  shutter .5 }\n"
+            "background { color <0, 0, 0> }\nglobal_settings { ambient_light <20, 20, 20> }\n"
+            "sphere { <0, 10, 0>, .03  material { rgb <1, 1, 1>  ambient 1  diffuse 0  specular 0  reflection 0 }" +
+            (flies ? std::string() : "motion " + motion) + "}");
+        if (flies)
+            scene.flythrough = {.duration = 1,
+                                .keys = {{0, {1, 0, -.1}, {1, 1, -.1}, {}, {}}, {1, {-1, 0, .1}, {-1, 1, .1}, {}, {}}}};
+        const View view = view_of(scene, .5, 48, 24);
+        const double pixel = 2 * 10 * frame_of(scene.camera, 2).tan_x / view.width;
+        double sum = 0;
+        const std::vector<double> values = picture(scene, view, whole(view), 2, 1. / 510);
+        for (std::size_t i = 0; i < values.size(); i += 3) sum += values[i];
+        CHECK(sum * pixel * pixel == doctest::Approx(20 * std::numbers::pi * .03 * .03).epsilon(.01));
+    }
+}
+
 TEST_CASE("mirrors, shadows, turning patterns and flashes of light are means over the time") {
     const Scene scene = language::parse(R"(
 camera { position <0, -10, 3>  look_at <0, 0, 1>  sky <0, 0, 1>  fov 20  shutter .4 }
