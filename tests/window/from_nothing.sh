@@ -9,7 +9,7 @@
 set -uo pipefail
 source "$(dirname -- "$0")/window.sh"
 [[ -z ${2-} ]] || set -- "$1" "$(readlink -f -- "$2")"
-own_display 960x720 "import compare montage" "$@"
+own_display 960x720 "import compare convert montage" "$@"
 folder=${2-}
 mkdir bin
 printf '#!/bin/sh\nexit 127\n' | tee bin/zenity >bin/kdialog
@@ -27,10 +27,14 @@ shot() {
     xdotool key ctrl+t
     shows_other "$1.png"
 }
-# shot_gallery NAME: the same of the gallery, once no more small pictures come for a second.
+# shot_gallery NAME: the same of the gallery, once it is drawn and no place for a small picture has the colour of an
+# empty one.
 shot_gallery() {
     [[ -z $folder ]] && return
-    until import -window "$id" "$1.png" && sleep 1 && import -window "$id" shot.png && cmp -s "$1.png" shot.png; do :; done
+    until import -window "$id" "$1.png" && (($(convert "$1.png" -format %k info:) > 5000)) &&
+        (($(convert "$1.png" -format %c histogram:info: | grep -cE '[0-9]{4}: .*#25262C') == 0)); do
+        sleep 0.5
+    done
 }
 # point X Y [BUTTON]: clicks there with this button, or the left one.
 point() {
