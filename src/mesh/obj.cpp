@@ -24,23 +24,34 @@ bool continues(std::string_view line) {
     return true;
 }
 
+/// What a line is about, by its first word. All other lines are skipped.
+enum class ObjLine { none, point, normal, place, face, name, material, library, surface };
+ObjLine line_of(std::string_view word) {
+    constexpr std::pair<std::string_view, ObjLine> known[]{
+        {"v", ObjLine::point},         {"f", ObjLine::face},        {"vn", ObjLine::normal}, {"vt", ObjLine::place},
+        {"g", ObjLine::name},          {"o", ObjLine::name},        {"fo", ObjLine::face},   {"surf", ObjLine::surface},
+        {"usemtl", ObjLine::material}, {"mtllib", ObjLine::library}};
+    for (const auto& [own, line] : known)
+        if (own.size() == word.size() && own[0] == word[0] && (own.size() == 1 || own == word)) return line;
+    return ObjLine::none;
+}
+
 class ObjReader {
   public:
     explicit ObjReader(const Source& source) : source(source), faces(source, mesh) {}
 
     MeshData read() {
         // Faces may name points that come after them.
-        for_lines([&](std::string_view keyword, Words& words) {
-            if (keyword == "v") read_point(words);
-            if (keyword == "vn") mesh.normals.push_back(words.vector());
-            if (keyword == "vt") read_place(words);
+        for_lines([&](ObjLine line, Words& words) {
+            if (line == ObjLine::point) read_point(words);
+            if (line == ObjLine::normal) mesh.normals.push_back(words.vector());
+            if (line == ObjLine::place) read_place(words);
         });
-        for_lines([&](std::string_view keyword, Words& words) {
-            points += keyword == "v", normals += keyword == "vn", places += keyword == "vt";
-            if (keyword == "f" || keyword == "fo") read_face(words);
-            if (keyword == "g" || keyword == "o" || keyword == "usemtl" || keyword == "mtllib")
-                read_name(keyword, words);
-            if (keyword == "surf") source.lose({"skipped ", "curved surface", ""}, [&] { return words.line(); });
+        for_lines([&](ObjLine line, Words& words) {
+            points += line == ObjLine::point, normals += line == ObjLine::normal, places += line == ObjLine::place;
+            if (line == ObjLine::face) read_face(words);
+            if (line == ObjLine::name || line == ObjLine::material || line == ObjLine::library) read_name(line, words);
+            if (line == ObjLine::surface) source.lose({"skipped ", "curved surface", ""}, [&] { return words.line(); });
         });
         if (mesh.triangles.empty()) source.fail("there are no faces in this file; a mesh needs lines 'f'");
         faces.finish();
@@ -55,7 +66,7 @@ class ObjReader {
     void read_point(Words& words);
     void read_place(Words& words);
     void read_face(Words& words);
-    void read_name(std::string_view keyword, Words& words);
+    void read_name(ObjLine line, Words& words);
     void begin_run();
     void read_corner(std::string_view word, const Words& words);
     std::int32_t resolved(std::int64_t index, std::size_t all, std::size_t so_far, const char* noun,
@@ -72,27 +83,26 @@ class ObjReader {
     Numbers names, materials;
 };
 
-/// Calls `read` with the first word of each line and those that follow.
+/// Calls `read` with what each line is about and the words after the first.
 template <class Read>
 void ObjReader::for_lines(Read read) {
-    constexpr std::array<std::string_view, 10> known{"v", "f", "vn", "vt", "g", "o", "fo", "usemtl", "mtllib", "surf"};
-    constexpr std::array<std::string_view, 3> whole{"g", "o", "usemtl"};  // such a line may end in a backslash
     const std::string_view bytes = source.bytes;
     // A file may end some of its lines in one way and some in another. One search for both characters would be slower.
     const auto end_of_line = [&](std::size_t start) {
-        const std::size_t end = std::min(bytes.find('\n', start), bytes.size());
-        return std::min(bytes.substr(0, end).find('\r', start), end);
+        const std::size_t feed = bytes.find('\n', start), end = feed == bytes.npos ? bytes.size() : feed;
+        const std::size_t carriage = bytes.substr(0, end).find('\r', start);
+        return carriage == bytes.npos ? end : carriage;
     };
     for (std::size_t start = 0; start < bytes.size();) {
         std::size_t end = end_of_line(start);
         Words words(source, bytes.substr(start, end - start));
-        const std::string_view keyword = words.next();
-        if (std::ranges::find(known, keyword) != known.end()) {
-            const bool named = std::ranges::find(whole, keyword) != whole.end();
+        if (const ObjLine line = line_of(words.next()); line != ObjLine::none) {
+            const bool named = line == ObjLine::name || line == ObjLine::material;  // may end in a backslash
             while (!named && end < bytes.size() && continues(bytes.substr(start, end - start)))
                 end = end_of_line(end + (bytes.substr(end, 2) == "\r\n" ? 2 : 1));
             words = Words(source, bytes.substr(start, end - start));
-            read(words.next(), words);
+            words.next();
+            read(line, words);
         }
         start = end + 1;
     }
@@ -101,7 +111,7 @@ void ObjReader::for_lines(Read read) {
 /// Reads x, y, z. After them may stand a weight, which means nothing here, and a colour.
 void ObjReader::read_point(Words& words) {
     const DVec3 point = words.vector();
-    if (const std::string fault = Source::fault(point); !fault.empty()) words.fail("this point " + fault);
+    if (!Source::in_range(point)) words.fail("this point " + Source::fault(point));
     source.check_points(mesh.points.size() + 1);
     mesh.points.push_back(point);
     std::array<std::string_view, 4> more;
@@ -120,9 +130,9 @@ void ObjReader::read_point(Words& words) {
 }
 
 /// Reads the name of a group, an object or a material, or of a file of materials.
-void ObjReader::read_name(std::string_view keyword, Words& words) {
+void ObjReader::read_name(ObjLine line, Words& words) {
     if (!source.look) {
-        if (keyword == "mtllib")
+        if (line == ObjLine::library)
             source.lose({"read no materials: the mesh has that of the scene; ignored ", "line", " 'mtllib'"},
                         [&] { return words.line(); });
         return;
@@ -133,9 +143,9 @@ void ObjReader::read_name(std::string_view keyword, Words& words) {
         if (is_new) list.emplace_back(name);
         return known->second;
     };
-    if (keyword == "mtllib")
+    if (line == ObjLine::library)
         source.look->libraries.emplace_back(name);
-    else if (keyword == "usemtl")
+    else if (line == ObjLine::material)
         run.material = name.empty() ? -1 : number_in(source.look->materials, materials);
     else
         run.name = name.empty() ? -1 : number_in(source.look->names, names);
@@ -158,8 +168,7 @@ void ObjReader::read_place(Words& words) {
     double v = 0;
     const std::string_view word = words.next();
     if (!word.empty() && word[0] != '#' && !read_number(word, v)) words.fail(quoted(word) + " is not a number");
-    const std::string fault = Source::fault({u, v, 0});
-    if (!fault.empty() && !std::isnan(u + v)) words.fail("this place " + fault);
+    if (!Source::in_range({u, v, 0}) && !std::isnan(u + v)) words.fail("this place " + Source::fault({u, v, 0}));
     source.check_points(mesh.places.size() + 1);
     mesh.places.push_back({u, v});
 }

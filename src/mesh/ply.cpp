@@ -203,8 +203,9 @@ class PlyReader {
     }
     /// Fails if a place in a picture is out of range. One that is not a number is left to Faces.
     MeshData::Place checked(const MeshData::Place& place) {
-        const std::string fault = Source::fault({place[0], place[1], 0});
-        if (!fault.empty() && !std::isnan(place[0] + place[1])) values.fail("in a picture, " + here() + " " + fault);
+        const DVec3 point{place[0], place[1], 0};
+        if (!Source::in_range(point) && !std::isnan(place[0] + place[1]))
+            values.fail("in a picture, " + here() + " " + Source::fault(point));
         return place;
     }
     void skip_element() {
@@ -269,7 +270,7 @@ void PlyReader<Values>::read_vertices() {
                 colors->take(i, own, source.look->point_colors[number]);
         }
         const DVec3 point{v[0], v[1], v[2]};
-        if (const std::string fault = Source::fault(point); !fault.empty()) values.fail(here() + " " + fault);
+        if (!Source::in_range(point)) values.fail(here() + " " + Source::fault(point));
         mesh.points[number] = point;
         if (smooth) mesh.normals[number] = {v[3], v[4], v[5]};
         if (place < others) mesh.places[number] = checked({v[place], v[place + 1]});

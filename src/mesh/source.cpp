@@ -30,8 +30,6 @@ std::string Source::line_at(const char* at) const {
 }
 
 std::string Source::fault(const DVec3& point) {
-    const auto fine = [](double c) { return c >= -1e9 && c <= 1e9; };  // as in scenes; false for NaN
-    if (fine(point.x) && fine(point.y) && fine(point.z)) return "";
     return "lies at " + text_of(point) + "; coordinates are from -1e9 to 1e9";
 }
 

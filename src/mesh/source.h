@@ -49,7 +49,12 @@ struct Source {
     void lose(const Loss& loss, const Where& where, std::uint64_t count = 1) const { losses.add(loss, count, where); }
     /// "in line 12"
     std::string line_at(const char* at) const;
-    /// Why a point is invalid, or "".
+    /// Are all coordinates as in scenes? False for NaN.
+    static bool in_range(const DVec3& point) {
+        const auto fine = [](double c) { return c >= -1e9 && c <= 1e9; };
+        return fine(point.x) && fine(point.y) && fine(point.z);
+    }
+    /// Why a point that is not in range is invalid.
     static std::string fault(const DVec3& point);
     /// Fail if there are more than the limits allow.
     void check_triangles(std::uint64_t count) const;

@@ -12,6 +12,28 @@ namespace {
 constexpr std::size_t header_size = 84, triangle_size = 50;
 constexpr std::uint32_t unknown_count = 0xffff'ffff;
 
+/// Numbers points as PointJoiner does. Triangles that follow each other share points: a small table, which stays in the
+/// cache, holds the numbers of those that came last.
+class CornerJoiner {
+  public:
+    explicit CornerJoiner(std::size_t expected = 0) : joiner(expected) {}
+
+    std::int32_t number_of(const DVec3& point) {
+        const auto bits = [](double v) { return std::bit_cast<std::uint64_t>(v); };
+        const std::uint64_t mixed = ((bits(point.x) * 3 + bits(point.y)) * 5 + bits(point.z)) * 0x9E3779B97F4A7C15u;
+        std::int32_t& late = recent[mixed >> (64 - index_bits)];
+        const std::vector<DVec3>& known = joiner.points();
+        if (static_cast<std::size_t>(late) < known.size() && known[late] == point) return late;
+        return late = joiner.number_of(point);
+    }
+    std::vector<DVec3>& points() { return joiner.points(); }
+
+  private:
+    static constexpr int index_bits = 15;
+    PointJoiner joiner;
+    std::vector<std::int32_t> recent = std::vector<std::int32_t>(std::size_t(1) << index_bits);
+};
+
 /// The number of triangles in the header of a binary file.
 std::uint64_t announced(std::string_view bytes) { return get_little<std::uint32_t>(bytes, header_size - 4); }
 
@@ -64,7 +86,7 @@ MeshData read_binary(const Source& source) {
             {"ignored the colours of ", "triangle", ""}, [] { return std::string("by 'COLOR=' at its start"); }, count);
     source.check_triangles(count);
     MeshData mesh;
-    PointJoiner points(count / 2);  // as many as a closed surface has
+    CornerJoiner points(count / 2);  // as many as a closed surface has
     mesh.triangles.resize(count);
     if (colored && source.look) read_colors(source, count);
     for (std::uint64_t i = 0; i < count; ++i) {
@@ -73,8 +95,8 @@ MeshData read_binary(const Source& source) {
             DVec3 point;
             for (int c = 0; c < 3; ++c, place += 4)
                 point[c] = std::bit_cast<float>(get_little<std::uint32_t>(bytes, place));
-            if (const std::string fault = Source::fault(point); !fault.empty())
-                source.fail("a corner of triangle " + std::to_string(i) + " (counted from 0) " + fault);
+            if (!Source::in_range(point))
+                source.fail("a corner of triangle " + std::to_string(i) + " (counted from 0) " + Source::fault(point));
             corner = points.number_of(point);
         }
     }
@@ -135,7 +157,7 @@ class StlText {
         for (std::int32_t& corner : corners) {
             expect("vertex");
             const DVec3 point = words.vector();
-            if (const std::string fault = Source::fault(point); !fault.empty()) words.fail("this corner " + fault);
+            if (!Source::in_range(point)) words.fail("this corner " + Source::fault(point));
             corner = points.number_of(point);
         }
         expect("endloop"), expect("endfacet");
@@ -147,7 +169,7 @@ class StlText {
     const Source& source;
     Words words;
     std::string joined;
-    PointJoiner points;
+    CornerJoiner points;
     MeshData mesh;
 };
 

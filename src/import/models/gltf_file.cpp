@@ -228,14 +228,16 @@ namespace {
 /// The type of a number in a buffer.
 struct GltfType {
     std::size_t size;
-    double (*read)(const char* at);
-    double most;  // the value that is 1 where numbers are normalised
+    void (*read)(const char* at, std::size_t count, double* to);  // reads numbers one after the other
+    double most;                                                  // the value that is 1 where numbers are normalised
 };
 template <class V>
-double read_as(const char* at) {
-    V v;
-    std::memcpy(&v, at, sizeof v);
-    return static_cast<double>(v);
+void read_as(const char* at, std::size_t count, double* to) {
+    for (std::size_t i = 0; i < count; ++i, at += sizeof(V)) {
+        V v;
+        std::memcpy(&v, at, sizeof v);
+        to[i] = static_cast<double>(v);
+    }
 }
 GltfType type_of(const GltfValue& code) {
     static_assert(std::endian::native == std::endian::little);
@@ -287,11 +289,11 @@ GltfNumbers GltfFile::numbers(const GltfValue& index, std::size_t width) {
                  std::to_string(width));
     const double factor = own["normalized"].truth(false) ? 1 / type.most : 1;
     if ((numbers_read += result.count * result.width) > most_numbers) own.fail("the model has too many numbers");
-    const auto put = [&](std::size_t element, const char* at) {
-        for (std::size_t k = 0; k < result.width; ++k) {
-            const double value = factor * type.read(at + k * type.size);
-            result.values[element * result.width + k] = factor < 1 && value < -1 ? -1 : value;
-        }
+    const auto put = [&](std::size_t element, const char* at, std::size_t count = 1) {
+        double* const to = result.values.data() + element * result.width;
+        type.read(at, count * result.width, to);
+        if (factor < 1)
+            for (std::size_t k = 0; k < count * result.width; ++k) to[k] = std::max(factor * to[k], -1.);
     };
     const std::uint64_t size = type.size * result.width;
     if (const GltfValue number = own["bufferView"]) {
@@ -300,7 +302,10 @@ GltfNumbers GltfFile::numbers(const GltfValue& index, std::size_t width) {
                             stride = entry("bufferViews", number)["byteStride"].count(size, 1 << 20);
         check_room(own, data, offset, stride, size, result.count);
         result.values.resize(result.count * result.width);
-        for (std::size_t i = 0; i < result.count; ++i) put(i, data.data() + offset + i * stride);
+        if (stride == size && result.count > 0)
+            put(0, data.data() + offset, result.count);
+        else
+            for (std::size_t i = 0; i < result.count; ++i) put(i, data.data() + offset + i * stride);
     } else {
         result.values.resize(result.count * result.width);
     }
@@ -313,7 +318,8 @@ GltfNumbers GltfFile::numbers(const GltfValue& index, std::size_t width) {
         check_room(indices, places, from, index_type.size, index_type.size, count);
         check_room(values, data, at, size, size, count);
         for (std::uint64_t i = 0; i < count; ++i) {
-            const double element = index_type.read(places.data() + from + i * index_type.size);
+            double element = 0;
+            index_type.read(places.data() + from + i * index_type.size, 1, &element);
             if (!(element >= 0 && element < double(result.count)))
                 indices.fail("index " + std::to_string(i) + " is beyond the accessor");
             put(static_cast<std::size_t>(element), data.data() + at + i * size);

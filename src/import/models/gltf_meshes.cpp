@@ -88,8 +88,9 @@ std::optional<GltfPart> GltfMeshes::read_primitive(const GltfValue& own, const s
     }
     bend(attributes, joints, mesh);
     for (std::size_t i = 0; i < mesh.points.size(); ++i)
-        if (const std::string fault = Source::fault(mesh.points[i]); !fault.empty())
-            attributes["POSITION"].fail("point " + std::to_string(i) + " (counted from 0) " + fault);
+        if (!Source::in_range(mesh.points[i]))
+            attributes["POSITION"].fail("point " + std::to_string(i) + " (counted from 0) " +
+                                        Source::fault(mesh.points[i]));
 
     GltfMaterial looks;
     int number = material_number(own["material"], looks);
@@ -100,14 +101,17 @@ std::optional<GltfPart> GltfMeshes::read_primitive(const GltfValue& own, const s
             attributes[set.c_str()].fail("has another number of points than the mesh");
         for (std::size_t i = 0; i < places.count; ++i) {
             const MeshData::Place place{places(i, 0), 1 - places(i, 1)};
-            if (const std::string fault = Source::fault({place[0], place[1], 0}); !fault.empty())
-                attributes[set.c_str()].fail("point " + std::to_string(i) + " (counted from 0) " + fault);
+            if (const DVec3 point{place[0], place[1], 0}; !Source::in_range(point))
+                attributes[set.c_str()].fail("point " + std::to_string(i) + " (counted from 0) " +
+                                             Source::fault(point));
             mesh.places.push_back(place);
         }
     }
     std::vector<std::int32_t> corners;
     if (const GltfValue index = own["indices"]) {
-        for (const double corner : file.numbers(index, 1).values) {
+        const GltfNumbers numbers = file.numbers(index, 1);
+        corners.reserve(numbers.count);
+        for (const double corner : numbers.values) {
             if (!(corner >= 0 && corner < double(mesh.points.size())))
                 index.fail("names point " + std::to_string(static_cast<std::int64_t>(corner)) + "; there are " +
                            std::to_string(mesh.points.size()));

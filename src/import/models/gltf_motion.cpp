@@ -122,8 +122,8 @@ GltfMotions::GltfMotions(GltfFile& file, std::vector<std::string>& warnings) {
         if (channel.times.empty() || channel.values.count != channel.times.size() * (channel.cubic ? 3 : 1))
             sampler.fail("should have as many values as times");
         for (std::size_t k = 0; k < channel.times.size(); ++k)
-            if (!(channel.times[k] >= (k > 0 ? channel.times[k - 1] : 0)) || channel.times[k] > 1e6)
-                sampler["input"].fail("times should ascend from 0 to 1e6");
+            if (!(channel.times[k] >= (k > 0 ? channel.times[k - 1] : -1e6)) || channel.times[k] > 1e6)
+                sampler["input"].fail("times should ascend, and be at most 1e6");
         seconds = std::max(seconds, channel.times.back());
         channels[std::size_t(node)].push_back(std::move(channel));
     }
@@ -188,10 +188,11 @@ std::vector<MotionKey> GltfMotions::keys(std::size_t node, const GltfPlace& rest
     bool between = false;  // the places between two keys are not on a line
     for (const NodeChannel& channel : own->second) {
         if (channel.path == Path::weights) continue;
-        times.insert(channel.times.begin(), channel.times.end());
+        // Some files begin before 0, which is not seen.
+        for (const double time : channel.times) times.insert(std::max(time, 0.));
         between |= channel.steps || channel.cubic;
         for (std::size_t k = 1; channel.steps && k < channel.times.size(); ++k)
-            times.insert(std::max(channel.times[k] - 1e-4, channel.times[k - 1] + 1e-6));
+            times.insert(std::max({channel.times[k] - 1e-4, channel.times[k - 1] + 1e-6, 0.}));
     }
     if (times.empty()) return {};
     // Motions are curves through their keys: more keys keep these near the lines of the file.

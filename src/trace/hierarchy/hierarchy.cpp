@@ -136,10 +136,11 @@ class HierarchyBuilder {
     /// Completes a part whose items and extents are known: if it has few items it may become a leaf.
     BinaryNode finished(BinaryNode part) const {
         if (part.count() > leaf_items) return part;
-        part.cut = cut_of(part);
         const float area = part.extents.all.half_area();
         const float each = triangles(first_of(part)->form) ? triangle_cost : item_cost;
-        part.leaf = !(area + each * part.cut.cost < each * static_cast<float>(part.count()) * area);
+        const float whole = each * static_cast<float>(part.count());
+        if (whole > 1 || alone(first_of(part)->form)) part.cut = cut_of(part);  // else no cut pays
+        part.leaf = !(area + each * part.cut.cost < whole * area);
         if (part.leaf) {
             const auto [least, most] = std::minmax_element(
                 first_of(part), last_of(part), [](const ItemBox& a, const ItemBox& b) { return a.form < b.form; });

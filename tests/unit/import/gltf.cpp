@@ -183,20 +183,27 @@ TEST_CASE("glTF: nodes that move") {
  "componentType": 5126, "count": 3, "type": "SCALAR"}])");
     text = with(text, "\"byteLength\": 8", "\"byteLength\": 20"),
     text = with(text, "\"byteLength\": 52", "\"byteLength\": 64");
-    text = with(text, uri_of(data), uri_of(data + bytes_of<float>({0, 1, 2})));
-    const Model model = model_of(text);
+    const auto model_with = [&](std::initializer_list<float> times) {
+        return model_of(with(text, uri_of(data), uri_of(data + bytes_of<float>(times))));
+    };
+    const Model model = model_with({0, 1, 2});
     CHECK(model.seconds == 2);
-    const auto& motion = std::get<Motion>(model.parts[0].transformations.at(0));
-    const auto at_time = [&](double time) {
-        for (const MotionKey& key : motion.keys)
+    const auto place = [](const Model& of, double time) {
+        for (const MotionKey& key : std::get<Motion>(of.parts[0].transformations.at(0)).keys)
             if (std::abs(key.time - time) < 1e-9) return key.translate;
         return DVec3(1e9);
     };
+    const auto at_time = [&](double time) { return place(model, time); };
     CHECK(at_time(0) == DVec3(0));
     CHECK(at_time(1) == DVec3(1, 0, 0));
     CHECK(at_time(2) == DVec3(0, 1, 0));
     CHECK(length(at_time(.5) - DVec3(.5, 0, 0)) < 1e-9);
     CHECK(staged(model, 1).flythrough->duration == 2);
+    // What is before 0 is not seen.
+    const Model early = model_with({-1, 1, 2});
+    CHECK(early.seconds == 2);
+    CHECK(place(early, 0) == DVec3(.5, 0, 0));
+    CHECK(std::get<Motion>(early.parts[0].transformations.at(0)).keys[0].time == 0);
 }
 
 TEST_CASE("glTF: skins and morph targets as they rest") {
