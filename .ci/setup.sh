@@ -5,11 +5,16 @@
 build_packages=(g++ cmake ninja-build pkg-config libglfw3-dev libgl-dev libglm-dev libopenimageio-dev zlib1g-dev
     libpng-dev libturbojpeg0-dev libfreetype-dev libimgui-dev libcli11-dev nlohmann-json3-dev libopenal-dev
     libvorbis-dev)
+# Debian 12's own clang is older than 16, which the sanitize preset needs; 13 has no 16.
+clang=$(
+    # shellcheck source=/dev/null
+    source "${SYSTEMD_OS_RELEASE-/etc/os-release}" 2>/dev/null || true
+    [[ ${ID-} == debian && ${VERSION_ID-} != 12 ]] && echo 19 || echo 16
+)
 test_packages=(doctest-dev povray povray-includes ffmpeg xvfb xauth libgl1-mesa-dri xdotool imagemagick
-    openimageio-tools parallel dpkg-dev clang-format)
-attack_packages=(clang-16 libclang-rt-16-dev)
+    openimageio-tools parallel dpkg-dev clang-format "clang-$clang" "libclang-rt-$clang-dev")
 # Lists the names of each package in Debian, Fedora, Arch and openSUSE; "-" stands where a system may have none.
-names_elsewhere='
+names_elsewhere="
 g++               gcc-c++                 gcc              gcc-c++
 cmake             cmake                   cmake            cmake
 ninja-build       ninja-build             ninja            ninja
@@ -40,7 +45,9 @@ openimageio-tools -                       openimageio      -
 parallel          parallel                parallel         gnu_parallel
 dpkg-dev          -                       dpkg             -
 clang-format      clang-tools-extra       clang            clang
-'
+clang-$clang          clang                   clang            clang
+libclang-rt-$clang-dev compiler-rt            compiler-rt      -
+"
 
 say() { printf 'strahl: %s\n' "$*" >&2; }
 die() {

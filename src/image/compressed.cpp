@@ -12,14 +12,10 @@
 #include <new>
 #include <string_view>
 
-#include "files/os/memory.h"
+#include "image/recognise.h"
 
 namespace strahl {
 namespace {
-
-[[noreturn]] void fail(const RegularFile& file, std::string_view why) {
-    throw FileError("cannot read '" + file.path() + "' as a picture: " + std::string(why));
-}
 
 template <class Code>
 struct Codes {
@@ -82,16 +78,6 @@ void read_header(png_structp png, png_infop info) {
     png_read_update_info(png, info);
 }
 
-/// Returns why a picture of this size is not read, or "": it has more than `most` values, or needs more memory than
-/// there is. `bytes` are those of a value in the file's own type.
-std::string size_fault(std::uint64_t width, std::uint64_t height, unsigned channels, std::uint64_t most,
-                       std::size_t bytes) {
-    const std::string size = std::to_string(width) + "x" + std::to_string(height) + " pixels";
-    if (width * height > most / channels) return "its " + size + " are more than are read or than fit into such a file";
-    const double needed = double(width * height) * channels * double(sizeof(double) + bytes);
-    return needed > os::available_memory() ? "there is not enough memory for its " + size : "";
-}
-
 }  // namespace
 
 Picture read_png(const RegularFile& file, std::uint64_t most) {
@@ -103,16 +89,15 @@ Picture read_png(const RegularFile& file, std::uint64_t most) {
             width = png_get_image_width(own, info), height = png_get_image_height(own, info);
             channels = png_get_channels(own, info), bits = png_get_bit_depth(own, info);
         }))
-        fail(file, png.fault());
-    if (const std::string fault = size_fault(width, height, channels, most, bits / 8); !fault.empty())
-        fail(file, fault);
+        fail_reading(file.path(), png.fault());
+    require_room(file.path(), {width, height, channels, bits / 8}, most);
     Picture picture{int(width), int(height), int(channels), {}, int(bits)};
     const auto decode = [&]<class Code>(Codes<Code> codes) {
         std::vector<png_bytep> rows(height);
         for (std::size_t y = 0; y < height; ++y)
             rows[y] = reinterpret_cast<png_bytep>(&codes.codes[y * width * channels]);
         if (!png.completes([&](png_structp own, png_infop) { png_read_image(own, rows.data()); }))
-            fail(file, png.fault());
+            fail_reading(file.path(), png.fault());
         picture.values = codes.values();
     };
     const std::size_t count = std::size_t(width) * height * channels;
@@ -132,14 +117,14 @@ Picture read_jpeg(const RegularFile& file, std::uint64_t most) {
     const auto check = [&](int failed) {
         if (!failed) return;
         const std::string_view why = tjGetErrorStr2(decoder.get());
-        if (tjGetErrorCode(decoder.get()) == TJERR_FATAL || why.find("Premature end") != why.npos) fail(file, why);
+        if (tjGetErrorCode(decoder.get()) == TJERR_FATAL || why.find("Premature end") != why.npos)
+            fail_reading(file.path(), std::string(why));
     };
     int width = 0, height = 0, sampling = 0, space = 0;
     check(tjDecompressHeader3(decoder.get(), coded, bytes.size(), &width, &height, &sampling, &space));
     const bool inks = space == TJCS_CMYK || space == TJCS_YCCK, grey = space == TJCS_GRAY;
     const unsigned stored = inks ? 4 : grey ? 1 : 3;
-    const std::string fault = size_fault(unsigned(width), unsigned(height), stored, most, 1);
-    if (!fault.empty()) fail(file, fault);
+    require_room(file.path(), {unsigned(width), unsigned(height), stored, 1}, most);
     Codes<std::uint8_t> codes{std::size_t(width) * unsigned(height) * stored};
     check(tjDecompress2(decoder.get(), coded, bytes.size(), codes.codes.get(), width, 0, height,
                         inks   ? TJPF_CMYK

@@ -129,7 +129,7 @@ Picture read_picture(const std::string& path, std::uint64_t most) {
     Picture picture;
     std::string reason;
     if (!library().decode({path, format.library_name, most, os::available_memory()}, picture, reason))
-        throw FileError("cannot read '" + path + "' as a picture: " + reason.substr(0, reason.find('\n')));
+        fail_reading(path, reason.substr(0, reason.find('\n')));
     return picture;
 }
 

@@ -54,7 +54,7 @@ std::optional<std::uint64_t> jpeg_values(const RegularFile& file) {
 }  // namespace
 
 PictureFormat recognised(const RegularFile& file) {
-    const auto fail = [&](const std::string& why) { throw FileError("cannot read '" + file.path() + "': " + why); };
+    const auto fail = [&](const std::string& why) { fail_reading(file.path(), why); };
     const std::string start = file.bytes(0, BmpHeader::size);
     const std::string pieces = "its header announces more than is in the file",
                       pixels = "its header announces more pixels than fit into such a file";

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "files/os/memory.h"
+#include "image/recognise.h"
 #include "image/uncompressed.h"
 #include "num/turn_rows.h"
 
@@ -17,9 +17,7 @@ using Pixel = std::array<unsigned char, 4>;  // red, green, blue, opacity
 class Bytes {
   public:
     Bytes(const RegularFile& file, std::uint64_t place) : file(file), begin(place) {}
-    [[noreturn]] void fail(const std::string& why) const {
-        throw FileError("cannot read '" + file.path() + "' as a picture: " + why);
-    }
+    [[noreturn]] void fail(const std::string& why) const { fail_reading(file.path(), why); }
     unsigned next() {
         if (at == part.size()) {
             begin += part.size(), at = 0, part = file.bytes(begin, 65536);
@@ -56,9 +54,7 @@ Picture read_targa(const RegularFile& file, std::uint64_t most) {
     const bool grey = bits == 8, alpha = bits == 16 || bits == 32;
     const unsigned channels = (grey ? 1 : 3) + alpha;
     const std::uint64_t pixels = std::uint64_t(header.width) * header.height;
-    if (channels * pixels > most || 8. * double(channels * pixels) > os::available_memory())
-        bytes.fail("it has " + std::to_string(header.width) + "x" + std::to_string(header.height) +
-                   " pixels, which are too many for the file or the memory");
+    require_room(file.path(), {header.width, header.height, channels, 0}, most);
     std::vector<Pixel> palette(header.palette_size);
     for (Pixel& own : palette) own = bytes.color(header.palette_bits);
     const auto next = [&]() -> Pixel {

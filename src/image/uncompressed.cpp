@@ -8,7 +8,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "files/os/memory.h"
+#include "image/recognise.h"
 
 namespace strahl {
 namespace {
@@ -31,9 +31,7 @@ class HeaderWords {
   public:
     explicit HeaderWords(const RegularFile& own_file) : file(own_file) {}
 
-    [[noreturn]] void fail(const std::string& why) const {
-        throw FileError("cannot read '" + file.path() + "' as a picture: " + why);
-    }
+    [[noreturn]] void fail(const std::string& why) const { fail_reading(file.path(), why); }
     /// Reads the header to its end.
     ValueLayout read() {
         const std::string start = file.bytes(0, BmpHeader::size);
@@ -144,12 +142,9 @@ Picture read_uncompressed(const RegularFile& file, std::uint64_t most) {
     HeaderWords header(file);
     const ValueLayout layout = header.read();
     const auto row = std::size_t(layout.width) * unsigned(layout.channels);
-    const std::uint64_t values = std::uint64_t(row) * unsigned(layout.height);
-    if (values > most || 8. * double(values) > os::available_memory())
-        header.fail("it has " + std::to_string(layout.width) + "x" + std::to_string(layout.height) +
-                    " pixels, which are too many for the file or the memory");
+    require_room(file.path(), {unsigned(layout.width), unsigned(layout.height), unsigned(layout.channels), 0}, most);
     Picture picture{layout.width, layout.height, layout.channels, {}, layout.bits};
-    picture.values.resize(values);
+    picture.values.resize(row * unsigned(layout.height));
     if (layout.words) {
         for (double& own : picture.values) own = header.value(layout);
         return picture;

@@ -35,8 +35,8 @@ struct OpenedPov {
     SourceLines lines{};
     bool mirrored = false;           // the scene is the file's mirror image in z
     double background_opacity = 0;   // in a picture with alpha; skies are opaque from version 3.7 on
-    bool clock_used = false;         // see Interpreter
-    bool size_used = false;          // see Interpreter
+    bool clock_used = false;         // the text asks for the clock or the number of a frame
+    bool size_used = false;          // it asks for image_width or image_height
     std::vector<PovNote> notes;      // in the order of files and lines, each once
     std::vector<Message> warnings;   // about the text itself
     std::vector<std::string> files;  // all that were read, the scene's first

@@ -42,7 +42,7 @@ struct OpenedScene {
     double background_opacity = 0;     // in a picture with alpha, as POV-Ray has it
     bool changes = false;              // a .pov that uses its clock, or a model that bends: read again for each moment
     bool sized = false;                // a .pov that asks for the picture's size: it is another scene in each size
-    std::optional<double> clock;       // of a .pov: its value, if POV-Ray's clock is on
+    std::optional<double> clock{};     // of a .pov: its value, if POV-Ray's clock is on
     std::optional<std::pair<int, int>> frames{};  // the first and the last that an .ini file gives
 };
 

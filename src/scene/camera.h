@@ -46,15 +46,15 @@ struct Camera {
     double fov = 25;     // degrees between the viewing axis and the left or right edge: below 90 or, if angular, to 360
     std::optional<double> aspectratio;  // picture width / height; without it the picture's own
     Projection projection = Projection::perspective;
-    double aperture = 0;             // the radius of the lens; 0 for a pinhole, to which everything is sharp
-    std::optional<double> focus;     // the distance of the plane that is sharp, along the viewing direction,
-    std::optional<DVec3> focus_on;   // or a point of it; without either it goes through look_at
-    std::optional<double> blades;    // corners of a lens that is a regular polygon; without them it is round
-    double shutter = 0;              // time for which it is open, half of it before its time; 0: a moment
-    bool shutter_in_frames = false;  // that is a share of the time from frame to frame, and not in seconds
+    double aperture = 0;              // the radius of the lens; 0 for a pinhole, to which everything is sharp
+    std::optional<double> focus{};    // the distance of the plane that is sharp, along the viewing direction,
+    std::optional<DVec3> focus_on{};  // or a point of it; without either it goes through look_at
+    std::optional<double> blades{};   // corners of a lens that is a regular polygon; without them it is round
+    double shutter = 0;               // time for which it is open, half of it before its time; 0: a moment
+    bool shutter_in_frames = false;   // that is a share of the time from frame to frame, and not in seconds
     Stereo stereo = Stereo::none;
-    double eye_distance = 0;            // of both eyes, in stereo; the position is between them
-    std::optional<double> convergence;  // distance of what both see at the same place; none if they look in parallel
+    double eye_distance = 0;              // of both eyes, in stereo; the position is between them
+    std::optional<double> convergence{};  // distance of what both see at the same place; none if they look in parallel
     bool operator==(const Camera&) const = default;
 };
 /// A moment of a scene, in seconds, as its camera sees it.

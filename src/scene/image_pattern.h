@@ -44,7 +44,7 @@ struct ImagePattern {
     ImageMap map = ImageMap::planar;
     /// The colour outside of the picture, where u or v is not from 0 to 1. Without it the picture repeats and its edges
     /// join, also at the poles: within half a pixel of a pole its top and its bottom mix.
-    std::optional<Color> once;
+    std::optional<Color> once{};
     bool sharp = false;  // each pixel is a rectangle of its colour
 
     static constexpr const char* name = "image";

@@ -46,7 +46,7 @@ struct Light {
     /// these are means over its points as POV-Ray takes them, by corners of quarters: with `adaptive` quarters are
     /// divided so often, and from then on only if the light of their corners differs. `circular` rounds the grid, and
     /// `orient` turns it towards the points that it lights. With `jitter` the light of each point comes evenly from all
-    /// places up to half way to the next points, as much as those points count if all quarters are divided.
+    /// places up to half way to the next points, as much as those points count: the mean over all places.
     bool soft = false, circular = false, orient = false, jitter = false;
     double adaptive = 100;
     std::optional<DVec3> from{};

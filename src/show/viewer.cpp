@@ -148,7 +148,7 @@ void Viewer::perform(Command command) {
         case Action::lights:
             return bodies.toggle_lights();
         case Action::edit_camera:
-            if (!file.waiting()) bodies.choose_camera();
+            if (!file.waiting()) bodies.choose_camera(), panels.prefer_body();
             return;
         case Action::focus:
             if (!file.waiting()) bodies.begin_focusing();
@@ -307,12 +307,13 @@ void Viewer::apply(const TimelineInput& done) {
 
 void Viewer::apply(const BodyInput& done) {
     if (done.command) perform(*done.command);
+    if (done.track) panels.prefer_timeline();
     bodies.apply(done);
 }
 
 void Viewer::apply(const OutlinerInput& done) {
     if (done.message) bodies.open_text(*done.message);
-    if (done.choose) panels.forget_key();
+    if (done.choose) panels.forget_key(), panels.prefer_body();
     bodies.apply(done);
 }
 
@@ -321,7 +322,7 @@ void Viewer::click(double x, double y, bool adds) {
     const ScreenArea area = screen.area();
     const bool on_picture = x >= area.x && y >= area.y && x < area.x + area.width && y < area.y + area.height;
     if (file.waiting() || screen.width() == 0 || !on_picture || in_other_view(x)) return;
-    panels.forget_key(), panels.keep_clear(x);
+    panels.forget_key(), panels.keep_clear(x), panels.prefer_body();
     bodies.click(session.view(screen.width(), screen.height()), in_picture(x, y), 2 * screen.pixels_to_reach(), adds);
 }
 
@@ -373,7 +374,8 @@ double Viewer::next_draw() const {
 
 void Viewer::draw() {
     const double began = pace.now();
-    notes.expire(), file.expire();
+    const bool notes_gone = notes.expire();
+    file.expire();
     panels.toolbar_rests = pace.moving() && input.pointer_rests();
     const std::uint64_t before = picture.state().number;
     const bool update = picture.take([this](const Fresh& fresh) {
@@ -382,6 +384,7 @@ void Viewer::draw() {
         if (options.benchmark) recordings.keep_flown(fresh, session);
     });
     screen.show_second(side.image(), side.divider().second_area(screen.area()), side.divider().other_view());
+    panels.arrange(bodies.editor());
     const Overlay over = overlay();
     TimelineInput done;
     BodyInput on_body;
@@ -405,6 +408,7 @@ void Viewer::draw() {
     });
     input.release_keys();
     bodies.log_drawn();
+    if (notes_gone) notes.log("notes have disappeared");
     pace.drawn(began);
     const Refinement& state = picture.state();
     if (pace.moving() && state.number != before) {
@@ -512,7 +516,7 @@ Overlay Viewer::overlay() const {
                                   session.view(screen.width(), screen.height()));
     overlay.share = state.share, overlay.notes_below = panels.gallery;
     overlay.fault = file.fault(), overlay.fault_title = file.fault_title();
-    if (panels.info && !panels.help) overlay.info = info_lines(session, pace, picture);
+    if (panels.info_shown()) overlay.info = info_lines(session, pace, picture);
     if (session.recording()) overlay.notes.push_back({"recording; " + notes.key(Action::record) + " ends it"});
     if (bodies.focusing())
         overlay.notes.push_back({"click what is to be sharp; " + notes.key(Action::back) + " ends this"});

@@ -89,7 +89,11 @@ bool supported(Simd simd) {
     if (simd == Simd::v3 &&
         !(__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2")))
         return false;
-    if (simd == Simd::v4 && !__builtin_cpu_supports("x86-64-v4")) return false;
+    // clang 16 does not know "x86-64-v4".
+    if (simd == Simd::v4 && !(__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+                              __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
+                              __builtin_cpu_supports("avx512vl")))
+        return false;
 #endif
     return built(simd);
 }

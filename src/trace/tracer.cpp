@@ -119,7 +119,7 @@ class TracerOf : public AnyTracer {
     /// Traces a piece of a picture in the thread whose number is given.
     template <class Piece>
     using Work = std::function<void(Batches<T>&, const Piece&, int)>;
-    /// Says what pieces are made of: rays through single places, cells and nets, or nets alone.
+    /// Says which rays a piece of a picture gets: those through single places, of cells and nets, or of nets alone.
     enum class RayPlaces { single, cells, nets };
 
     Counts traced(const Job& job, const Lattice& lattice) { return each_pixel(job, lattice, 0); }

@@ -50,7 +50,7 @@ head -c 3000 /dev/urandom >noise.png
   printf '\x01\x00\x18\x00'; head -c 1000 /dev/zero; } >forged.bmp
 textured="$camera\nsphere { <0,0,0>, 1  material { rgb image"
 broken 2:46 "cannot read 'none.png': there is no such file" "$textured { \"none.png\" } } }"
-broken 2:46 "cannot read 'cut.png': its header announces more than is in the file" "$textured { \"cut.png\" } } }"
+broken 2:46 "cannot read 'cut.png' as a picture: its header announces more than is in the file" "$textured { \"cut.png\" } } }"
 broken 2:46 "cannot read 'half.png' as a picture" "$textured { \"half.png\" } } }"
 broken 2:46 "noise.png' is not a .bmp, .png, .exr, .jpg, .gif, .tga, .ppm, .pgm or .pfm file" "$textured { \"noise.png\" } } }"
 broken 2:46 "it has 40000x1 pixels; each side may have at most 32768" "$textured { \"wide.png\" } } }"

@@ -66,6 +66,38 @@ listed "$read_formats" src/text/README.md 'An `image` is a picture file' 'With t
 listed "$read_formats" assets/FAQ.md 'It reads' 'files'
 listed "$written" assets/FAQ.md 'Can it write JPEG' 'convert'
 listed "$written" src/main/commands.md 'renders a picture' 'or a \[film'
+# Those that OpenImageIO decodes; models; films.
+constants() { grep -oP "$2" "$source_folder/src/$1" | grep -oP '"\.?\K[a-z0-9]+(?=")' | sed 's/openexr/exr/; s/^/./' | sort -u | xargs; }
+endings() { grep -oP '(?<!\w)\.[a-z]+[0-9]?\b' | sort -u | xargs; }
+by_library=$(constants image/recognise.cpp 'nullptr, "[a-z]+"')
+models=$(constants import/models/model.cpp 'endings\{.*\}')
+films=$(constants image/film.cpp 'ending == "[.a-z0-9]+"')
+[[ $by_library == *.exr* && $models == *.obj* && $films == *.mp4* ]] || fault "no formats: $by_library; $models; $films"
+listed "$by_library" src/building.md 'To read' 'and to write'
+listed "$by_library" tests/attack/promises.md 'are decoded by OpenImageIO:' '\. '
+listed "$models" README.md 'camera, light and floor for' 'files'
+listed "$models" src/main/commands.md 'a \[model\]\(../import/models/README.md\),' '\. '
+listed "$films" src/main/commands.md 'or a \[film' '\|'
+
+# Options of Strahl that pages for users name are those of some command, and keys those of the window.
+for command in '' $(offered); do "$strahl" $command --help; done | grep -oP '(?<![\w-])--[a-z][a-z-]*' | sort -u >options
+(($(wc -l <options) > 40)) || fault "there are few options: $(xargs <options)"
+known_keys | grep -oP '^`\K[^`]*' | tr ' ' '\n' | sed 's/1-9$/1\n&/' >keys
+users_pages=(README.md assets/{FAQ,CHANGELOG}.md src/{show,pov,import,import/models,main/lsp}/README.md src/main/*.md
+    scenes/README.md scenes/tutorial/README.md povref/README.md tests/{proof,stability}/README.md tests/attack/promises.md)
+for page in "${users_pages[@]}"; do
+    own=$(grep -ohP '(?<![\w-])--[a-z][a-z-]*' "$source_folder"/$page | sort -u | comm -23 - options | xargs)
+    [[ -z $own ]] || fault "$page names options that no command has: $own"
+done
+while read -r key; do
+    grep -qxF "$key" keys || fault "the window's page names the key $key, which does nothing"
+done < <(grep -v '^    ' "$source_folder/src/show/README.md" | grep -oP '(?<![\w+])((Ctrl|Shift)\+)+([A-Z0-9]|F[0-9]+)\b|(?<![\w+/])F[0-9]+\b' | sort -u)
+
+# The tests that the promises name are there.
+ctest --test-dir "$build_folder" -N | grep -oP '#\d+: \K.*' >tests
+while read -r test; do
+    grep -qx "$test" tests || fault "promises.md names the test $test, which is not there"
+done < <(tr '\n' ' ' <"$source_folder/tests/attack/promises.md" | grep -oP '\*\([^*]*\)\*' | grep -oP '`\K[a-z_]+(?=`)' | sort -u)
 
 # The README's figures are those of the measured tables.
 comparison=$source_folder/tests/bench/scenes/table.md

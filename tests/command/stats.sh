@@ -75,11 +75,11 @@ expect 0 "" render scene.rt -o x.bmp --size 64x48 --samples 1 --error 1e-6 --sta
 is double precision
 (($(value rays total) > few)) || fault "--error 1e-6 takes no more rays than --error 1e-1"
 expect 0 "" render scene.rt -o x.bmp --size 64x48 --samples 1 --error 0 --stats stats.json
-is 0 error allowed
+is 0.0 error allowed
 printf 'camera { position <0, -5, 1>  look_at <0, 0, 0>  up <0, 0, -1>  fov 20 } light { position <0, 0, 9>  color <1, 1, 1> }
 sphere { <0, 0, 0>, 1  material { reflection .1 } }' >one.rt
 expect 0 "" render one.rt -o x.bmp --size 64x48 --samples 1 --error 0 --stats stats.json
-is 0 error omitted  # a ball alone: no ray meets it twice, nothing is cut off
+is 0.0 error omitted  # a ball alone: no ray meets it twice, nothing is cut off
 expect 0 "" render one.rt -o x.bmp --size 64x48 --samples 1 --depth 1 --error 0 --stats stats.json
 [[ $(value error omitted) == 0.1* ]] || fault "what the second generation brings is $(value error omitted)"
 expect 2 "--error" render scene.rt -o x.bmp --error -1

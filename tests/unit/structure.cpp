@@ -51,7 +51,7 @@ const std::vector<std::pair<std::regex, std::vector<std::string>>> libraries{
     {std::regex("OpenImageIO/.*|(zlib|png|turbojpeg)\\.h"), {"image"}},
     {std::regex("(GLFW|GL|GLES[0-9]*|EGL|AL|vorbis)/.*|imgui.*"), {"show"}},
     {std::regex("CLI(11)?/.*"), {"main"}},
-    {std::regex("nlohmann/.*"), {"main", "import"}},
+    {std::regex("nlohmann/.*"), {"main", "import", "show"}},
     {std::regex("[a-z0-9]*intrin\\.h|arm_neon\\.h"), {"num"}},
     {std::regex(
          "(sys|linux|netinet|arpa)/.*|c?signal(\\.h)?|(unistd|fcntl|spawn|poll|dirent|ftw|malloc|link|dlfcn|pthread|"

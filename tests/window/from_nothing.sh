@@ -9,7 +9,7 @@
 set -uo pipefail
 source "$(dirname -- "$0")/window.sh"
 [[ -z ${2-} ]] || set -- "$1" "$(readlink -f -- "$2")"
-own_display 960x720 "import montage" "$@"
+own_display 960x720 "import compare convert montage" "$@"
 folder=${2-}
 mkdir bin
 printf '#!/bin/sh\nexit 127\n' | tee bin/zenity >bin/kdialog
@@ -20,9 +20,19 @@ export PATH=$work/bin:$PATH ALSOFT_DRIVERS=null
 # shot NAME: keeps what the window shows, for the pictures, with the toolbar; by then its notes have disappeared.
 shot() {
     [[ -z $folder ]] && return
-    xdotool mousemove --window "$id" 480 90 key ctrl+t sleep 7
+    xdotool mousemove --window "$id" 480 90 key ctrl+t key 0
+    await 'light as it is'
+    await 'notes have disappeared'
     import -window "$id" "$1.png"
-    xdotool key ctrl+t sleep 1
+    xdotool key ctrl+t
+    shows_other "$1.png"
+}
+# shot_gallery NAME: the same of the gallery, once no place for a small picture has the colour of an empty one.
+shot_gallery() {
+    [[ -z $folder ]] && return
+    until import -window "$id" "$1.png" && ! convert "$1.png" -format %c histogram:info: | grep -qE '[0-9]{4}: .*#25262C'; do
+        sleep 0.5
+    done
 }
 # point X Y [BUTTON]: clicks there with this button, or the left one.
 point() {
@@ -81,7 +91,7 @@ way() {
 
 echo "-- an empty floor, of the gallery"
 start_log 'gallery of' view --size 960x720
-shot 1
+shot_gallery 1
 xdotool key Return
 await 'a new scene: untitled.rt'
 await 'finished'

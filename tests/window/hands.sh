@@ -192,6 +192,6 @@ put "$camera" "$world" "${path//60/1}"
 "$strahl" play scene.rt --size 64x48 --benchmark --stats stats.json >log || fault "play fails: $(cat log)"
 grep -q 'median .* ms, 99th percentile .* ms, worst' log || fault "the figures of a flight: $(cat log)"
 grep -q '[1-9] pictures beside the finished ones.*RMS [0-9.]*, .*flicker' log || fault "the quality of a flight: $(cat log)"
-grep -q '"quality": { "pictures": [1-9]' stats.json || fault "the quality of a flight: $(cat stats.json)"
+grep -A 1 '"quality": {' stats.json | grep -q '"pictures": [1-9]' || fault "the quality of a flight: $(cat stats.json)"
 grep -q '"pixels_per_second": [1-9]' stats.json || fault "the statistics of a flight: $(cat stats.json)"
 finish

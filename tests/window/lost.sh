@@ -69,11 +69,20 @@ echo '// theirs' >>mine.rt
 await 'read again: mine.rt'
 [[ $(xdotool getwindowname "$id") == mine.rt* ]] || fault "the title is $(xdotool getwindowname "$id")"
 
-echo "-- D drops what is not written, and prints it"
-xdotool key p ctrl+q
+echo "-- the dialog of Save As is closed: nothing is written; D drops what is not written, and prints it"
+printf '#!/bin/sh\n: >asked\nexit 1\n' >bin/zenity
+cp mine.rt before.rt
+: >asked
+files=$(ls) && rm asked
+xdotool key p ctrl+shift+s
+until [[ -e asked ]] || ! kill -0 "$pid" 2>/dev/null; do sleep 0.05; done
+xdotool key ctrl+q
 await 'mine.rt is not written'
 quit d
 await 'a path that was not written'
+cmp before.rt mine.rt && [[ $(ls) == "$files" && $(grep -c 'scene written into' log) == 1 ]] ||
+    fault "a closed dialog wrote: $(ls)"
+printf '#!/bin/sh\necho mine.rt\n' >bin/zenity
 
 echo "-- a scene of the program stays as it is, and a copy of it becomes the user's, with names of files that still lead"
 scenes=$(readlink -f -- "$here/../../scenes")

@@ -1,5 +1,6 @@
 // The only file that includes OpenImageIO: linking it costs 0.2 s at every start, so it is a module loaded when needed.
 #include "image/picture_module.h"
+#include "image/recognise.h"
 
 // In one file only: these headers compile the fmt library into every file that includes them.
 #include <OpenImageIO/imagebuf.h>
@@ -93,15 +94,10 @@ std::string objection(const ImageSpec& spec, const strahl::Wanted& wanted) {
     constexpr int farthest = 1 << 24;  // OpenImageIO counts rows from here, many at a time, and may count past INT_MAX
     if (std::max(spec.x, spec.y) > farthest || std::min(spec.x, spec.y) < -farthest)
         return "it lies too far from the corner of its page";
-    const std::string size = std::to_string(spec.width) + "x" + std::to_string(spec.height) + " pixels";
-    const auto pixels = std::uint64_t(spec.width) * std::uint64_t(spec.height);
-    const auto channels = static_cast<unsigned>(spec.nchannels);
+    strahl::DecodedSize size{unsigned(spec.width), unsigned(spec.height), unsigned(spec.nchannels), spec.format.size()};
+    if (const std::string fault = size_fault(size, wanted.most_values, wanted.memory); !fault.empty()) return fault;
     const auto tile = std::uint64_t(std::max(1, spec.tile_width)) * std::uint64_t(std::max(1, spec.tile_height));
-    if (std::max(pixels, tile) > wanted.most_values / channels)
-        return "its " + size + ", or its tiles, are more than are read or than fit into such a file";
-    const double needed = double(pixels) * channels * (sizeof(double) + spec.format.size());
-    if (needed > wanted.memory) return "there is not enough memory for its " + size;
-    return "";
+    return tile > wanted.most_values / size.channels ? "its tiles have more pixels than fit into such a file" : "";
 }
 
 bool decode(const strahl::Wanted& wanted, strahl::Picture& picture, std::string& reason) {

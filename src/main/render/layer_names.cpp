@@ -3,7 +3,7 @@
 #include <bit>
 #include <cstdio>
 #include <memory>
-#include <set>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 namespace strahl {
@@ -15,26 +15,11 @@ std::string hex_of(std::uint32_t hash) {
     return digits;
 }
 
-/// Returns a text in quotes, as JSON has it.
-std::string in_json(const std::string& text) {
-    std::string all = "\"";
-    for (const char c : text) {
-        char code[8];
-        std::snprintf(code, sizeof code, "\\u%04x", static_cast<unsigned>(static_cast<unsigned char>(c)));
-        if (static_cast<unsigned char>(c) < ' ')
-            all += code;
-        else
-            (all += c == '"' || c == '\\' ? "\\" : "") += c;
-    }
-    return all + "\"";
-}
-
+/// Returns the names with their hashes, in JSON.
 std::string manifest_of(const std::vector<std::string>& names) {
-    std::string all = "{";
-    for (const std::string& name : std::set<std::string>(names.begin(), names.end()))
-        all += (all.size() > 1 ? "," : "") + in_json(name) + ":\"" +
-               hex_of(std::bit_cast<std::uint32_t>(id_of(murmur_hash(name)))) + "\"";
-    return all + "}";
+    nlohmann::json all = nlohmann::json::object();
+    for (const std::string& name : names) all[name] = hex_of(std::bit_cast<std::uint32_t>(id_of(murmur_hash(name))));
+    return all.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);  // of what is no UTF-8
 }
 
 std::vector<float> ids(const std::vector<std::string>& names) {

@@ -320,6 +320,9 @@ int SceneMaker::number_of(const Looks& own, const UvMapping& uv, const Way& way)
                           .both_sides = own.both_sides,
                           .group = own.group,
                           .common = own.common};
+    // POV-Ray looks for media in hollow bodies alone.
+    if (own.hollow && own.interior && own.interior->media && !use.shadow_only)
+        notes.left_out(own.interior->place, "media");
     const int number = materials.number(own.texture, own.interior, use, way);
     return materials.within(number, own.space, own.hollow && !contents.fogs.empty());
 }
@@ -450,10 +453,16 @@ std::optional<SceneMaker::Part> SceneMaker::build_turned(const ObjectThing& obje
 }
 
 /// Tells what differs in a body that one looks into where it is cut.
-void SceneMaker::tell_of_cuts(const Material& material, TextPlace place) const {
-    if (material.transmits() && material.ior != 1)
-        notes.approximated(place, "light enters a clipped body of glass where it is clipped");
-    if (!contents.fogs.empty()) notes.approximated(place, "there is no fog inside a clipped body");
+void SceneMaker::tell_of_cuts(const Primitive& body, TextPlace place) const {
+    bool clear = false, glass = false;
+    for_each_leaf(body, [&](const Primitive& leaf, const glm::dmat4&) {
+        const Material& own = materials[leaf.material];
+        const bool is_there = own.transmits() && !shows_nothing(own);
+        clear |= is_there && !own.hollow, glass |= is_there && own.ior != 1;
+    });
+    if (glass) notes.approximated(place, "light enters a clipped body of glass where it is clipped");
+    if (clear && !contents.fogs.empty())
+        notes.approximated(place, "there is no fog inside a clipped body that is clear");
 }
 
 namespace {
@@ -521,7 +530,7 @@ void SceneMaker::keep_surfaces(Primitive& whole, const Around& around, bool turn
 /// if it cannot be one.
 bool SceneMaker::close(Primitive& body, TextPlace place) {
     if (const auto* const lathe = std::get_if<Lathe>(&body.shape); lathe && lathe->open()) {
-        tell_of_cuts(materials[body.material], place);
+        tell_of_cuts(body, place);
         close_lathe(body, materials.nothing());
     }
     if (const auto* const disc = std::get_if<Disc>(&body.shape)) {
@@ -623,7 +632,7 @@ std::optional<SceneMaker::Part> SceneMaker::clipped(const ObjectThing& object, c
         return part;
     }
     const int material = part.primitive.material;
-    tell_of_cuts(materials[material], object.place);
+    tell_of_cuts(part.primitive, object.place);
     // The composite has the body's space, in which the patterns of its texture are.
     std::vector<Transformation> own, back;
     if (part.primitive.transformations == transformations_of(object.steps, mirrored)) {

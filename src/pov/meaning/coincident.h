@@ -1,5 +1,6 @@
 // Settles which of two faces in one place is seen, as it is in POV-Ray; elsewhere rounding would decide.
 #pragma once
+#include <cstddef>
 #include <vector>
 
 #include "scene/scene.h"
@@ -16,8 +17,15 @@ void keep_faces(Primitive& body);
 /// be seen through a clear body.
 void settle_faces(Scene& scene);
 
+/// The numbers of two bodies with faces in one place, the first of which is seen.
+struct SettledPair {
+    std::size_t seen, hidden;
+};
 /// Moves slanting faces of boxes and discs by a hair towards the eye that are seen before others in their plane:
 /// POV-Ray shows the one that it finds first, which is that of the body whose box along the axes a ray enters first.
-void settle_slanted_faces(Scene& scene);
+/// Decides for each pair of bodies as most rays do, and returns these pairs.
+std::vector<SettledPair> settle_slanted_faces(Scene& scene);
+/// Does POV-Ray, too, see the first body of such a pair at a point of both faces?
+bool is_seen_first(const Scene& scene, const SettledPair& pair, const DVec3& p);
 
 }  // namespace strahl::pov

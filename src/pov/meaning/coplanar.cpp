@@ -2,6 +2,7 @@
 #include <cmath>
 #include <functional>
 #include <glm/matrix.hpp>
+#include <utility>
 #include <vector>
 
 #include "pov/meaning/coincident.h"
@@ -103,14 +104,14 @@ int lead_of(const SlantedFace& a, const SlantedFace& b, const Box& box_a, const 
 
 }  // namespace
 
-void settle_slanted_faces(Scene& scene) {
+std::vector<SettledPair> settle_slanted_faces(Scene& scene) {
     constexpr std::size_t most = 100'000;  // pairs that are looked at
     const DVec3 eye = scene.camera.position;
     std::vector<SlantedFace> faces;
     for (std::size_t i = 0; i < scene.primitives.size(); ++i) add_faces(scene.primitives[i], i, eye, faces);
     std::ranges::sort(faces, {}, &SlantedFace::at);
     const bool bounded = scene.primitives.size() + scene.lights.size() > 2;  // fewer POV-Ray looks at in their order
-    std::vector<int> before(faces.size());                                   // how many others each is seen before
+    std::vector<std::pair<std::size_t, std::size_t>> order;                  // numbers of faces: seen, and hidden
     std::size_t pairs = 0;
     for (std::size_t i = 0; i < faces.size(); ++i)
         for (std::size_t k = i + 1;
@@ -119,10 +120,27 @@ void settle_slanted_faces(Scene& scene) {
             if (a.body == b.body || !a.beside(b) || ++pairs > most) continue;
             const auto box = [&](const SlantedFace& face) { return world_bounds(scene.primitives[face.body]); };
             const int lead = bounded ? lead_of(a, b, box(a), box(b), eye) : a.body < b.body ? 1 : -1;
-            if (lead != 0) ++before[lead > 0 ? i : k];
+            if (lead != 0) order.push_back(lead > 0 ? std::pair(i, k) : std::pair(k, i));
         }
+    // Each face is moved further than all that it hides, unless they hide each other in a circle.
+    constexpr int most_moved = 100;
+    std::vector<int> rank(faces.size());
+    for (bool changed = true; std::exchange(changed, false);)
+        for (const auto& [seen, hidden] : order)
+            if (rank[seen] <= rank[hidden] && rank[hidden] < most_moved) rank[seen] = rank[hidden] + 1, changed = true;
     for (std::size_t i = 0; i < faces.size(); ++i)
-        if (before[i] > 0) faces[i].move(before[i] * nudge * (1 + std::fabs(faces[i].at)));
+        if (rank[i] > 0) faces[i].move(rank[i] * nudge * (1 + std::fabs(faces[i].at)));
+    std::vector<SettledPair> settled;
+    for (const auto& [seen, hidden] : order) settled.push_back({faces[seen].body, faces[hidden].body});
+    return settled;
+}
+
+bool is_seen_first(const Scene& scene, const SettledPair& pair, const DVec3& p) {
+    const bool bounded = scene.primitives.size() + scene.lights.size() > 2;
+    const auto enters = [&](std::size_t body) {
+        return entry(world_bounds(scene.primitives[body]), scene.camera.position, p);
+    };
+    return !bounded || enters(pair.hidden) > enters(pair.seen);
 }
 
 }  // namespace strahl::pov

@@ -30,12 +30,6 @@ std::optional<Area> area_of(const LightThing& light, const glm::dmat3& m, bool g
     return area;
 }
 
-/// Are all quarters of the grid divided, whatever light its corners get?
-bool divides_all(const LightThing& light) {
-    const int steps = std::max(light.area->columns, light.area->rows) - 1;
-    return light.adaptive >= 31 || steps >> std::max(light.adaptive, 0) <= 1;
-}
-
 }  // namespace
 
 void SceneMaker::add_light(const ObjectThing& object, const Around& around) {
@@ -102,7 +96,6 @@ void SceneMaker::add_light(const ObjectThing& object, const Around& around) {
         if (own.jitter)
             in.remark(Remark::Kind::warning, object.place,
                       "'jitter': its shadows are the mean of POV-Ray's, without grain");
-        approximated(own.jitter && !divides_all(own), "'adaptive' with 'jitter': all points of the area_light count");
     }
     const double reach =
         std::max({std::fabs(light.position.x), std::fabs(light.position.y), std::fabs(light.position.z)});

@@ -548,7 +548,6 @@ Material MaterialMaker::layered_material_of(const TextureThing& texture, const I
         if (interior->dispersion) notes.left_out(interior->place, "dispersion");
         if (interior->caustics) notes.left_out(interior->place, "caustics");
     }
-    if (interior && interior->media) notes.left_out(interior->place, "media");
     return whole;
 }
 
@@ -702,7 +701,6 @@ Material MaterialMaker::plain_material_of(const TextureThing& texture, const Int
         if (interior && interior->dispersion) notes.left_out(interior->place, "dispersion");
         if (interior && interior->caustics) notes.left_out(interior->place, "caustics");
     }
-    if (interior && interior->media && !use.shadow_only) notes.left_out(interior->place, "media");
     return material;
 }
 

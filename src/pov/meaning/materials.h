@@ -48,10 +48,11 @@ class MaterialMaker {
     std::shared_ptr<const TextureThing> blended(const Blob& blob,
                                                 const std::vector<std::shared_ptr<const TextureThing>>& textures,
                                                 const TextureThing& whole, const Steps& way);
-    /// Returns the number of the material of what is not there: light goes through it as through nothing.
+    /// Returns the number of the material of what is not there: light goes through it as through nothing, and there is
+    /// fog on both sides of it.
     int nothing() {
         Material clear{.rgb = Color(1), .reflection = 0, .diffuse = 0, .specular = 0};
-        clear.rgb.transmit = 1;
+        clear.rgb.transmit = 1, clear.hollow = !contents.fogs.empty();
         return materials.number(clear);
     }
     /// Returns the number of the same material without its patterns.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pov/meaning/materials.h"
+#include "pov/meaning/sight.h"
 #include "pov/things/objects.h"
 #include "scene/scene.h"
 
@@ -73,7 +74,7 @@ class SceneMaker {
     Around inside(const ObjectThing& object, const Around& around);
     std::optional<Part> build(const ObjectThing& object, const Around& around);
     std::optional<Part> build_turned(const ObjectThing& object, const Around& around);
-    void tell_of_cuts(const Material& material, TextPlace place) const;
+    void tell_of_cuts(const Primitive& body, TextPlace place) const;
     bool clear(const Primitive& body, bool bends = false) const;
     void close_mesh(const ObjectThing& object, const Around& around, bool takes_away, Primitive& body);
     bool close(Primitive& body, TextPlace place);
@@ -102,7 +103,7 @@ class SceneMaker {
     void set_camera();
     void set_background();
     void set_settings();
-    void tell_of_lights_on_surfaces() const;
+    void tell_of_lights_on_surfaces(SeenPlaces& sight) const;
     void set_bailout();
 
     Interpreter& in;

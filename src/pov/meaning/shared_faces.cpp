@@ -162,8 +162,9 @@ class BodiesInOnePlace {
     }
 
     bool may_differ(const BodyFace& one, const BodyFace& other) const {
-        const bool patterned = scene.materials[static_cast<std::size_t>(one.material)].patterned();
-        return clear(one.part) || clear(other.part) || one.material != other.material ||
+        const Material &own = material(one), &its = material(other);
+        const bool patterned = own.patterned() || its.patterned();
+        return clear(one.part) || clear(other.part) || !look_alike(own, its) ||
                (patterned && body(one.part).transformations != body(other.part).transformations);
     }
     /// Are there any that may be seen?
@@ -184,6 +185,15 @@ class BodiesInOnePlace {
 
   private:
     const Primitive& body(std::size_t number) const { return scene.primitives[number]; }
+    const Material& material(const BodyFace& face) const {
+        return scene.materials[static_cast<std::size_t>(face.material)];
+    }
+    /// Are two materials the same but for colours that are closer than half a step of a picture?
+    static bool look_alike(const Material& one, Material other) {
+        const Color apart = one.rgb.color - other.rgb.color;
+        other.rgb.color = one.rgb.color;
+        return std::max({std::fabs(apart.x), std::fabs(apart.y), std::fabs(apart.z)}) < 1. / 510 && one == other;
+    }
     bool clear(std::size_t number) const { return transparent(scene, body(number)); }
     /// Is the face of neither body behind itself for the camera, in the middle of what they have in common?
     bool may_be_seen(const std::vector<DVec3>& polygon, const PartFace& one, const PartFace& other) const {
@@ -242,16 +252,23 @@ std::set<std::size_t> clear_bodies_on_planes(const Scene& scene, SeenPlaces& sig
 }
 
 std::set<std::size_t> bodies_in_one_place(const Scene& scene, SeenPlaces& sight,
-                                          const std::vector<SeenPlaces::Place>& places) {
+                                          const std::vector<SeenPlaces::Place>& places,
+                                          const std::vector<SettledPair>& settled) {
     std::set<std::size_t> found;
     std::size_t count = 0;
     for (const SeenPlaces::Place& place : places) {
+        const bool is_otherwise = std::ranges::any_of(settled, [&](const SettledPair& pair) {
+            const bool own = (pair.seen == place.body && pair.hidden == *place.other) ||
+                             (pair.seen == *place.other && pair.hidden == place.body);
+            return own && !is_seen_first(scene, pair, place.p);
+        });
         const double size = 1 + length(place.p), step = 1e-4 * size;
         const auto is_there = [&](std::size_t body) {
             const auto hits = ray_hits(scene.primitives[body], {place.p + step * place.normal, -place.normal, -1}, 0);
             return std::ranges::any_of(hits, [&](const RayHit& hit) { return std::fabs(hit.t - step) < 1e-10 * size; });
         };
-        if (is_there(place.body) && is_there(*place.other)) ++count, found.insert(std::max(place.body, *place.other));
+        if (is_otherwise || (is_there(place.body) && is_there(*place.other)))
+            ++count, found.insert(std::max(place.body, *place.other));
     }
     return sight.counts(count) ? found : std::set<std::size_t>();
 }

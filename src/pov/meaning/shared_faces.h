@@ -4,6 +4,7 @@
 #include <set>
 #include <vector>
 
+#include "pov/meaning/coincident.h"
 #include "pov/meaning/sight.h"
 #include "scene/scene.h"
 
@@ -22,8 +23,10 @@ std::vector<SeenPlaces::Place> places_of_two_bodies(const Scene& scene, SeenPlac
 /// Returns the numbers of the clear bodies, other than boxes, that have a face in a plane there.
 std::set<std::size_t> clear_bodies_on_planes(const Scene& scene, SeenPlaces& sight,
                                              const std::vector<SeenPlaces::Place>& places);
-/// Returns, once faces have been moved, the numbers of those bodies that still have one where one before them has one.
+/// Returns, once faces have been moved, the numbers of those bodies that still have one where one before them has one,
+/// or of which POV-Ray shows that of the other one of a settled pair.
 std::set<std::size_t> bodies_in_one_place(const Scene& scene, SeenPlaces& sight,
-                                          const std::vector<SeenPlaces::Place>& places);
+                                          const std::vector<SeenPlaces::Place>& places,
+                                          const std::vector<SettledPair>& settled);
 
 }  // namespace strahl::pov

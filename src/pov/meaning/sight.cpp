@@ -25,7 +25,7 @@ bool mirrors(const Scene& scene, const Primitive& body) {
     return any;
 }
 
-/// Returns the material of the simple body, alone or in a composite, whose surface was met.
+/// Returns the number of the material of the simple body, alone or in a composite, whose surface was met.
 int material_at(const Scene& scene, const BodyHit& at) {
     int material = 0, leaf = 0;
     for_each_leaf(scene.primitives[static_cast<std::size_t>(at.body)], [&](const Primitive& own, const glm::dmat4&) {
@@ -33,6 +33,13 @@ int material_at(const Scene& scene, const BodyHit& at) {
     });
     return material;
 }
+
+const Material& surface_at(const Scene& scene, const BodyHit& at) {
+    return scene.materials[static_cast<std::size_t>(material_at(scene, at))];
+}
+
+/// Is a surface in the way of all light?
+bool blocks_light(const Material& own) { return own.shadow == 1 && !own.transmits(); }
 
 /// Finds all surfaces along rays.
 class Surfaces {
@@ -58,8 +65,7 @@ class Surfaces {
             for (const RayHit& hit :
                  ray_hits(scene.primitives[body], ray, 1e-6, std::numeric_limits<double>::infinity(), &meshes)) {
                 const BodyHit at{static_cast<int>(body), hit};
-                if (!open[body] || !shows_nothing(scene.materials[static_cast<std::size_t>(material_at(scene, at))]))
-                    found.push_back(at);
+                if (!open[body] || !shows_nothing(surface_at(scene, at))) found.push_back(at);
             }
         };
         std::ranges::for_each(unbounded, add);
@@ -87,10 +93,20 @@ const std::vector<SeenPlaces::Place>& SeenPlaces::places() {
     return *all;
 }
 
+std::size_t SeenPlaces::reached_by(const DVec3& light, double close) {
+    Surfaces surfaces(scene);
+    return static_cast<std::size_t>(std::ranges::count_if(places(), [&](const Place& place) {
+        const double away = length(light - place.p);
+        if (!(away > 2 * close)) return true;
+        const std::vector<BodyHit> met = surfaces.along({place.p, (1 / away) * (light - place.p), -1});
+        return std::ranges::none_of(
+            met, [&](const BodyHit& at) { return at.hit.t < away - 2 * close && blocks_light(surface_at(scene, at)); });
+    }));
+}
+
 void SeenPlaces::follow_rays() {
     constexpr int columns = 48, rows = 36, most_turns = 3;
     const Camera& camera = scene.camera;
-    if (camera.projection != Projection::perspective) return;
     std::vector<char> clear, is_mirror;
     for (const Primitive& body : scene.primitives)
         clear.push_back(transparent(scene, body)), is_mirror.push_back(mirrors(scene, body));
@@ -99,8 +115,9 @@ void SeenPlaces::follow_rays() {
     rays = std::size_t{columns} * rows;
     for (int i = 0; i < columns * rows; ++i) {
         const double x = (2 * (i % columns) + 1.) / columns - 1, y = (2 * (i / columns) + 1.) / rows - 1;
-        const DVec3 way = frame.forward + x * frame.tan_x * frame.right + y * frame.tan_y * frame.down;
-        Ray<double> ray{camera.position, normalize(way), -1};
+        const CameraRay<double> eye = camera_ray(camera.projection, frame, x, y);
+        if (!eye.seen) continue;
+        Ray<double> ray{camera.position + eye.start, normalize(eye.way), -1};
         for (int turns = 0; turns <= most_turns; ++turns) {
             const std::vector<BodyHit> met = surfaces.along(ray);
             const RayHit* mirror = nullptr;
@@ -115,7 +132,8 @@ void SeenPlaces::follow_rays() {
                     place.other_material = material_at(scene, *next);
                 all->push_back(place);
                 if (is_mirror[body] && !mirror) mirror = &met[k].hit;
-                if (!clear[body]) break;
+                // Not all parts of a body through which light goes are clear: where it is clipped nothing is.
+                if (!clear[body] || !surface_at(scene, met[k]).transmits()) break;
             }
             if (!mirror) break;
             ray.origin = ray.origin + mirror->t * ray.direction;

@@ -24,6 +24,9 @@ class SeenPlaces {
         int material = 0, other_material = 0;  // if there is one, the materials of both
     };
     const std::vector<Place>& places();
+    /// Returns from how many of them a light is seen that no opaque body hides, but for what is nearer to it than
+    /// `close`.
+    std::size_t reached_by(const DVec3& light, double close);
     /// Are so many places a share of the picture that counts, a four-hundredth?
     bool counts(std::size_t some) {
         if (some == 0) return false;

@@ -280,7 +280,7 @@ void SceneMaker::set_planes() {
 /// Tells of lights that lie on a surface of a body that casts shadows: once it has done so, rounding decides for each
 /// of POV-Ray's next shadow rays whether they meet that surface. Boxes that are not moved are found without rounding.
 /// Bodies around the eye, such as rooms, are taken to cast no shadows that are seen.
-void SceneMaker::tell_of_lights_on_surfaces() const {
+void SceneMaker::tell_of_lights_on_surfaces(SeenPlaces& sight) const {
     constexpr double close = 1e-9;  // as a share of the light's coordinates
     const auto is_in = [](const DVec3& p, const Box& box, double hair) {
         bool in = true;
@@ -302,6 +302,7 @@ void SceneMaker::tell_of_lights_on_surfaces() const {
             for (const DVec3& step : {DVec3(hair, 0, 0), DVec3(0, hair, 0), DVec3(0, 0, hair)})
                 around |= contains(body, at + step) != contains(body, at - step);
             if (!around || scene.materials[body.material].shadow == 0) continue;
+            if (!sight.counts(sight.reached_by(at, hair))) break;
             notes.approximated(light_places[i],
                                "a light on a surface shines away from it, without the speckles that "
                                "rounding makes in POV-Ray");
@@ -337,8 +338,8 @@ Scene SceneMaker::make() {
         if (limit_crowd(scene.primitives[i], scene.materials))
             notes.left_out(kept_places[i],
                            "bodies of a composite beyond " + std::to_string(most_leaves) + " that are connected");
+    SeenPlaces sight(scene);
     if (!in.options().as_text) {
-        SeenPlaces sight(scene);
         for (const std::size_t i : shared_by_parts(scene, sight))
             notes.approximated(kept_places[i],
                                "faces of parts in one place: POV-Ray's rounding speckles them, which are whole here");
@@ -347,8 +348,8 @@ Scene SceneMaker::make() {
             notes.approximated(kept_places[i],
                                "a clear body's face in a plane: POV-Ray's rounding speckles it, which is whole here");
         for (Primitive& body : scene.primitives) keep_faces(body);
-        settle_faces(scene), settle_slanted_faces(scene);
-        for (const std::size_t i : bodies_in_one_place(scene, sight, shared))
+        settle_faces(scene);
+        for (const std::size_t i : bodies_in_one_place(scene, sight, shared, settle_slanted_faces(scene)))
             notes.approximated(kept_places[i],
                                "a face in the place of another body's: rounding speckles it, in POV-Ray otherwise");
         scene.settings.passed_over = 1e-4, scene.settings.farthest = 1e7;
@@ -356,7 +357,7 @@ Scene SceneMaker::make() {
         scene.camera.position = off_faces(scene, scene.camera, scene.settings.passed_over);
     }
     set_planes();
-    tell_of_lights_on_surfaces();
+    tell_of_lights_on_surfaces(sight);
     set_bailout();
     return std::move(scene);
 }

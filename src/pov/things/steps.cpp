@@ -14,6 +14,8 @@ template <class... Cases>
 struct Overloaded : Cases... {
     using Cases::operator()...;
 };
+template <class... Cases>
+Overloaded(Cases...) -> Overloaded<Cases...>;  // clang 16 does not find this by itself
 
 glm::dmat4 matrix_of(const Step& step) {
     return std::visit(Overloaded{[](const MatrixStep& own) { return own.m(); },

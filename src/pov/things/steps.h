@@ -30,7 +30,7 @@ Steps inverse(std::span<const Step> steps);
 /// Adds steps behind others.
 void append(Steps& steps, std::span<const Step> more);
 
-/// The direction in which a left-handed scene is turned over.
+/// Returns a direction of a left-handed scene in its mirror image, if `mirrored`.
 inline DVec3 mirror(const DVec3& v, bool mirrored) { return mirrored ? DVec3(v.x, v.y, -v.z) : v; }
 
 /// Returns the transformations of a scene that do the same. With `mirrored` both their argument and their result are

@@ -126,7 +126,7 @@ struct SoughtLines {
         for (int f = 0; f < fields; ++f) compress(columns[f] + count, own[f], lanes);
         count += std::popcount(bits(lanes));
     }
-    /// Takes the steps for all of them.
+    /// Takes steps along all lines that were added, the first of them in floats.
     STRAHL_INLINE void approach(const V& least) {
         R* const t = columns[fields - 1];
         for (int k = count; k % width<S> != 0; ++k) t[k] = std::numeric_limits<R>::infinity();

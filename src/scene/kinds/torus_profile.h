@@ -194,7 +194,7 @@ struct TorusProfile {
         }
         return t;
     }
-    /// Halley's step, or half of what is known where that would lead out of it.
+    /// Takes Halley's step, or halves the bracket where that step would leave it.
     STRAHL_INLINE void approach(Bracket& b) const {
         if (none(b.going)) return;
         const S bits(std::numeric_limits<E>::epsilon()), zero(0), half(E(.5)), two(E(2)), four(E(4));

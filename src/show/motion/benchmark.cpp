@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "files/utf8.h"
 #include "show/session/session.h"
@@ -28,16 +29,6 @@ double percentile(const std::vector<double>& sorted, double share) {
 }
 
 double rate(const Benchmark& b) { return b.seconds > 0 ? (b.pictures - 1) / b.seconds : 0; }
-
-/// Quotes a text for JSON. `printable` replaces control characters, so none need an escape.
-std::string quoted_json(const std::string& text) {
-    std::string json = "\"";
-    for (const char c : printable(text)) {
-        if (c == '"' || c == '\\') json += '\\';
-        json += c;
-    }
-    return json + "\"";
-}
 
 }  // namespace
 
@@ -122,26 +113,29 @@ std::string report_of(const Benchmark& b, const BenchmarkSetting& s) {
 }
 
 std::string json_of(const Benchmark& b, const BenchmarkSetting& s) {
-    std::string json = "{\n  \"scene\": " + quoted_json(s.scene) + ",\n";
-    json += format("  \"width\": %d,\n  \"height\": %d,\n  \"depth\": %d,\n  \"threads\": %d,\n", s.width, s.height,
-                   s.depth, s.threads);
-    json += format("  \"precision\": \"%s\",\n  \"simd\": \"%s\",\n  \"fps\": %.9g,\n", s.precision.c_str(),
-                   s.simd.c_str(), s.fps);
-    json += format("  \"pictures\": %d,\n  \"seconds\": %.9g,\n  \"pictures_per_second\": %.9g,\n", b.pictures,
-                   b.seconds, rate(b));
-    json += format("  \"frame_seconds\": { \"median\": %.9g, \"p99\": %.9g, \"worst\": %.9g },\n", b.median, b.p99,
-                   b.worst);
-    json += "  \"resolutions\": {";
+    using Json = nlohmann::ordered_json;
+    Json resolutions = Json::object();
     for (auto at = b.levels.rbegin(); at != b.levels.rend(); ++at)
-        json += format("%s \"1/%d\": %.9g", at == b.levels.rbegin() ? "" : ",", steps_of(at->first).area(), at->second);
-    json +=
-        format(" },\n  \"pixels_per_second\": %.9g,\n  \"draw_seconds\": %.9g", b.pixels_per_second, s.draw_seconds);
+        resolutions["1/" + std::to_string(steps_of(at->first).area())] = at->second;
+    Json json{{"scene", s.scene},
+              {"width", s.width},
+              {"height", s.height},
+              {"depth", s.depth},
+              {"threads", s.threads},
+              {"precision", s.precision},
+              {"simd", s.simd},
+              {"fps", s.fps},
+              {"pictures", b.pictures},
+              {"seconds", b.seconds},
+              {"pictures_per_second", rate(b)},
+              {"frame_seconds", {{"median", b.median}, {"p99", b.p99}, {"worst", b.worst}}},
+              {"resolutions", resolutions},
+              {"pixels_per_second", b.pixels_per_second},
+              {"draw_seconds", s.draw_seconds}};
     if (const auto& q = b.quality)
-        json += format(
-            ",\n  \"quality\": { \"pictures\": %d, \"rms\": %.9g, \"p99\": %.9g, \"ssim\": %.9g, "
-            "\"visible\": %.9g, \"flicker\": %.9g }",
-            q->pictures, q->rms, q->p99, q->ssim, q->visible, q->flicker);
-    return json + "\n}\n";
+        json["quality"] = {{"pictures", q->pictures}, {"rms", q->rms},         {"p99", q->p99},
+                           {"ssim", q->ssim},         {"visible", q->visible}, {"flicker", q->flicker}};
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace strahl

@@ -12,6 +12,7 @@ const NewBlock* AddPanel::draw(const Margins& margins) {
     for (const NewBlock& block : new_blocks)
         if (ImGui::Button(block.name, {width, 0})) chosen = &block;
     own = end_panel();
+    wide = own.right - own.left + .8f * ImGui::GetFontSize();
     return chosen;
 }
 

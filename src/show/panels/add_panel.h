@@ -10,9 +10,12 @@ class AddPanel {
   public:
     /// To be called while ImGui makes a frame. Returns what the user has clicked, or null.
     const NewBlock* draw(const Margins& margins);
+    /// Its width in pixels, with the space beside it.
+    float width() const { return wide; }
     const CoveredArea& area() const { return own; }
 
   private:
+    float wide = 0;
     CoveredArea own;
 };
 

@@ -213,9 +213,16 @@ void BodyPanel::draw_value(const BodyEditor& editor, std::size_t number, std::st
         if (value.source == no_source) ImGui::SameLine(), dim_text(value.source);
     } else {
         if (value.fixed != "a pattern") ImGui::TextUnformatted(numbers_text(numbers).c_str()), ImGui::SameLine();
-        dim_text(value.fixed);
+        if (value.tracks.empty()) dim_text(value.fixed);
     }
-    if (!value.tracks.empty()) draw_track(editor, number, input);
+    if (!value.tracks.empty()) {
+        draw_track(editor, number, input);
+        // Below, since names of three tracks are wider than the panel's other lines.
+        ImGui::SetCursorPosX(labels);
+        ImGui::PushTextWrapPos(labels + 13 * font);
+        dim_text(value.fixed);
+        ImGui::PopTextWrapPos();
+    }
     if (elsewhere && value.fixed.empty() && value.own_at > 0 &&
         button_beside("own", "gives this body a value of its own"))
         input.own = number;

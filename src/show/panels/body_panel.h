@@ -16,30 +16,30 @@ namespace strahl {
 
 /// The user's actions on the panel since the last picture. Values are those of BodyEditor::body(), by number.
 struct BodyInput {
-    std::optional<Command> command;
+    std::optional<Command> command{};
     bool close = false;
     struct NewNumbers {
         std::size_t value;
         std::vector<double> numbers;
         bool merged;  // belongs to the same drag as the change before
     };
-    std::optional<NewNumbers> change;
+    std::optional<NewNumbers> change{};
     struct NewTrack {
         std::size_t value;
         int component;  // -1: each
         std::string name;
     };
-    std::optional<NewTrack> track;  // which a number follows from now on
+    std::optional<NewTrack> track{};  // which a number follows from now on
     struct NewPlace {
         Placing placing;  // about the middle of what is chosen
         bool merged;      // belongs to the same drag as the one before, and takes its place
     };
-    std::optional<NewPlace> place;           // is moved, turned or scaled
-    std::optional<std::size_t> free;         // follows no tracks from now on
-    std::optional<std::size_t> own;          // gets a value of the body's own
-    std::optional<std::string> allow;        // changes values in this block
+    std::optional<NewPlace> place{};         // is moved, turned or scaled
+    std::optional<std::size_t> free{};       // follows no tracks from now on
+    std::optional<std::size_t> own{};        // gets a value of the body's own
+    std::optional<std::string> allow{};      // changes values in this block
     const MaterialPreset* preset = nullptr;  // gets this material
-    std::string refused;                     // why a number that was typed is not taken, or ""
+    std::string refused{};                   // why a number that was typed is not taken, or ""
 };
 
 class BodyPanel {

@@ -101,9 +101,13 @@ OutlinerInput Outliner::draw(const std::shared_ptr<const Scene>& scene, const Bo
     if (ImGui::SmallButton("show all")) input.show_all = true;
 
     const std::vector<std::size_t> shown = rows_shown(rows, sought.data(), open);
+    const std::size_t messages = warnings.size() + notes.size();
     const float line = ImGui::GetTextLineHeightWithSpacing(),
                 all = ImGui::GetIO().DisplaySize.y - margins.top - margins.bottom;
-    const float height = std::min(float(shown.size()) * line + font, std::max(.55f * all, 4 * line));
+    const float told = messages == 0 ? 1 : std::min(.2f * all, float(messages) * 3 * line);
+    // The rows scroll, so that all other parts have room.
+    const float room = std::max(all - told - 6 * line, 3 * line);
+    const float height = std::min({float(shown.size()) * line + font, std::max(.55f * all, 4 * line), room});
     ImGui::BeginChild("rows", {width, height});
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(shown.size()), line);
@@ -116,9 +120,8 @@ OutlinerInput Outliner::draw(const std::shared_ptr<const Scene>& scene, const Bo
     ImGui::EndChild();
 
     ImGui::Separator();
-    const std::size_t messages = warnings.size() + notes.size();
     ImGui::TextDisabled(messages == 0 ? "check: no warnings" : "check:");
-    ImGui::BeginChild("messages", {width, messages == 0 ? 1 : std::min(.2f * all, float(messages) * 3 * line)});
+    ImGui::BeginChild("messages", {width, told});
     ImGui::PushTextWrapPos(0);
     for (const std::string& warning : warnings) ImGui::TextUnformatted(warning.c_str());
     for (const Message& note : notes) {

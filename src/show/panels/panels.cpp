@@ -3,29 +3,54 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace strahl {
 
+namespace {
+
+std::optional<Panel> panel_of(Action action) {
+    return action == Action::info        ? std::optional(Panel::info)
+           : action == Action::timeline  ? std::optional(Panel::timeline)
+           : action == Action::add_block ? std::optional(Panel::add)
+           : action == Action::outline   ? std::optional(Panel::outline)
+                                         : std::nullopt;
+}
+
+}  // namespace
+
 void Panels::toggle(Action action) {
-    pace.redraw();
-    bool& panel = shown(action);
-    panel = !panel;
+    pace.redraw(3);
+    if (const auto panel = panel_of(action)) {
+        room.shown(*panel) ? room.close(*panel) : room.open(*panel);
+    } else {
+        bool& shown = action == Action::help      ? help
+                      : action == Action::toolbar ? toolbar_open
+                      : action == Action::gallery ? gallery
+                                                  : quiet;
+        shown = !shown;
+    }
     if (action == Action::help) typed.clear();
     if (action != Action::quiet) quiet = false;
     if (action == Action::toolbar) hide_toolbar(!toolbar_open);
 }
 
-/// Is the panel shown that the action names?
-bool& Panels::shown(Action action) {
-    return action == Action::help        ? help
-           : action == Action::info      ? info
-           : action == Action::timeline  ? timeline_open
-           : action == Action::add_block ? add_open
-           : action == Action::outline   ? outline_open
-           : action == Action::toolbar   ? toolbar_open
-           : action == Action::gallery   ? gallery
-                                         : quiet;
+void Panels::arrange(const BodyEditor& editor) {
+    const std::tuple chosen(editor.number(), editor.light().has_value(), editor.block());
+    if (!editor.any())
+        room.close(Panel::body);
+    else if (chosen != chosen_before)
+        room.open(Panel::body);
+    chosen_before = chosen;
+    const ImVec2 all = ImGui::GetIO().DisplaySize;
+    const float font = ImGui::GetFontSize();
+    constexpr float least = 12, info = 23;  // in heights of a line
+    room.arrange({.width = all.x - .8f * font,
+                  .height = all.y - reserved_top(),
+                  .least = least * font,
+                  .timeline = timeline.height(),
+                  .widths = {0, outliner.width(), add.width(), info * font, body.width()}});
 }
 
 bool Panels::step_back_from_popup() {
@@ -36,9 +61,13 @@ bool Panels::step_back_from_popup() {
 }
 
 bool Panels::step_back() {
-    for (const Action panel : {Action::add_block, Action::info, Action::outline, Action::timeline})
-        if (shown(panel)) return toggle(panel), true;
-    return false;
+    const std::vector<Panel>& opened = room.opened();
+    const auto seen = std::find_if(opened.rbegin(), opened.rend(),
+                                   [&](Panel panel) { return panel != Panel::body && room.shown(panel); });
+    if (seen == opened.rend()) return false;
+    room.close(*seen);
+    pace.redraw(3);
+    return true;
 }
 
 void Panels::search(unsigned character) {
@@ -76,8 +105,8 @@ bool Panels::delete_clicked_key() {
 }
 
 const NewBlock* Panels::draw_add() {
-    const NewBlock* const chosen = add_shown() ? add.draw({reserved_left(), reserved_top(), reserved()}) : nullptr;
-    if (chosen) add_open = false;
+    const NewBlock* const chosen = add_shown() ? add.draw({beside_add(), reserved_top(), reserved()}) : nullptr;
+    if (chosen) room.close(Panel::add);
     return chosen;
 }
 
@@ -87,15 +116,14 @@ OutlinerInput Panels::draw_outline(const Session& session, const BodyEditor& edi
 }
 
 BodyInput Panels::draw_body(const BodyEditor& editor, const std::string& file) {
-    body_shown = editor.any() && !quiet && !help;  // the help needs the room
     if (const auto x = std::exchange(clicked_x, std::nullopt))
         clicked_at_right = *x > .6 * ImGui::GetIO().DisplaySize.x;
-    return body_shown ? body.draw(editor, file, margins(), body_left()) : BodyInput{};
+    return body_shown() ? body.draw(editor, file, margins(), body_left()) : BodyInput{};
 }
 
 std::optional<Command> Panels::draw_toolbar(const KeyMap& keys, ToolbarView view) {
     if (!toolbar_shown()) return std::nullopt;
-    view.adding = add_open;
+    view.adding = room.is_open(Panel::add);
     return toolbar.draw(keys, view);
 }
 

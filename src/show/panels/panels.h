@@ -3,11 +3,13 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "show/panels/add_panel.h"
 #include "show/panels/body_panel.h"
 #include "show/panels/outliner.h"
+#include "show/panels/panel_room.h"
 #include "show/panels/toolbar.h"
 #include "show/session/session.h"
 #include "show/timeline/timeline.h"
@@ -21,8 +23,16 @@ class Panels {
     Panels(Pace& pace, bool no_text, bool gallery) : quiet(no_text), gallery(gallery), pace(pace) {}
 
     /// Shows or hides what the action names: help, info, timeline, the list of what can be added, the outline, the
-    /// toolbar, or all text (Action::quiet); or the gallery, which covers the window.
+    /// toolbar, or all text (Action::quiet); or the gallery, which covers the window. A panel that is open but has no
+    /// room is shown in place of others.
     void toggle(Action action);
+    /// Finds out which panels have room. To be called before they are drawn.
+    void arrange(const BodyEditor& editor);
+    /// Shows the panel of what is chosen, or the timeline if it is open, in place of others if there is no room.
+    void prefer_body() { chosen_before.reset(); }
+    void prefer_timeline() {
+        if (room.is_open(Panel::timeline)) room.open(Panel::timeline);
+    }
 
     // These draw a panel, if it is shown, and return what the user did on it. Call them while ImGui makes a frame.
 
@@ -45,7 +55,8 @@ class Panels {
                                const std::vector<Message>& notes);
     /// Draws the toolbar, unless the user has hidden it.
     std::optional<Command> draw_toolbar(const KeyMap& keys, ToolbarView view);
-    bool timeline_shown() const { return timeline_open && !quiet; }
+    bool timeline_shown() const { return room.shown(Panel::timeline) && !quiet; }
+    bool info_shown() const { return room.shown(Panel::info) && !quiet && !help; }
     /// Is the help shown? It covers the window.
     bool help_shown() const { return help && !quiet; }
     /// The words that the help is searched for. Adds a character to them, or, with 0, removes the last one.
@@ -53,24 +64,22 @@ class Panels {
     void search(unsigned character);
     /// Does one of these panels cover this point of the window?
     bool cover(double x, double y) const {
-        return gallery || asking || help_shown() || (body_shown && body.area().has(x, y)) ||
+        return gallery || asking || help_shown() || (body_shown() && body.area().has(x, y)) ||
                (add_shown() && add.area().has(x, y)) || (outline_shown() && outliner.area().has(x, y)) ||
                (toolbar_shown() && toolbar.area().has(x, y));
     }
     /// The width in pixels that it takes at the right of the window.
-    float reserved_right() const { return body_shown && !body_left() ? body.width() : 0; }
-    /// The width in pixels that the outline or the panel of a body takes at the left.
-    float reserved_left() const { return outline_shown() ? outliner.width() : body_left() ? body.width() : 0; }
+    float reserved_right() const { return body_shown() && !body_left() ? body.width() : 0; }
+    /// The width in pixels that the outline or the panel of a body takes at the left, and the list beside it.
+    float reserved_left() const { return beside_add() + (add_shown() ? add.width() : 0); }
     /// The height in pixels of the toolbar at the top.
     float reserved_top() const { return toolbar_open && !quiet && !gallery && !help ? toolbar.height() : 0; }
     /// The height in pixels of what lies at the bottom of the window.
     float reserved() const { return timeline_shown() ? timeline.height() : 0; }
     /// Is there a panel that takes input, even if all text is hidden?
-    bool take_input() const {
-        return gallery || asking || timeline_open || body_shown || add_open || outline_open || toolbar_shown();
-    }
+    bool take_input() const { return gallery || asking || !room.opened().empty() || toolbar_shown(); }
 
-    bool help = false, info = false, quiet, gallery;
+    bool help = false, quiet, gallery;
     bool asking = false;         // a question covers the window, see Leaving
     bool toolbar_rests = false;  // it is left out, but keeps its place: drawing it would take time from pictures
 
@@ -79,24 +88,23 @@ class Panels {
     bool step_back();
 
   private:
-    bool& shown(Action action);
-    bool add_shown() const { return add_open && !quiet; }
-    bool outline_shown() const { return outline_open && !quiet; }
+    bool add_shown() const { return room.shown(Panel::add) && !quiet; }
+    bool outline_shown() const { return room.shown(Panel::outline) && !quiet; }
+    bool body_shown() const { return room.shown(Panel::body) && !quiet && !help; }  // the help needs the room
     bool toolbar_shown() const { return toolbar_open && !quiet && !gallery && !help && !toolbar_rests; }
-    bool body_left() const { return body_shown && clicked_at_right && !outline_shown(); }
+    float beside_add() const { return outline_shown() ? outliner.width() : body_left() ? body.width() : 0; }
+    bool body_left() const { return body_shown() && clicked_at_right && !outline_shown(); }
     Margins margins() const { return {0, reserved_top(), reserved()}; }
 
     Pace& pace;
     std::string typed;
-    bool timeline_open = false;
+    PanelRoom room;
     Timeline timeline;
-    bool body_shown = false;
     std::optional<double> clicked_x;  // where a body was clicked since the last picture
     bool clicked_at_right = false;
+    std::optional<std::tuple<int, bool, std::optional<TopBlock>>> chosen_before;  // of what the panel was last shown
     BodyPanel body;
-    bool add_open = false;
     AddPanel add;
-    bool outline_open = false;
     Outliner outliner;
     bool toolbar_open = !toolbar_hidden();
     Toolbar toolbar;

@@ -30,10 +30,10 @@ struct SecondOrder {
 };
 
 struct SecondPicture {
-    ScreenImage image;
+    ScreenImage image{};
     /// 16 times its difference from a picture of Strahl's that is sampled alike, whether `image` is or not: one ray in
     /// double for POV-Ray's of one ray, else averages in float.
-    ScreenImage difference;     // empty for the camera of the flight, and for layers
+    ScreenImage difference{};   // empty for the camera of the flight, and for layers
     std::size_t differing = 0;  // pixels with a channel that differs by more than 1/255
     bool finished = false;      // else a better one follows
     /// What the middle of a pixel shows, as a layer has it.

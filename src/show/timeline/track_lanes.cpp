@@ -14,7 +14,7 @@ namespace strahl {
 namespace {
 
 constexpr ImU32 curve_color = IM_COL32(150, 230, 150, 255);
-constexpr float most_lanes = 4;                          // of tracks that are seen at once
+constexpr float least_lanes = 2, most_lanes = 4;         // of tracks that are seen at once
 constexpr float lane_lines = 2.4f, motion_lines = 1.2f;  // of text, the heights of lanes
 
 /// Draws the name of a lane in the column before it.
@@ -53,7 +53,10 @@ void TrackLanes::draw(const TimelineView& view, TimeScale& scale, TimelineInput&
     const float font = ImGui::GetFontSize(), space = ImGui::GetStyle().ItemSpacing.y;
     const float all =
         float(followed.size()) * (lane_lines * font + space) + float(motions.size()) * (motion_lines * font + space);
-    ImGui::BeginChild("lanes", {0, std::min(all, most_lanes * (lane_lines * font + space))}, false,
+    // In a low window the lanes leave room for the picture and for panels: with 11 lines of other parts, the timeline
+    // takes half of the window.
+    const float lane = lane_lines * font + space, room = ImGui::GetIO().DisplaySize.y / 2 - 11 * font;
+    ImGui::BeginChild("lanes", {0, std::min(all, std::clamp(room, least_lanes * lane, most_lanes * lane))}, false,
                       ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav);
     for (std::size_t i = 0; i < followed.size(); ++i) {
         const auto known_track = std::ranges::find(view.tracks, followed[i], &Track::name);

@@ -2,6 +2,7 @@
 #include "show/window/overlay.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -81,8 +82,12 @@ void draw_fault(const Overlay& overlay, const FreeArea& free) {
     });
 }
 
-ImVec2 draw_notes(const Overlay& overlay, const FreeArea& free, float x) {
-    return panel("notes", free, x, overlay.notes_below ? 1 : 0, [&] {
+ImVec2 draw_notes(const Overlay& overlay, FreeArea free, float x) {
+    // Where panels leave no room beside each other, notes lie over their lower ends.
+    const bool narrow = free.width() < 14 * ImGui::GetFontSize();
+    if (narrow) free.left = gap(), free.right = ImGui::GetIO().DisplaySize.x - gap();
+    return panel("notes", free, x, overlay.notes_below || narrow ? 1 : 0, [&] {
+        if (narrow) ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
         ImGui::PushTextWrapPos(free.width() - 2 * ImGui::GetFontSize());
         for (const Note& note : overlay.notes) {
             ImGui::PushStyleColor(ImGuiCol_Text, note.failure ? alarm : ImGui::GetStyleColorVec4(ImGuiCol_Text));

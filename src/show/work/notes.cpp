@@ -39,8 +39,8 @@ void Notes::tell(const Answer& answer) {
     std::fputs(answer.text.c_str(), stdout), std::fflush(stdout);
 }
 
-void Notes::expire() {
-    std::erase_if(notes, [now = pace.now()](const Note& n) { return n.until <= now; });
+bool Notes::expire() {
+    return std::erase_if(notes, [now = pace.now()](const Note& n) { return n.until <= now; }) > 0 && notes.empty();
 }
 
 double Notes::next_change() const {

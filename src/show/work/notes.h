@@ -43,8 +43,8 @@ class Notes {
     const std::deque<Note>& shown() const { return notes; }
     /// The time at which the first of them expires; infinite if there are none.
     double next_change() const;
-    /// Removes the notes that have expired.
-    void expire();
+    /// Removes the notes that have expired. Returns whether these were the last ones.
+    bool expire();
 
   private:
     void show(Note note, double seconds);

@@ -88,7 +88,7 @@ template <class Add>
 void add_pieces(const Facet& facet, double shortest, const Add& add) {
     const std::vector<DVec3>& corners = facet.corners;
     const DVec3 along = quick_unit(longest_side(corners));
-    double low = 0, high = 0, width = 0;  // from the first corner
+    double low = 0, high = 0, width = 0;  // as seen from the first corner, along and across
     for (const DVec3& corner : corners) {
         const DVec3 since = corner - corners[0];
         const double at = dot_product(since, along);

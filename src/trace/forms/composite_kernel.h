@@ -528,10 +528,4 @@ struct FormFunctions<CompositeForm, S> : SingleByPack<FormFunctions<CompositeFor
     }
 };
 
-/// Composites have no other calls: hits are on leaves, and shaded as those of their forms.
-template <class S>
-const std::array<FormCalls<S>, 1> KindCalls<Union, S>::calls{
-    {{&FormFunctions<CompositeForm, S>::intersect, &FormFunctions<CompositeForm, S>::intersect_single,
-      &FormFunctions<CompositeForm, S>::occlude, &FormFunctions<CompositeForm, S>::occlude_single}}};
-
 }  // namespace strahl::inline STRAHL_LEVEL

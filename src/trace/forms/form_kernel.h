@@ -172,17 +172,6 @@ struct KindCalls {
     static constexpr std::size_t forms = std::tuple_size_v<typename Kind::template Kernels<Element<S>>>;
     static const std::array<FormCalls<S>, forms> calls;
 };
-template <class S>
-struct KindCalls<Union, S> {
-    static constexpr std::size_t forms = 1;
-    static const std::array<FormCalls<S>, 1> calls;
-};
-template <class Kind, class S>
-requires lists_crossings<Kind>
-struct KindCalls<Kind, S> {
-    static constexpr std::size_t forms = 1;
-    static const std::array<FormCalls<S>, 1> calls;
-};
 template <class S, class Forms>
 struct FormTable;
 template <class S, class... F>

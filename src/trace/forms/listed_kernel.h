@@ -155,14 +155,4 @@ struct FormFunctions<OwnForm, S> : SingleByPack<FormFunctions<OwnForm, S>, S> {
     }
 };
 
-/// These bodies are never alone in a bin, so that the other functions are not needed.
-template <class Kind, class S>
-requires lists_crossings<Kind>
-const std::array<FormCalls<S>, 1> KindCalls<Kind, S>::calls = [] {
-    using Own = FormFunctions<Form<Kind, 0>, S>;
-    FormCalls<S> calls{&Own::intersect, &Own::intersect_single, &Own::occlude, &Own::occlude_single};
-    calls.surfaces_at = &Own::surfaces_at, calls.list_crossings = &Own::list_crossings;
-    return std::array{calls};
-}();
-
 }  // namespace strahl::inline STRAHL_LEVEL

@@ -83,7 +83,7 @@ function(strahl_kernel level elements)
     # Instrumented packs take g++ a quarter of an hour to compile. Scalars are compiled from the same sources.
     set_target_properties(kernel_${level} PROPERTIES UNSANITIZED ON)
   elseif(STRAHL_SANITIZE)
-    target_compile_options(kernel_${level} PRIVATE -O1 -fno-schedule-insns)
+    target_compile_options(kernel_${level} PRIVATE -O1 $<$<CXX_COMPILER_ID:GNU>:-fno-schedule-insns>)
   endif()
   target_sources(strahl_trace PRIVATE $<TARGET_OBJECTS:kernel_${level}>)
 endfunction()

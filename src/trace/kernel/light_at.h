@@ -29,9 +29,8 @@ Vec3<S> soft_share(const Shading<S, P>& shading, const Hit<S>& hit, int number, 
     using T = Element<S>;
     const auto& world = shading.world;
     constexpr T error = T(1) / 510;
-    const S light = hit.weight * strength;
     const LitHits<S> hits{lanes,     outside,     hit.position, normal,     flat,
-                          reflected, hit.surface, light,        S(1),       S(0),
+                          reflected, hit.surface, hit.weight,   strength,   S(0),
                           S(1),      S(1),        hit.bin,      hit.medium, &mediums(shading.workspace)};
     const AreaMeans<S> means = world.lights[number].columns > 0 && !world.lights[number].jitter
                                    ? AreaLightCalls<S>::grid_means(world, number, hits, strength, visibility<S>)

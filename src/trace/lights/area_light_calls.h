@@ -33,7 +33,7 @@ using Visibility = Vec3<S> (*)(const World<Element<S>>&, const Ray<S>&, const S&
                                const Start<S>&);
 
 /// Hits that a rectangle may light. `flat` is the normal before a bump bends it; `diffuse` is the largest channel of
-/// Kd Of.
+/// Kd Of or, of lights whose shadows alone are soft, the share of their light that arrives where nothing is in its way.
 template <class S>
 struct LitHits {
     Mask<S> lanes, outside;

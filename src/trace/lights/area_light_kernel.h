@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <tuple>
@@ -16,6 +17,7 @@
 #include "trace/forms/items_kernel.h"
 #include "trace/lights/area_light_calls.h"
 #include "trace/lights/area_mean_kernel.h"
+#include "trace/lights/grid_parts.h"
 #include "trace/lights/shaft_kernel.h"
 
 namespace strahl::inline STRAHL_LEVEL {
@@ -65,31 +67,83 @@ Vec3<S> way_on_grid(const LightKernel<T>& light, const Vec3<T>& middle, const Ve
 /// shares of the light.
 template <class T>
 struct SpreadGrid {
-    using Places = std::array<T, AreaCells::side + 1>;  // times the edge, off its middle
-    Places across{}, down{};
+    static constexpr int steps = AreaCells::side;
+    struct SpreadEdge {
+        std::array<T, steps + 1> places{};         // times the edge, off its middle
+        std::array<std::uint8_t, steps> points{};  // by step: the number of the point that it belongs to
+        std::array<int, steps> shares{};           // by point: of the light, in steps
+    };
+    SpreadEdge across, down;
+    bool adapts;  // does it depend on the light of their corners whether quarters of the grid are divided?
 
     explicit SpreadGrid(const LightKernel<T>& light)  // one with a grid
-        : across(places_of(light.columns)), down(places_of(light.rows)) {}
+        : across(edge_of(light.columns)),
+          down(edge_of(light.rows)),
+          adapts(light.adaptive < 31 && (std::max(light.columns, light.rows) - 1) >> light.adaptive > 1) {}
 
-    static Places places_of(int points) {
-        Places places{};
-        if (points < 2) return places;
-        std::array<int, AreaCells::side> shares{};  // of the points, in steps
-        const auto halve = [&shares](const auto& self, int first, int last, int share) -> void {
+    static SpreadEdge edge_of(int points) {
+        SpreadEdge edge;
+        edge.shares[0] = steps;
+        if (points < 2) return edge;
+        edge.shares[0] = 0;
+        const auto halve = [&edge](const auto& self, int first, int last, int share) -> void {
             if (last - first < 2) {
-                shares[first] += share / 2, shares[last] += share / 2;
+                edge.shares[first] += share / 2, edge.shares[last] += share / 2;
                 return;
             }
             self(self, first, (first + last) / 2, share / 2), self(self, (first + last + 1) / 2, last, share / 2);
         };
-        halve(halve, 0, points - 1, AreaCells::side);
+        halve(halve, 0, points - 1, steps);
         const auto place = [points](T point) { return (point - T(.5)) / T(points - 1) - T(.5); };
         int step = 0;
         for (int i = 0; i < points; ++i)
-            for (int k = 0; k < shares[i]; ++k) places[step++] = place(T(i) + T(k) / T(shares[i]));
-        places[step] = place(T(points));
-        return places;
+            for (int k = 0; k < edge.shares[i]; ++k) {
+                edge.points[step] = static_cast<std::uint8_t>(i);
+                edge.places[step++] = place(T(i) + T(k) / T(edge.shares[i]));
+            }
+        edge.places[step] = place(T(points));
+        return edge;
     }
+};
+
+/// Gathers the light of the points of a grid that jitter, from the cells of its steps.
+template <class T>
+class GatheredPoints {
+  public:
+    GatheredPoints(const SpreadGrid<T>& spread, const LightKernel<T>& light)
+        : spread(spread), light(light), points(std::size_t(light.columns) * light.rows), sums(points.size()) {}
+
+    /// Adds a cell, whose light is between these shares.
+    void add(int x, int y, int size, const Vec3<T>& mean, const Vec3<T>& low, const Vec3<T>& high) {
+        for (int i = x; i < x + size; ++i)
+            for (int k = y; k < y + size; ++k) {
+                const int column = spread.across.points[i], row = spread.down.points[k];
+                const std::size_t number = std::size_t(column) * light.rows + row;
+                const T part = T(1) / T(spread.across.shares[column] * spread.down.shares[row]);
+                JitteredPoint<T>& own = points[number];
+                const bool is_first = sums[number] == Vec3<T>(0) && own.chance == T(0);
+                own.low = is_first ? low : min(own.low, low), own.high = is_first ? high : max(own.high, high);
+                own.chance += part, sums[number] = fma(part, mean, sums[number]);
+            }
+    }
+    /// Returns the mean share of the light of all points, where it would have this color.
+    Vec3<T> mean(const Vec3<T>& color) {
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            JitteredPoint<T>& own = points[i];
+            const Vec3<T> apart = own.high - own.low;
+            const int c = apart.x >= apart.y && apart.x >= apart.z ? 0 : apart.y >= apart.z ? 1 : 2;
+            own.chance = apart[c] > T(0) ? std::clamp((sums[i][c] - own.low[c]) / apart[c], T(0), T(1)) : T(0);
+            // Shadows of several colours have more than two shares: their mean stays.
+            if (own.chance > T(0)) own.high = own.low + scale(T(1) / own.chance, sums[i] - own.low);
+        }
+        return AdaptiveMean<T>(points, light.columns, light.rows, light.adaptive, color).mean();
+    }
+
+  private:
+    const SpreadGrid<T>& spread;
+    const LightKernel<T>& light;
+    std::vector<JitteredPoint<T>> points;  // `chance` is at first the share of the point that is gathered
+    std::vector<Vec3<T>> sums;
 };
 
 /// Computes the means for one hit; with a `spread`, of a grid whose points jitter, only the share of its light.
@@ -124,6 +178,9 @@ class AreaSum {
         first = middle - scale(T(.5), u + v);
         brightest = lane(hits.weight, k) * (lane(hits.diffuse, k) + specular) *
                     max(largest(light.color), largest(Vec3<T>(0) - light.color));
+        if (!spread || !spread->adapts) return;
+        points.emplace(*spread, light), color = scale(lane(hits.diffuse, k), light.color);
+        coarsest = AreaCells::largest / 2;  // what single points see counts more
     }
 
     void add_up(T error) {
@@ -144,12 +201,12 @@ class AreaSum {
         }
         known.fill(0);
         AreaCells cells, mixed;
-        int size = clear && faced < 4 ? 2 : AreaCells::largest;
+        int size = clear && faced < 4 ? 2 : coarsest;
         for (int y = 0; y < side; y += size)
             for (int x = 0; x < side; x += size) cells.add(x, y);
         for (;; size /= 2) {
             trace_corners(cells, size);
-            if (size == AreaCells::largest && (faced == 4 || spread) && is_even()) return;
+            if (size == coarsest && (faced == 4 || spread) && is_even()) return;
             const T unevenness = split(cells, mixed, size);
             add(cells, size);
             constexpr T off = T(.15);  // measured: error, as a share, of the light of a cell that an edge crosses
@@ -158,6 +215,7 @@ class AreaSum {
             divide(mixed, cells, size / 2);
         }
         add(mixed, size);
+        if (points) share = points->mean(color);
         if (faced == 4 && whole > 0) diffuse = scale(mean_cosine(normal, middle, u, v) / whole, diffuse);
     }
 
@@ -203,7 +261,7 @@ class AreaSum {
         alignas(64) T xs[width<S>] = {}, ys[width<S>] = {};
         for (int k = 0; k < lanes; ++k) {
             const int x = corners[k] % row, y = corners[k] / row;
-            xs[k] = spread ? spread->across[x] : T(x), ys[k] = spread ? spread->down[y] : T(y);
+            xs[k] = spread ? spread->across.places[x] : T(x), ys[k] = spread ? spread->down.places[y] : T(y);
         }
         const S x = load_lanes<S>(xs), y = load_lanes<S>(ys);
         const Vec3<S> way = spread ? way_on_grid(world.lights[start.light], middle, u, v, x, y) : way_to(x, y);
@@ -229,13 +287,13 @@ class AreaSum {
         }
     }
 
-    /// Returns true if all corners of the largest cells are in the dark or, of a light whose shadows alone are soft, if
+    /// Returns true if all corners of the first cells are in the dark or, of a light whose shadows alone are soft, if
     /// all light comes to all of them. Then the mean share is known.
     bool is_even() {
         const T own = shares[0][0];
         if (!(own == T(0) || (own == T(1) && world.lights[start.light].soft))) return false;
-        for (int y = 0; y <= side; y += AreaCells::largest)
-            for (int x = 0; x <= side; x += AreaCells::largest)
+        for (int y = 0; y <= side; y += coarsest)
+            for (int x = 0; x <= side; x += coarsest)
                 for (const auto& channel : shares)
                     if (channel[y * row + x] != own) return false;
         share = Vec3<T>(own);
@@ -246,20 +304,22 @@ class AreaSum {
         const int corner = y * row + x;
         return {corner, corner + size, corner + size * row, corner + size * row + size};
     }
-    /// Returns by how much the light differs that corners get which face the surface; 1 is all light of a channel.
-    T contrast(int x, int y, int size) const {
-        T low[3], high[3], most = 0;
+    /// Returns the least and the most light that corners get which face the surface; 1 is all light of a channel.
+    std::pair<Vec3<T>, Vec3<T>> extremes(int x, int y, int size) const {
+        Vec3<T> low{0}, high{0};
         bool any = false;
         for (const int corner : corners_of(x, y, size)) {
             if (known[corner] != faced_side) continue;
-            for (int c = 0; c < 3; ++c) {
-                const T own = shares[c][corner];
-                low[c] = any ? std::min(low[c], own) : own, high[c] = any ? std::max(high[c], own) : own;
-                most = std::max(most, high[c] - low[c]);
-            }
+            const Vec3<T> own(shares[0][corner], shares[1][corner], shares[2][corner]);
+            low = any ? min(low, own) : own, high = any ? max(high, own) : own;
             any = true;
         }
-        return most;
+        return {low, high};
+    }
+    /// Returns by how much their light differs.
+    T contrast(int x, int y, int size) const {
+        const auto [low, high] = extremes(x, y, size);
+        return largest(high - low);
     }
     /// Returns the mean share of light of the corners that face the surface.
     Vec3<T> mean_share(int x, int y, int size) const {
@@ -311,6 +371,9 @@ class AreaSum {
                 diffuse = fma(cosines[k] * area(size), arrives, diffuse);
                 highlight = fma(shines[k] * area(size), arrives, highlight);
                 share = fma(area(size), arrives, share);
+                if (!points) continue;
+                const auto [low, high] = extremes(cells.x[i + k], cells.y[i + k], size);
+                points->add(cells.x[i + k], cells.y[i + k], size, arrives, low, high);
             }
         }
     }
@@ -340,6 +403,9 @@ class AreaSum {
     T surface, specular, pow, shines_from, brightest, whole = 0;
     Start<S> start;
     bool clear = false, glossy = false;
+    int coarsest = AreaCells::largest;          // the cells that shadow rays go to first
+    std::optional<GatheredPoints<T>> points;    // of a grid whose points jitter and whose quarters may remain whole
+    Vec3<T> color;                              // of the light, for these
     std::array<std::uint8_t, row * row> known;  // by corner: 0 if not known, else on which side of the surface it is
     std::array<T, row * row> shares[3];  // by corner: the share of light on the side of the surface that it faces
 };
@@ -362,7 +428,7 @@ class GridSum {
         parts.assign(1, {0, 0, light.columns - 1, light.rows - 1});
         want_corners();
         for (int level = 0; level < light.adaptive && !parts.empty(); ++level)
-            refine([](const Quarter&) { return true; });
+            refine([](const GridPart&) { return true; });
         first_known = known, first_wanted = wanted, first_parts = parts, first_whole = whole, first_weight = weight;
     }
 
@@ -379,52 +445,34 @@ class GridSum {
         known = first_known, wanted = first_wanted, parts = first_parts, whole = first_whole, weight = first_weight;
         trace_wanted();
         while (!parts.empty()) {
-            refine([&](const Quarter& part) { return mixed(part, color); });
+            refine([&](const GridPart& part) { return mixed(part, color); });
             trace_wanted();
         }
         Vec3<T> sum(0);
         for (const auto& [part, share] : whole)
-            for (const int corner : corners_of(part)) sum = fma(share, shares[corner], sum);
+            for (const int corner : part.corners(light.rows)) sum = fma(share, shares[corner], sum);
         return sum;
     }
     std::int64_t rays = 0;
 
   private:
-    /// Columns u1 to u2 and rows v1 to v2 of the grid.
-    struct Quarter {
-        int u1, v1, u2, v2;
-    };
-    std::array<int, 4> corners_of(const Quarter& part) const {
-        const auto at = [&](int column, int row) { return column * light.rows + row; };
-        return {at(part.u1, part.v1), at(part.u2, part.v1), at(part.u2, part.v2), at(part.u1, part.v2)};
-    }
-    void divide(const Quarter& part) {
-        const int u = part.u1 + part.u2, v = part.v1 + part.v2;
-        for (const auto& [u1, u2] : {std::pair(part.u1, u / 2), std::pair((u + 1) / 2, part.u2)})
-            for (const auto& [v1, v2] : {std::pair(part.v1, v / 2), std::pair((v + 1) / 2, part.v2)})
-                quarters.push_back({u1, v1, u2, v2});
-    }
     /// Divides those of the parts that are large enough and of which `divides` returns true; the others remain whole.
     /// Notes the corners of the new parts.
     template <class Divides>
     void refine(const Divides& divides) {
         weight *= T(.25), quarters.clear();
-        for (const Quarter& part : parts)
-            if ((part.u2 - part.u1 > 1 || part.v2 - part.v1 > 1) && divides(part))
-                divide(part);
+        for (const GridPart& part : parts)
+            if (part.divisible() && divides(part))
+                std::ranges::copy(part.quarters(), std::back_inserter(quarters));
             else
                 whole.emplace_back(part, weight);
         parts.swap(quarters);
         want_corners();
     }
-    /// Does the light of two corners beside each other differ by more than .1, the differences of channels added up?
-    bool mixed(const Quarter& part, const Vec3<T>& color) const {
-        const std::array<int, 4> corners = corners_of(part);
-        for (int i = 0; i < 4; ++i) {
-            const Vec3<T> off = (shares[corners[i]] - shares[corners[(i + 1) % 4]]) * color;
-            if (abs(off.x) + abs(off.y) + abs(off.z) > T(.1)) return true;
-        }
-        return false;
+    bool mixed(const GridPart& part, const Vec3<T>& color) const {
+        std::array<Vec3<T>, 4> own;
+        std::ranges::transform(part.corners(light.rows), own.begin(), [&](int corner) { return shares[corner]; });
+        return differs(own, color);
     }
     /// Returns true if all points of the grid are in front of the surface, and no body can be in between.
     bool nothing_before() {
@@ -437,8 +485,8 @@ class GridSum {
     }
     /// Notes the corners of parts to which no shadow rays went.
     void want_corners() {
-        for (const Quarter& part : parts)
-            for (const int corner : corners_of(part))
+        for (const GridPart& part : parts)
+            for (const int corner : part.corners(light.rows))
                 if (!known[corner]) known[corner] = 1, wanted.push_back(corner);
     }
     void trace_wanted() {
@@ -480,9 +528,9 @@ class GridSum {
     std::vector<std::uint8_t> known, first_known;  // by point, column by column
     std::vector<Vec3<T>> shares;
     std::vector<int> wanted, first_wanted;
-    std::vector<Quarter> parts, quarters, first_parts;
-    std::vector<std::pair<Quarter, T>> whole, first_whole;  // undivided parts, and what each of their corners counts
-    T weight = 1, first_weight;                             // what each corner of a part counts of the level before
+    std::vector<GridPart> parts, quarters, first_parts;
+    std::vector<std::pair<GridPart, T>> whole, first_whole;  // undivided parts, and what each of their corners counts
+    T weight = 1, first_weight;                              // what each corner of a part counts of the level before
 };
 
 template <class S>

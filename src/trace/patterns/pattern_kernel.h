@@ -411,7 +411,7 @@ bool is_clear(const World<T>& world, const PatternKernel<T>& pattern) {
                                : is_clear(world, world.patterns.nested[stop.nested]);
     });
 }
-/// Does the same for patterns that may let light through; those that do are not filtered.
+/// Does the same, and returns what light comes through. A pattern that lets any through is not filtered.
 template <class S>
 Filtering<S> filtered_at(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
                          const Vec3<S>& position, const S& surface, const Footprint<S>& footprint, Mask<S> lanes,

@@ -122,11 +122,17 @@ TEST_CASE("POV-Ray: faces of bodies in one place are told where they are seen, b
     CHECK(!told(box + "box { <-.5, -1, -.5>, <2, .99, .5>" + red));
     CHECK(!told(box + higher + "box { <-5, 2, -9>, <5, 2.1, 9> } "));                    // hidden
     CHECK(!told("box { -1, 1 scale .1 } box { <-.05, -1, -.05>, <.2, .1, .05>" + red));  // small
+    CHECK(!told(box + higher + "sphere { 0, 4 clipped_by { plane { -y, 3.9 } } }"));     // by what is there of a body
+    CHECK(told(box + higher + "sphere { 0, 4 clipped_by { plane { y, -3.9 } } }"));
+    CHECK(says(notes_of("camera { orthographic right -8*x up 6*y location <1, 5, -9> look_at 0 } " + box + higher),
+               "a face in the place of another body's"));
     CHECK(told("disc { y, y, 2" + red + box));
     CHECK(told("polygon { 4, <-2, 1, -2>, <2, 1, -2>, <0, 1, 2>, <-2, 1, -2>" + red + box));
     CHECK(told("cylinder { y, 2*y, .8" + clear + box));
     CHECK(!told("cylinder { y, 2*y, .8 } " + box));
     CHECK(told("sphere { 0, 2 } sphere { 0, 2" + red));
+    CHECK(told("sphere { 0, 2 pigment { rgb .5 } } sphere { 0, 2 pigment { rgb <.503, .5, .5> } }"));
+    CHECK(!told("sphere { 0, 2 pigment { rgb .5 } } sphere { 0, 2 pigment { rgb <.501, .5, .5> } }"));
     CHECK(told("cylinder { -y, y, 2 } cylinder { 0, 2*y, 2" + red));
     CHECK(told("union { cylinder { -y, y, 2 } cylinder { 0, 2*y, 2" + red + "scale .8 rotate <30, 20, 10> }"));
     CHECK(!told("cylinder { -y, y, 2 } cylinder { 0, <.01, 2, 0>, 2" + red));
@@ -307,6 +313,22 @@ TEST_CASE("POV-Ray: of slanting faces in one plane that is seen whose box a ray 
     CHECK(lifted(small + large, 1));
     CHECK_FALSE(lifted(small + large, 0));
     CHECK_FALSE(lifted(small + "disc { -.1*y, y, 2.5, 1.5" + turn + "} ", 0));
+}
+
+TEST_CASE("POV-Ray: a slanting face is before all that it hides, and told where rays are of two minds") {
+    const std::string turn = " rotate <20, 0, 30> } ", view = "camera { right -4/3*x location <0, 8, -5> look_at 0 } ";
+    const std::string a = "box { <-3, -1, -1>, <-1, 0, 1>" + turn, b = "box { <-2, -1, -1>, <2, 0, 1>" + turn,
+                      c = "box { <1, -1, -1>, <3, 0, 1>" + turn;
+    const Scene scene = whole(view + a + b + c + "light_source { 9, 1 }", false);
+    const auto top = [&](std::size_t i) { return shape<Cuboid>(scene, i).opposite.y; };
+    CHECK((top(0) > top(1) || top(1) > top(0)));
+    CHECK((top(1) > top(2) || top(2) > top(1)));
+    const auto told = [&](const std::string& bodies) {
+        return says(notes_of(view + "light_source { 9, 1 } " + bodies), "a face in the place of another body's");
+    };
+    CHECK(!told(b + "box { <-1, -.5, -2>, <1, 0, 2> pigment { rgb x }" + turn));
+    CHECK(told("box { <-2, -1, -1.8>, <2, 0, 1.8>" + turn +
+               "box { <-1.7, -.1, -2.2>, <1.7, 0, 2.2> pigment { rgb x } rotate 20*y" + turn));
 }
 
 TEST_CASE("POV-Ray: a plane is seen where a body has a face in its place") {

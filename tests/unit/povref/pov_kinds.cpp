@@ -240,6 +240,16 @@ const Kind kinds[]{
                 "plane { z, 3 pigment { rgb .1 } finish { reflection .8 } }";
      },
      .006, true},
+    {"boxes that are turned together, with faces in one plane",
+     [](Texts& t) {
+         std::string boxes;
+         for (const char* const color : {"x", "y", "z", "x+y"})
+             boxes += "box { <" + t.number(-2, -.5) + ",-.5," + t.number(-2, -.5) + ">, <" + t.number(.5, 2) + ",0," +
+                      t.number(.5, 2) + "> pigment { rgb " + color + " } translate <" + t.number(-1, 1) + ",0," +
+                      t.number(-1, 1) + "> rotate <20,10,30> } ";
+         return t.camera() + lamp + boxes;
+     },
+     .006, true},
     {"fog in hollow bodies, and around a camera in a body", [](Texts& t) {
          const std::string bodies[]{
              "sphere { " + t.vector(-.5, .5) + ", " + t.number(.8, 1.5) + " pigment { rgbt <1,.8,.6,.6> } " +
@@ -247,8 +257,10 @@ const Kind kinds[]{
              "plane { y, 2.2 hollow pigment { bozo color_map { [.5 rgbt 1] [1 rgb 1] } } finish { ambient 1 } } "
              "plane { y, 99 hollow pigment { rgb <.2,.5,.8> } finish { ambient 1 } }",
              std::string("sphere { 0, 30 ") + t.one_of({"", "hollow "}) +
-                 "pigment { rgb <.3,.4,.9> } finish { ambient 1 } }"};
-         return t.camera() + lamp + bodies[std::stoul(t.one_of({"0", "1", "2"}))] +
+                 "pigment { rgb <.3,.4,.9> } finish { ambient 1 } }",
+             t.one_of({"sphere { 0, 1.5 clipped_by { plane { y, .3 rotate 40*x } } ", "cylinder { -y, y, 1.2 open "}) +
+                 t.one_of({"pigment { rgbt <1,.8,.6,.6> } hollow }", "pigment { rgb x } finish { reflection .4 } }"})};
+         return t.camera() + lamp + bodies[std::stoul(t.one_of({"0", "1", "2", "3", "3"}))] +
                 " plane { y, -2 pigment { checker rgb 1, rgb .1 } } sphere { 0, .4 pigment { rgb x } } fog { "
                 "distance " +
                 t.number(4, 40) + " rgb <.7,.7,.8> }";

@@ -144,7 +144,8 @@ TEST_CASE("a verdict counts differences on and off edges") {
     };
     const Verdict unsure = with(3, 0);
     CHECK((unsure.unsure == 1 && unsure.beyond_off_edges == 0 && unsure.worst_off_edges == 1 && made == 1));
-    for (const double everywhere : {0., .1}) {  // another view tells nothing
+    // A moved camera that changes nothing, or everything, makes no pixel unsure.
+    for (const double everywhere : {0., .1}) {
         const Verdict sure = with(everywhere > 0 ? 3 : 2, everywhere);
         CHECK((sure.unsure == 0 && sure.beyond_off_edges == 1 && sure.worst_off_edges == 5));
         CHECK((made > 1 && made < most_again));

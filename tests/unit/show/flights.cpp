@@ -185,7 +185,7 @@ TEST_CASE("figures of a flight are those of its times and levels") {
     CHECK(report_of(compared, setting)
               .find("2 pictures beside the finished ones, in steps of 1/255: RMS 1.50, 99 % off "
                     "by at most 9, SSIM 0.9000, 2.00 % off by more than 8, flicker 2.50\n") != text.npos);
-    CHECK(json_of(compared, setting).find("\"visible\": 0.02, \"flicker\": 2.5 }\n}\n") != json.npos);
+    CHECK(json_of(compared, setting).find("\"visible\": 0.02,\n    \"flicker\": 2.5\n  }\n}\n") != json.npos);
     CHECK(benchmark_of({}).pictures == 0);
     CHECK(report_of(benchmark_of({}), setting) != "");
 }

@@ -1,4 +1,6 @@
 // Tests the layout of the panels over the picture, without a display.
+#include "show/panels/panels.h"
+
 #include <doctest/doctest.h>
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -71,6 +73,67 @@ TEST_CASE("panels do not cover each other") {
             }
     }
     for (const float size : {1.f, 13.f, 100.f}) PanelLayout(size, size).draw(overlay);  // too small to read
+}
+
+TEST_CASE("panels without room beside each other: the one asked for last is seen, and the others once it is closed") {
+    const std::string more =
+        R"(sphere { <0,0,0>, 1 translate <0,0,track "a" 1> } sphere { <0,0,0>, 1 translate <0,0,track "b" 1> })";
+    for (const auto& [width, height] : {std::pair(640.f, 330.f), {960.f, 540.f}, {1920.f, 1080.f}}) {
+        CAPTURE(width);
+        const PanelLayout layout(width, height);
+        Pace pace(Pace::Clock::now(), 60);
+        Panels panels(pace, false, false);
+        const Session session(shown_scene(more));
+        BodyEditor editor;
+        editor.open(scene_text + more);
+        const auto draw = [&] {
+            for (int i = 0; i < 6; ++i) {
+                ImGui::NewFrame();
+                panels.arrange(editor);
+                panels.draw_timeline(session, {}, true, false);
+                panels.draw_body(editor, "test.rt");
+                panels.draw_add();
+                panels.draw_outline(session, editor, {}, {});
+                ImGui::Render();
+            }
+        };
+        const auto seen = [](const char* name) {
+            const ImGuiWindow* const found = ImGui::FindWindowByName(name);
+            return found && found->Active;
+        };
+        const auto check_apart = [&] {
+            const char* const names[] = {"timeline", "outline", "add", "body"};
+            for (const char* const one : names)
+                for (const char* const other : names) {
+                    if (one == other || !seen(one) || !seen(other)) continue;
+                    CAPTURE(one);
+                    CAPTURE(other);
+                    CHECK(!PanelLayout::window(one).Rect().Overlaps(PanelLayout::window(other).Rect()));
+                }
+        };
+        for (const auto& [action, name] :
+             {std::pair(Action::timeline, "timeline"), {Action::outline, "outline"}, {Action::add_block, "add"}}) {
+            panels.toggle(action), draw();
+            CHECK(seen(name));
+            check_apart();
+        }
+        editor.choose(0, DVec3(0), *session.scene), draw();
+        CHECK(seen("body"));
+        CHECK(seen("timeline") == (height > 500));
+        CHECK(seen("outline") == (width > 900));
+        check_apart();
+        panels.toggle(Action::timeline), draw();  // is closed, or shown in place of the others
+        CHECK(seen("timeline") == (height < 500));
+        CHECK(seen("body") == (height > 500));
+        check_apart();
+        panels.prefer_body(), draw();
+        CHECK(seen("body"));
+        check_apart();
+        editor.close(), draw();
+        CHECK(!seen("body"));
+        while (panels.step_back()) draw(), check_apart();
+        for (const char* const name : {"timeline", "outline", "add"}) CHECK(!seen(name));
+    }
 }
 
 TEST_CASE("the help is a whole page in readable letters, also in a small window") {

@@ -68,7 +68,7 @@ class Watcher {
     bool heard = false;
 
   public:
-    TraceThread tracing;  // ends first
+    TraceThread tracing;  // the last member, so that it ends before those that it calls are gone
 };
 
 struct Exact {

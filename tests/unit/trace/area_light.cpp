@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "num/vec_math.h"
@@ -15,6 +18,7 @@
 #include "tests/unit/scenes.h"
 #include "text/parse.h"
 #include "trace/lights/area_mean_kernel.h"
+#include "trace/lights/grid_parts.h"
 
 using namespace strahl;
 
@@ -165,6 +169,97 @@ box { <0, -99, 5>, <99, 99, 5.000001> }
             CAPTURE(points);
             CAPTURE(column);
             CHECK(std::fabs(shaded.rgb[at] / whole.rgb[at] - share) < 1. / 60);  // 64 cells along an edge
+        }
+    }
+}
+
+namespace {
+
+/// Samples a grid once as POV-Ray does: corners first, and quarters where they differ. Each point has one share of
+/// light in all parts.
+double sampled(int columns, int rows, int adaptive, double strength, const std::function<double(int, int)>& light_of) {
+    std::map<std::pair<int, int>, double> known;
+    const auto at = [&](int column, int row) {
+        const auto [own, is_new] = known.try_emplace({column, row});
+        if (is_new) own->second = light_of(column, row);
+        return own->second;
+    };
+    const auto part = [&](const auto& self, int u1, int v1, int u2, int v2, int level) -> double {
+        const double a = at(u1, v1), b = at(u2, v1), c = at(u2, v2), d = at(u1, v2);
+        const auto differ = [&](double one, double other) { return 3 * strength * std::fabs(one - other) > .1; };
+        const bool mixed = differ(a, b) || differ(b, c) || differ(c, d) || differ(d, a);
+        if ((u2 - u1 <= 1 && v2 - v1 <= 1) || !(level < adaptive || mixed)) return (a + b + c + d) / 4;
+        const int u = u1 + u2, v = v1 + v2;
+        return (self(self, u1, v1, u / 2, v / 2, level + 1) + self(self, (u + 1) / 2, v1, u2, v / 2, level + 1) +
+                self(self, u1, (v + 1) / 2, u / 2, v2, level + 1) +
+                self(self, (u + 1) / 2, (v + 1) / 2, u2, v2, level + 1)) /
+               4;
+    };
+    return part(part, 0, 0, columns - 1, rows - 1, 0);
+}
+
+}  // namespace
+
+TEST_CASE("the mean of adaptive sampling of a grid that jitters is that of many pictures") {
+    Dice dice(3);
+    for (int scene = 0; scene < 30; ++scene) {
+        const int columns = 1 + static_cast<int>(dice.in(0, 9.99)), rows = 1 + static_cast<int>(dice.in(0, 9.99));
+        const int adaptive = static_cast<int>(dice.in(0, 2.99));
+        const double strength = scene % 5 == 0 ? .02 : 1;  // of faint light no differences count
+        std::vector<JitteredPoint<double>> points(std::size_t(columns) * rows);
+        for (JitteredPoint<double>& own : points) {
+            const double low = dice.in(0, .2), kind = dice.in(0, 1);
+            own.low = DVec3(low), own.high = DVec3(kind < .3 ? low : 1);
+            own.chance = kind < .5 ? 0 : kind < .7 ? 1 : dice.in(0, 1);
+        }
+        constexpr int pictures = 4000;
+        double sum = 0, squares = 0;
+        for (int i = 0; i < pictures; ++i) {
+            const double own = sampled(columns, rows, adaptive, strength, [&](int column, int row) {
+                const auto& point = points[std::size_t(column) * rows + row];
+                return (dice.in(0, 1) < point.chance ? point.high : point.low).x;
+            });
+            sum += own, squares += own * own;
+        }
+        const double mean = sum / pictures,
+                     sigma = std::sqrt(std::max(squares / pictures - mean * mean, 0.) / pictures);
+        const AdaptiveMean<double> exact(points, columns, rows, adaptive, DVec3(strength));
+        CAPTURE(scene);
+        CHECK(std::fabs(exact.mean().y - mean) < 4 * sigma + 1e-9);
+    }
+}
+
+TEST_CASE("soft shadows of a grid that jitters, with quarters that remain whole, are the mean of many pictures") {
+    // As above an edge hangs before half of the light.
+    const std::string scene_text = R"(
+camera { position <0, 0, 4>  look_at <0, 0, 0>  up <0, 1, 0>  fov 30  aspectratio 1 }
+light { position <0, 0, 10>  color <1, 1, 1>  edges <2, 0, 0>, <0, 2, 0>  grid COUNT, 6  soft  adaptive 0  jitter }
+plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0>  material { rgb <1, 1, 1>  reflection 0  ambient 0  specular 0 } }
+box { <0, -99, 5>, <99, 99, 5.000001> }
+)";
+    constexpr int size = 24, pictures = 2000;
+    Dice dice(5);
+    for (const int columns : {4, 7, 16}) {
+        std::string text = scene_text;
+        text.replace(text.find("COUNT"), 5, std::to_string(columns));
+        const auto light_of = [&](bool shadows) {
+            Scene scene = parse_scene(text, "x");
+            scene.lights[0].shadowless = !shadows;
+            const View view{.camera = scene.camera, .width = size, .height = size, .depth = 2, .error = 1e-5};
+            return render(scene, view, Precision::float64, 2, Simd::automatic);
+        };
+        const Frame shaded = light_of(true), whole = light_of(false);
+        for (int column = 0; column < size; ++column) {
+            const double x = 4 * std::tan(std::acos(-1.) / 6) * (1 - 2 * (column + .5) / size);
+            double sum = 0;
+            for (int i = 0; i < pictures; ++i)
+                sum += sampled(columns, 6, 0, 1, [&](int own, int) {
+                    return -1 + (own + dice.in(-.5, .5)) * 2 / (columns - 1) < -x ? 1. : 0.;
+                });
+            const std::size_t at = 3 * (std::size_t(size) * size / 2 + column);
+            CAPTURE(columns);
+            CAPTURE(column);
+            CHECK(std::fabs(shaded.rgb[at] / whole.rgb[at] - sum / pictures) < .02);
         }
     }
 }

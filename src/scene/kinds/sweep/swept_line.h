@@ -98,7 +98,7 @@ namespace strahl::inline STRAHL_LEVEL {
 template <class V>
 struct SweptSpans {
     using R = Element<V>;
-    static constexpr int most = 256;  // it forgets others
+    static constexpr int most = 256;  // parts of a line; more are left out
     struct LaneSpans {
         Room<R, most> near, far;
         int count;
