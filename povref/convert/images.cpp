@@ -71,7 +71,11 @@ std::string image_text(const ImagePattern& image, const std::string& more, bool 
     const bool flat = image.map == ImageMap::planar;
     // POV-Ray's poles are at -y and y, and it turns from x to z.
     const std::string poles = flat ? "" : " matrix <1,0,0, 0,0,1, 0,1,0, 0,0,0>";
-    if (!image.once || image.map == ImageMap::spherical) return map + poles;
+    std::string warps;
+    for (const std::size_t axis : {std::size_t(0), std::size_t(1)})
+        if (flat && !image.once && image.wrap[axis] == ImageWrap::mirror)
+            warps += axis == 0 ? " warp { repeat x flip x }" : " warp { repeat y flip y }";
+    if (!image.once || image.map == ImageMap::spherical) return map + warps + poles;
     const std::string inside = "min(y, 1 - 1e-10 - y" + std::string(flat ? ", x, 1 - 1e-10 - x)" : ")");
     return "function { select(" + inside + ", 0, 1) } pigment_map { [0.5 rgb " + text_of(*image.once) + more +
            "] [0.5 " + map + "] }" + poles;

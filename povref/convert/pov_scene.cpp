@@ -43,6 +43,7 @@ struct Plan {
     bool mixed_groups = false;    // some body has parts of different groups
     bool normal_maps = false;     // some material has one
     bool bumps_by_uv = false;     // some material has a bump by uv
+    bool wraps = false;           // some picture is clamped or mirrored
     bool moves = false;           // bodies or lights do, in an animation
     bool sharp_lens = false;      // a lens that POV-Ray has not
     bool shutter = false;
@@ -84,6 +85,12 @@ Plan plan_for(const Scene& scene, const PovRequest& request) {
             material.old_opacity > 0;
         plan.normal_maps |= material.normal.pattern != nullptr;
         plan.bumps_by_uv |= material.bump.pattern && material.bump.pattern->by_uv;
+        material.each_pattern([&](const Pattern& pattern) {
+            each_nested(pattern, [&](const Pattern& own) {
+                const auto* const image = std::get_if<ImagePattern>(&own.kind);
+                plan.wraps |= image && !image->once && image->wrap != ImagePattern().wrap;
+            });
+        });
     }
     for (const Light& light : scene.lights) plan.rectangles |= light.area && light.area->columns == 0;
     for (const Primitive& primitive : scene.primitives)
@@ -114,6 +121,10 @@ std::vector<std::string> warnings_of(const Plan& plan) {
         {plan.bumps_by_uv,
          "POV-Ray bends normals by uv as if u and v grew along x and y; the picture is right only for meshes on which "
          "they do"},
+        {plan.wraps,
+         "POV-Ray's pictures repeat: beyond a clamped picture it shows the picture again, and within half a pixel of "
+         "the "
+         "edges of a mirrored one the colours of the opposite edge"},
         {plan.sharp_lens, "POV-Ray has round lenses of perspective cameras alone"},
         {plan.shutter, "POV-Ray has no shutter; what moves is sharp, as it is in the middle of the time it is open"},
         {plan.stereo, "POV-Ray has no pictures for two eyes; this one is seen from between them"},

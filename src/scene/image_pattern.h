@@ -32,6 +32,14 @@ enum class ImageMap : std::int32_t {
 };
 inline constexpr std::array<std::string_view, 3> image_maps{"planar", "spherical", "cylindrical"};
 
+/// What is beyond the edges of a picture along u or v.
+enum class ImageWrap : std::int32_t {
+    repeat,  // the picture again; its edges join
+    clamp,   // the colours of the edge
+    mirror,  // the picture mirrored, and then the picture again
+};
+inline constexpr std::array<std::string_view, 3> image_wraps{"repeat", "clamp", "mirror"};
+
 /// POV-Ray's weights of red, green and blue in the brightness of a colour. It is the height where a picture bends
 /// normals.
 inline constexpr std::array<double, 3> brightness{.297, .589, .114};
@@ -42,17 +50,18 @@ struct ImagePattern {
     std::string file;  // as the scene names it
     std::shared_ptr<const Pixels> pixels;
     ImageMap map = ImageMap::planar;
-    /// The colour outside of the picture, where u or v is not from 0 to 1. Without it the picture repeats and its edges
-    /// join, also at the poles: within half a pixel of a pole its top and its bottom mix.
+    /// The colour outside of the picture, where u or v is not from 0 to 1. Without it `wrap` tells what is there. Where
+    /// the picture repeats its edges join also at the poles: within half a pixel of a pole its top and its bottom mix.
     std::optional<Color> once{};
-    bool sharp = false;  // each pixel is a rectangle of its colour
+    bool sharp = false;               // each pixel is a rectangle of its colour
+    std::array<ImageWrap, 2> wrap{};  // along u and v
 
     static constexpr const char* name = "image";
     static constexpr const char* help = "the colours of a .png, .jpg, .bmp or .exr file";
     static constexpr auto fields = std::make_tuple();
     bool operator==(const ImagePattern& other) const {
         return file == other.file && map == other.map && once == other.once && sharp == other.sharp &&
-               (pixels == other.pixels || (pixels && other.pixels && *pixels == *other.pixels));
+               wrap == other.wrap && (pixels == other.pixels || (pixels && other.pixels && *pixels == *other.pixels));
     }
 };
 

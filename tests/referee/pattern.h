@@ -66,10 +66,14 @@ Vector<R> color_in(const ImagePattern& image, const Vector<R>& p) {
     if (image.once && !(u >= 0 && u < 1 && v >= 0 && v < 1)) return *image.once;
     const Pixels& pixels = *image.pixels;
     const auto at = [&](std::int64_t x, std::int64_t y, int c) {
-        const auto within = [&](std::int64_t i, std::int64_t size) {
-            return image.once ? std::clamp<std::int64_t>(i, 0, size - 1) : (i % size + size) % size;
+        const auto within = [&](std::int64_t i, std::int64_t size, ImageWrap wrap) {
+            const std::int64_t again = (i % (2 * size) + 2 * size) % (2 * size);
+            if (!image.once && wrap == ImageWrap::repeat) return again % size;
+            if (!image.once && wrap == ImageWrap::mirror) return std::min(again, 2 * size - 1 - again);
+            return std::clamp<std::int64_t>(i, 0, size - 1);
         };
-        const std::int64_t pixel = within(y, pixels.height) * pixels.width + within(x, pixels.width);
+        const std::int64_t pixel =
+            within(y, pixels.height, image.wrap[1]) * pixels.width + within(x, pixels.width, image.wrap[0]);
         return R(pixels.values[static_cast<std::size_t>(3 * pixel + c)]);
     };
     const R half = image.sharp ? R(0) : R(.5), x = u * pixels.width - half, y = (1 - v) * pixels.height - half;

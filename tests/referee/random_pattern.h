@@ -30,7 +30,10 @@ inline ImagePattern random_image(Dice& dice) {
     image.file = number(8) + "-" + number(8) + "-" + number(1000);
     image.pixels = std::make_shared<const Pixels>(made_up_pixels(image.file));
     image.map = static_cast<ImageMap>(dice.upto(2));
-    if (dice.chance(.3)) image.once = dice.vector(0, 1);
+    if (dice.chance(.3))
+        image.once = dice.vector(0, 1);
+    else if (dice.chance(.3))
+        for (ImageWrap& wrap : image.wrap) wrap = static_cast<ImageWrap>(dice.upto(2));
     return image;
 }
 

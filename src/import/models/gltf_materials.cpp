@@ -84,7 +84,17 @@ GltfMaterials::PictureUse GltfMaterials::use(const GltfValue& texture, GltfMater
     }
     result.places = places, result.pictured = true;
     use.picture = picture(source);
-    if (own["sampler"]) use.sharp = file.entry("samplers", own["sampler"])["magFilter"].count(9729, 99999) == 9728;
+    if (own["sampler"]) {
+        constexpr std::uint64_t nearest = 9728, linear = 9729, clamp = 33071, mirror = 33648, repeat = 10497;
+        const GltfValue sampler = file.entry("samplers", own["sampler"]);
+        use.sharp = sampler["magFilter"].count(linear, 99999) == nearest;
+        for (const auto& [axis, name] : {std::pair(0, "wrapS"), {1, "wrapT"}}) {
+            const std::uint64_t code = sampler[name].count(repeat, 99999);
+            use.place.wrap[std::size_t(axis)] = code == clamp    ? ImageWrap::clamp
+                                                : code == mirror ? ImageWrap::mirror
+                                                                 : ImageWrap::repeat;
+        }
+    }
     // Their v goes down.
     const DVec3 offset = moved["offset"].numbers<2>(DVec3(0)), scale = moved["scale"].numbers<2>(DVec3(1));
     const double angle = moved["rotation"].number(0);

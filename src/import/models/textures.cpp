@@ -54,16 +54,17 @@ Pattern picture_by_uv(const std::shared_ptr<const FilePixels>& pixels, const std
         }
         shown = changed, name.clear();
     }
-    return {.kind =
-                ImagePattern{
-                    .file = name, .pixels = shown, .once = place.clamped ? std::optional(place.around) : std::nullopt},
+    return {.kind = ImagePattern{.file = name,
+                                 .pixels = shown,
+                                 .once = place.clamped ? std::optional(place.around) : std::nullopt,
+                                 .wrap = place.wrap},
             .colors = {},
             .transformations = steps_of(place),
             .by_uv = true};
 }
 
 Pigment partly_clear(const Pigment& opaque, Opacity opacity, const TexturePlace& place) {
-    opacity.once = place.clamped;
+    opacity.once = place.clamped, opacity.wrap = place.wrap;
     return partly_clear(opaque, std::make_shared<const Opacity>(std::move(opacity)), steps_of(place), true);
 }
 

@@ -1,5 +1,6 @@
 // Pictures of models as patterns.
 #pragma once
+#include <array>
 #include <functional>
 #include <map>
 #include <memory>
@@ -20,6 +21,7 @@ struct TexturePlace {
     double degrees = 0;
     bool clamped = false;  // it is there once, and `around` is the colour beside it
     Color around{0};
+    std::array<ImageWrap, 2> wrap{};  // what is beyond its edges, if it is not `clamped`
 };
 
 /// Reads pictures once each.

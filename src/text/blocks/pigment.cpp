@@ -57,6 +57,8 @@ class PatternBlock {
                 if (use == Use::color && inner == "colors" && has_map<Kind>) return map(inner, colors_at, block), true;
                 if (inner == "map") return read_map(kind, inner, block), true;
                 if (inner == "once" && read_once(kind, inner, block)) return true;
+                if constexpr (std::is_same_v<Kind, ImagePattern>)
+                    if (inner == "wrap") return read_wrap(kind, inner, block), true;
                 if (use == Use::color && inner == "sharp" && read_sharp(kind, inner, block)) return true;
                 if constexpr (std::is_same_v<Kind, ImagePattern>)
                     if (use == Use::color && contains(opacity_words, inner)) return read_opacity(inner, block), true;
@@ -82,13 +84,13 @@ class PatternBlock {
         };
         constexpr bool image = std::is_same_v<Kind, ImagePattern>;
         if constexpr (use != Use::color && image)
-            return all("height", "map", "once");
+            return all("height", "map", "once", "wrap");
         else if constexpr (use != Use::color)
             return all("height", "map");
         else if constexpr (has_map<Kind>)
             return all("colors", "map");
         else if constexpr (image)
-            return joined(opacity_words, all("map", "once", "sharp"));
+            return joined(opacity_words, all("map", "once", "wrap", "sharp"));
         else
             return all("map");
     }
@@ -140,7 +142,8 @@ class PatternBlock {
             reader.fault(block, at, "only the maps planar and uv show places that are not opaque");
         } else if (any && block.good()) {
             Opacity own(other_picture ? *other_picture : *picture, other_picture != nullptr);
-            own.file = other_file, own.factor = share, own.limit = mask, own.once = image.once.has_value();
+            own.file = other_file, own.factor = share, own.limit = mask;
+            own.once = image.once.has_value(), own.wrap = image.wrap;
             opacity = std::make_shared<const Opacity>(std::move(own));
         } else if (!any && clear != picture->opacity.end()) {
             const auto i = clear - picture->opacity.begin();
@@ -170,6 +173,22 @@ class PatternBlock {
             return true;
         }
         return false;
+    }
+    /// Reads what is beyond the picture along u, and along v if that is something else.
+    void read_wrap(ImagePattern& image, std::string_view word, Block& block) {
+        block.bad |= !reader.once(wrap_at, word);
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            const std::string_view name = reader.lexer.word();
+            const auto found = std::ranges::find(image_wraps, name);
+            if (found != image_wraps.end()) {
+                image.wrap[axis] = static_cast<ImageWrap>(found - image_wraps.begin());
+                if (axis == 0) image.wrap[1] = image.wrap[0];
+                continue;
+            }
+            if (axis == 1) return name.empty() ? void() : reader.lexer.rewind(name);
+            if (name.empty()) reader.lexer.fail("a word such as 'clamp' expected after 'wrap'");
+            return reader.fault(block, name, unknown_word(name, image_wraps, " after 'wrap'"));
+        }
     }
     template <class Kind>
     bool read_sharp(Kind& kind, std::string_view word, Block& block) {
@@ -245,7 +264,7 @@ class PatternBlock {
     BlockReader& reader;
     const NumberRange& colors;
     Pattern pattern;
-    std::string_view map_at, once_at, sharp_at, height_at, file_at;
+    std::string_view map_at, once_at, wrap_at, sharp_at, height_at, file_at;
     std::array<std::string_view, 3> opacity_at;  // where each of `opacity_words` stands
     std::shared_ptr<const FilePixels> picture, other_picture;
     std::string other_file;
@@ -264,6 +283,12 @@ std::string map_text(const Kind& kind, bool by_uv) {
     if constexpr (requires { kind.map; })
         if (!by_uv && kind.map != ImageMap::planar) word = image_maps[static_cast<std::size_t>(kind.map)];
     return word.empty() ? "" : "map " + std::string(word);
+}
+/// `wrap` with its words, unless they are the default.
+std::string wrap_text(const std::array<ImageWrap, 2>& wrap) {
+    if (wrap == std::array<ImageWrap, 2>{}) return "";
+    const auto name = [](ImageWrap own) { return " " + std::string(image_wraps[static_cast<std::size_t>(own)]); };
+    return "wrap" + name(wrap[0]) + (wrap[1] == wrap[0] ? "" : name(wrap[1]));
 }
 
 }  // namespace
@@ -354,6 +379,7 @@ std::string block_text(const Pattern& pattern, const std::string& first) {
             put(map_text(own, by_uv));
             if constexpr (requires { own.once; })
                 if (own.once) put("once " + text_of(*own.once));
+            if constexpr (requires { own.wrap; }) put(wrap_text(own.wrap));
             if constexpr (requires { own.sharp; })
                 if (own.sharp) put("sharp");
             put(first);

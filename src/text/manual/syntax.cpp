@@ -15,9 +15,10 @@ LanguageWords words_of_language() {
     add(words.blocks, block_words), add(words.blocks, mesh_words);
     add(words.patterns, pattern_words);
     add(words.others, shape_words), add(words.others, triangle_words), add(words.others, maps_of(ImagePattern()));
+    add(words.others, image_wraps);
     add(words.others, light_words), add(words.others, music_words);
     add(words.others,
-        std::initializer_list<std::string_view>{"colors", "map", "once", "sharp", "height", "none", "track"});
+        std::initializer_list<std::string_view>{"colors", "map", "once", "wrap", "sharp", "height", "none", "track"});
     add(words.others, opacity_words);
     std::apply(
         [&](const auto&... kind) {

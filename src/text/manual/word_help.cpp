@@ -131,6 +131,8 @@ template <class Kind>
 Rows pattern_rows() {
     Kind kind;
     Rows rows;
+    std::vector<std::string> wraps;
+    for (const std::string_view wrap : image_wraps) wraps.push_back(code(wrap));
     if constexpr (two_colored<Kind>)
         rows = {{"two colours", "required", not_negative.words, Kind::help}};
     else if constexpr (requires { kind.solid; })
@@ -142,6 +144,10 @@ Rows pattern_rows() {
         rows = {
             {"\"NAME\"", "required", "a path, relative to the scene's folder", Kind::help},
             {"`once`", "it repeats", not_negative.words, "the picture is there once, with this colour around it"},
+            {"`wrap`", code(image_wraps[0]), listed(wraps),
+             "what is beyond its edges: the picture again, the colours of the edge, or its mirror image; a second word "
+             "is "
+             "for v"},
             {"`sharp`", "colours change between pixels", "the word alone", "each pixel is a rectangle of its colour"},
             {"`opacity`", "the picture must be opaque", shares.words,
              "lets light through where the alpha channel, multiplied by this, is below 1"},
@@ -228,6 +234,7 @@ std::vector<std::string> words_after(std::string_view word) {
     if (word == "bump") return all(bump_words);
     if (word == "normal") return {ImagePattern::name};
     if (word == "map") return all(maps_of(ImagePattern()));
+    if (word == "wrap") return all(image_wraps);
     if (word == "solid") return all(solid_names);
     return {};
 }

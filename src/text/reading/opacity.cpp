@@ -19,18 +19,24 @@ ImagePattern Opacity::picture() const {
     for (const float value : values) grey->values.insert(grey->values.end(), 3, value * static_cast<float>(factor));
     ImagePattern result{.file = "", .pixels = std::move(grey)};
     if (once) result.once = Color(factor);
+    result.wrap = wrap;
     return result;
 }
 
 double Opacity::value_at(const DVec3& point) const {
     const bool beyond = once && !(point.x >= 0 && point.x <= 1 && point.y >= 0 && point.y <= 1);
-    const auto within = [&](double place) { return once ? std::clamp(place, 0., 1.) : place - std::floor(place); };
-    const double x = within(point.x) * width - .5, y = (1 - within(point.y)) * height - .5;
+    const bool ends[2]{once || wrap[0] != ImageWrap::repeat, once || wrap[1] != ImageWrap::repeat};
+    const auto within = [&](int axis, double place) {
+        if (!ends[axis]) return place - std::floor(place);
+        if (!once && wrap[std::size_t(axis)] == ImageWrap::mirror) place = std::abs(place - 2 * std::round(place / 2));
+        return std::clamp(place, 0., 1.);
+    };
+    const double x = within(0, point.x) * width - .5, y = (1 - within(1, point.y)) * height - .5;
     const auto at = [&](double column, double row) {
-        const auto wrapped = [&](double place, double size) {
-            return std::size_t(place < 0 ? (once ? 0 : size - 1) : place >= size ? (once ? size - 1 : 0) : place);
+        const auto wrapped = [](double place, double size, bool end) {
+            return std::size_t(place < 0 ? (end ? 0 : size - 1) : place >= size ? (end ? size - 1 : 0) : place);
         };
-        return double(values[wrapped(row, height) * std::size_t(width) + wrapped(column, width)]);
+        return double(values[wrapped(row, height, ends[1]) * std::size_t(width) + wrapped(column, width, ends[0])]);
     };
     if (!std::isfinite(x + y)) return 1;
     const double left = std::floor(x), top = std::floor(y), u = x - left, v = y - top;

@@ -1,5 +1,6 @@
 // Pictures that say how opaque a surface is.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -15,7 +16,8 @@ namespace strahl {
 struct Opacity : SolidFunction {
     std::string file{};  // of the picture, as the scene names it; "" if it is the one that shows the colours
     double factor = 1, limit = 0;
-    bool once = false;  // beyond it the value is 1; else it repeats
+    bool once = false;                // beyond it the value is 1; else
+    std::array<ImageWrap, 2> wrap{};  // tells what is there along u and v
 
     /// The values are the alpha channel; without one they are the brightness of the colours if `grey`, else 1.
     Opacity(const FilePixels& pixels, bool grey);

@@ -71,8 +71,8 @@ struct ImageLookups {
             return all;
         };
         const T x = u * static_cast<T>(level.width), y = (T(1) - v) * static_cast<T>(level.height);
-        const T across = narrowed(pair(x, level.width, image.once, columns), width[0], x, level.width);
-        const T down = narrowed(pair(y, level.height, image.once || ends_at_poles, rows), width[1], y, level.height);
+        const T across = narrowed(pair(x, level.width, image.ends[0], columns), width[0], x, level.width);
+        const T down = narrowed(pair(y, level.height, image.ends[1] || ends_at_poles, rows), width[1], y, level.height);
         for (int j = 0; j < 2; ++j)
             for (int i = 0; i < 2; ++i) {
                 const T own = share * (i ? across : T(1) - across) * (j ? down : T(1) - down);
@@ -118,17 +118,18 @@ struct ImageLookups {
             for (int j = 0; j < lookups_beside; ++j) {
                 const T x_at = fma(static_cast<T>(i) + T(.5), per, T(-.5));
                 const T y_at = (static_cast<T>(j) + T(.5)) / T(lookups_beside) - T(.5);
-                const T own_u = within(fma(x_at, along[0], fma(y_at, beside[0], u)), image.once);
+                const T own_u = within(fma(x_at, along[0], fma(y_at, beside[0], u)), image.ends[0], image.mirrors[0]);
                 const T own_v = within(fma(x_at, along[1], fma(y_at, beside[1], v)),
-                                       image.once || image.map == ImageMap::spherical);
+                                       image.ends[1] || image.map == ImageMap::spherical, image.mirrors[1]);
                 add(level, own_u, own_v, share * (T(1) - coarse));
                 if (coarse > 0) add(level + 1, own_u, own_v, share * coarse);
             }
         return longer;
     }
 
-    STRAHL_INLINE static T within(T x, bool ends) {
-        const T own = ends ? x : x - std::floor(x);
+    STRAHL_INLINE static T within(T x, bool ends, bool mirrors) {
+        T own = mirrors ? x - 2 * std::floor(x / 2) : ends ? x : x - std::floor(x);
+        if (mirrors && own > 1) own = 2 - own;
         return own >= 0 ? std::min(own, T(1)) : T(0);
     }
 };

@@ -37,13 +37,13 @@ template <class S>
 struct PixelPair {
     alignas(64) Element<S> numbers[2][width<S>];
     S share;
-    PixelPair(const S& place, const S& size, bool once, bool sharp) {
+    PixelPair(const S& place, const S& size, bool ends, bool sharp) {
         const S last = size - S(1), from_middle = sharp ? min(floor(place), last) : place - S(Element<S>(.5));
         const S low = floor(from_middle);
         const S high = low + S(1);
         share = from_middle - low;
-        store_lanes(numbers[0], select(low < S(0), once ? S(0) : last, low));
-        store_lanes(numbers[1], select(high > last, once ? last : S(0), high));
+        store_lanes(numbers[0], select(low < S(0), ends ? S(0) : last, low));
+        store_lanes(numbers[1], select(high > last, ends ? last : S(0), high));
     }
 };
 
@@ -60,19 +60,27 @@ STRAHL_INLINE std::array<S, 2> place_in_image(const ImageKernel<Element<S>>& ima
     return {u + S(image.shift[0]), v + S(image.shift[1])};
 }
 
+/// Returns where a place along u or v is in the picture itself, from 0 to 1; 0 if it has no digits left.
+template <class S>
+STRAHL_INLINE S within_image(const S& x, bool ends, bool mirrors) {
+    const S zero(0), one(1), two(2);
+    S own = mirrors ? x - two * floor(S(Element<S>(.5)) * x) : ends ? x : x - floor(x);
+    if (mirrors) own = select(own > one, two - own, own);
+    return select(own >= zero, select(own <= one, own, ends ? one : zero), zero);
+}
+
 /// Returns the colour at a point of the pattern's space; where coordinates are too large for the number type, that of a
 /// corner.
 template <class S>
 [[gnu::noinline]] Vec3<S> image_color(const ImageKernel<Element<S>>& image, const Vec3<S>& p) {
     using T = Element<S>;
     const auto [u, v] = place_in_image(image, p);
-    const auto in_picture = [&](const S& x) {
-        const S own = image.once ? x : x - floor(x);
-        return select((own >= S(0)) & (own <= S(1)), own, S(0));
+    const auto in_picture = [&](int axis, const S& x) {
+        return within_image(x, image.ends[axis], image.mirrors[axis]);
     };
     const S across(T(image.width)), down(T(image.height));
-    const PixelPair<S> column(in_picture(u) * across, across, image.once, image.sharp);
-    const PixelPair<S> row((S(1) - in_picture(v)) * down, down, image.once, image.sharp);
+    const PixelPair<S> column(in_picture(0, u) * across, across, image.ends[0], image.sharp);
+    const PixelPair<S> row((S(1) - in_picture(1, v)) * down, down, image.ends[1], image.sharp);
     alignas(64) T values[2][2][3][width<S>];
     for (int j = 0; j < 2; ++j)
         for (int i = 0; i < 2; ++i)

@@ -60,18 +60,27 @@ struct KernelSpace {
     void operator()(const ImagePattern& image) {
         kernel.form = PatternForm::image;
         const double shift = image.sharp ? border<T> : 0;
+        const bool repeats[2]{!image.once && image.wrap[0] == ImageWrap::repeat,
+                              !image.once && image.wrap[1] == ImageWrap::repeat};
+        const bool mirrors[2]{!image.once && image.wrap[0] == ImageWrap::mirror,
+                              !image.once && image.wrap[1] == ImageWrap::mirror};
         kernel.image = {nullptr,
                         image.pixels->width,
                         image.pixels->height,
                         image.map,
                         image.once.has_value(),
                         image.sharp,
+                        {!repeats[0], !repeats[1]},
+                        {mirrors[0], mirrors[1]},
                         cast<T>(image.once.value_or(Color(0))),
                         static_cast<T>(border<T>),
                         {static_cast<T>(shift / image.pixels->width), static_cast<T>(shift / image.pixels->height)},
                         0};
-        if (image.once || image.map == ImageMap::spherical) return;
-        period = image.map == ImageMap::cylindrical ? DVec3(0, 0, 1) : DVec3(1, 1, 0);
+        if (image.map == ImageMap::spherical) return;
+        for (int axis = 0; axis < 2; ++axis) {
+            const int along = image.map == ImageMap::planar ? axis : axis == 1 ? 2 : -1;
+            if (along >= 0) period[along] = repeats[axis] ? 1 : mirrors[axis] ? 2 : 0;
+        }
     }
     void operator()(const SolidPattern& solid) { kernel.form = PatternForm::solid, kernel.solid = &solid; }
     /// Takes the numbers of a sum of noises. Returns whether the sum repeats itself as noise does.

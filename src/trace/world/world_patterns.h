@@ -31,10 +31,11 @@ struct ImageKernel {
     std::int32_t width, height;
     ImageMap map;
     bool once, sharp;
-    Vec3<T> around;       // the colour outside, if it is there once
-    T border;             // distance before 0 and 1 at which it begins and ends
-    T shift[2];           // what is this little below a border of a sharp picture's pixels counts as beyond it
-    std::int32_t number;  // among the world's mip maps
+    bool ends[2], mirrors[2];  // along u and v: edges do not join; every second picture is mirrored
+    Vec3<T> around;            // the colour outside, if it is there once
+    T border;                  // distance before 0 and 1 at which it begins and ends
+    T shift[2];                // what is this little below a border of a sharp picture's pixels counts as beyond it
+    std::int32_t number;       // among the world's mip maps
 };
 /// The uv coordinates of a mesh: its surfaces, the numbers of their corners' coordinates, and these. Null for other
 /// bodies.

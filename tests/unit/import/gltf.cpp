@@ -131,6 +131,21 @@ TEST_CASE("glTF: pictures, their places, and masks") {
     CHECK(gltf_material(R"("normalTexture": {"index": 0, "scale": 0.5})", pictures).normal.height == .5);
 }
 
+TEST_CASE("glTF: what is beyond the edges of pictures") {
+    const auto textured = [](int index) {
+        return gltf_material(
+            R"("pbrMetallicRoughness": {"baseColorTexture": {"index": )" + std::to_string(index) + "}}",
+            R"(, "textures": [{"source": 0}, {"source": 0, "sampler": 0}, {"source": 1, "sampler": 1}],
+ "images": [{"uri": "p.png"}, {"uri": "clear.png"}],
+ "samplers": [{"wrapS": 33071, "wrapT": 33648}, {"wrapS": 10497, "wrapT": 33071}])");
+    };
+    const auto wrap = [&](int index) { return std::get<ImagePattern>(textured(index).rgb.pattern->kind).wrap; };
+    using enum ImageWrap;
+    CHECK(wrap(0) == std::array{repeat, repeat});
+    CHECK(wrap(1) == std::array{clamp, mirror});
+    CHECK(wrap(2) == std::array{repeat, clamp});
+}
+
 TEST_CASE("glTF: nodes in nodes") {
     const Model model = model_of(triangle(
         R"({"name": "outer", "children": [1, 2], "translation": [1, 2, 3]},

@@ -116,6 +116,20 @@ TEST_CASE("an ior of 1 is written as another number only where the depth limit c
     CHECK(has(panes("0.9").pov, "// Not exact: POV-Ray does not count"));
 }
 
+TEST_CASE("pictures that do not repeat cause a warning, and mirrored ones are mirrored") {
+    const auto image = [&](const std::string& wrap) {
+        const auto red = [](const std::string&) { return Pixels{1, 1, false, {1, 0, 0}, Color(1, 0, 0)}; };
+        const Scene scene =
+            parse_scene(camera + light + "sphere { <0, 0, 1>, 1  material { rgb image { \"a\" " + wrap + " } } }\n",
+                        "wrap", {}, red);
+        return write_pov(scene, request_for("wrap", scene));
+    };
+    CHECK(image("").warnings.empty());
+    REQUIRE(image("wrap clamp").warnings.size() == 1);
+    CHECK(has(image("wrap clamp").warnings[0], "pictures repeat"));
+    CHECK(has(image("wrap repeat mirror").pov, "} warp { repeat y flip y }"));
+}
+
 TEST_CASE("transparent bodies that may overlap cause a warning") {
     const std::string glass = "material { reflection 0 refraction 0.9 ior 1.5 } }\n";
     const auto two = [&](const char* x) {

@@ -74,6 +74,9 @@ TEST_CASE("images that are opaque only in places") {
     check(leaf + "opacity 1 scale 2 translate <1,0,0> sharp }", {1.5, 1.5, 0}, .25);
     check(leaf + "opacity 1 }", {1.25, -.25, 0}, .25);
     check(leaf + "opacity 1 once <1,1,1> }", {1.25, .25, 0}, 1);
+    check(leaf + "opacity 1 wrap clamp }", {-.25, 3, 0}, .25);
+    check(leaf + "opacity 1 wrap mirror }", {1.75, -.75, 0}, .25);
+    check(leaf + "opacity 1 wrap mirror repeat }", {1.75, -.25, 0}, .25);
     check("image { \"grey.png\" opacity_of \"leaf.png\" }", {.25, .25, 0}, 0);
     check(leaf + "opacity_of \"grey.png\" opacity .5 }", {.75, .75, 0}, .25);
     const auto fault = [&](const std::string& image, const char* said) {
@@ -127,7 +130,19 @@ TEST_CASE("images, and what can be wrong with them") {
     check("image { \"wood.png\" sharp sharp }", "a second 'sharp'");
     check("image { \"wood.png\" once <1,1,-1> }", "'once' of 'image' must be from 0 to 1e9, not '-1'");
     check("image { \"wood.png\" colors { 0 <1,1,1> } }",
-          "unknown word 'colors' in 'image'; known here: opacity, mask, opacity_of, map, once, sharp, rotate");
+          "unknown word 'colors' in 'image'; known here: opacity, mask, opacity_of, map, once, wrap, sharp, rotate");
+    const auto wrap = [&](const std::string& words) {
+        const Pigment own = scene(sphere("image { \"wood.png\" " + words + " }")).materials[0].rgb;
+        CHECK(scene(sphere(text_of(own))).materials[0].rgb == own);
+        return std::get<ImagePattern>(own.pattern->kind).wrap;
+    };
+    using enum ImageWrap;
+    CHECK(wrap("") == std::array{repeat, repeat});
+    CHECK(wrap("wrap clamp sharp") == std::array{clamp, clamp});
+    CHECK(wrap("wrap mirror repeat scale 2") == std::array{mirror, repeat});
+    check("image { \"wood.png\" wrap round }", "unknown word 'round' after 'wrap'; known here: repeat, clamp, mirror");
+    check("image { \"wood.png\" wrap 3 }", "a word such as 'clamp' expected after 'wrap'");
+    check("image { \"wood.png\" wrap clamp wrap clamp }", "a second 'wrap'");
     check_fault(sphere("image { \"wood.png\" }"), "2:45: cannot read 'wood.png': pictures are not read here");
 }
 

@@ -33,7 +33,7 @@ const std::string floor_to_horizon =
     "camera { position <0, 0, 2>  look_at <0, 10, .6>  sky <.1, 0, 1>  fov 25 }\n"
     "plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0>  material { rgb image { \"checks\"  scale 4  rotate <0, 0, 25> } } }\n";
 
-/// Bodies with images of all maps, and one that is there once.
+/// Bodies with images of all maps, one that is there once, and one that is mirrored along x and ends along y.
 const std::vector<std::string> bodies{
     "plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0>\n"
     "        material { rgb image { \"checks\"  scale 2  rotate <0, 0, 25> }  reflection .2 } }\n",
@@ -45,7 +45,9 @@ const std::vector<std::string> bodies{
     "box { <-4, 2, .2>, <-2, 2.1, 2>\n"
     "      material { rgb image { \"checks\"  once <.7, .2, .1>  scale 1.5  rotate <90, 0, 0>  translate <-3.8, 0, .4> "
     "} "
-    "} }\n"};
+    "} }\n",
+    "plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0>\n"
+    "        material { rgb image { \"checks\"  wrap mirror clamp  scale 2  rotate <0, 0, 25> } } }\n"};
 const std::string sky = "background { color image { \"checks\"  map spherical  scale <1, 1, .9> } }\n";
 const std::string mirror_ball = "sphere { <0, -2.5, .5>, .5  material { reflection .9  diffuse .1 } }\n";
 const std::string many_images = eye + sky + bodies[0] + bodies[1] + bodies[2] + bodies[3] + bodies[4] + mirror_ball;
@@ -179,7 +181,7 @@ TEST_CASE("images of all maps are filtered") {
     std::vector<std::string> texts{eye + sky};
     for (const std::string& body : bodies) texts.push_back(eye + body);
     // Pixels of the picture are from a fortieth to nine pixels of the view wide.
-    for (std::size_t i = 0; i < 6; ++i) {
+    for (std::size_t i = 0; i < 7; ++i) {
         texts.push_back(texts[i]);
         const std::string name = "\"checks\"";
         texts.back().insert(texts[i].find(name) + name.size(), " sharp");

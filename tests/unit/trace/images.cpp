@@ -81,6 +81,15 @@ TEST_CASE("where images are") {
         plane("once <.1, .2, .3> ", .1, .9, {1, 0, 0});  // and do not
         plane("once <.1, .2, .3> ", -.01, .9, {.1, .2, .3});
         plane("once <.1, .2, .3> ", .9, 1.01, {.1, .2, .3});
+        // Beyond the edges are their colours, or the mirror image, along u and v.
+        for (const char* const wrap : {"wrap clamp ", "wrap clamp mirror ", "wrap mirror "}) {
+            plane(wrap, 0, .75, {1, 0, 0}), plane(wrap, 1, .75, {0, 1, 0});
+            plane(wrap, .25, 1, {1, 0, 0}), plane(wrap, .5, .75, {.5, .5, 0}), plane(wrap, -.25, .75, {1, 0, 0});
+        }
+        plane("wrap clamp ", 1.75, .25, {1, 1, 1}), plane("wrap clamp ", -7.3, 8, {1, 0, 0});
+        plane("wrap mirror ", 1.75, .25, {0, 0, 1}), plane("wrap mirror ", -1.5, 8.75, {.5, .5, 0});
+        plane("wrap clamp repeat ", 7, -.25, {0, 1, 0}), plane("wrap repeat clamp ", 1.25, -3, {0, 0, 1});
+        plane("sharp wrap mirror ", 1.25, -.25, {1, 1, 1});
         const auto ball = [&](const std::string& map, const DVec3& from, const Color& wanted) {
             check("sphere { <0, 0, 0>, 1  material { rgb image { \"four\" map " + map + " } } }", 9. * from, {0, 0, 0},
                   wanted);
