@@ -437,9 +437,9 @@ class TracerOf : public AnyTracer {
     Placement placed;
     bool proves = false;  // is the world one for proofs?
     std::shared_ptr<const BuiltWorld<T>> built;
-    std::deque<ReadyView> moments;                   // of a shutter and, last, the time of the view
-    View moments_of;                                 // the view whose moments these are
-    BrightSpots spots;                               // of these moments, or through a lens
+    std::deque<ReadyView> moments;  // of a shutter and, last, the time of the view
+    View moments_of;                // the view whose moments these are
+    BrightSpots spots;              // of these moments, or through a lens
     View spots_of;
     std::unique_ptr<LightBuffers<T>> light_buffers;  // made when they are worth it
     std::int64_t traced_pixels = 0;                  // in this world

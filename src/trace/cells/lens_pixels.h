@@ -6,8 +6,8 @@
 // nets as well, and how far their means differ says how wrong the mean of all may be. As long as that is too much, the
 // net is doubled.
 //
-// Rays that meet the ball around a small bright body (bright_spots.h) are averaged apart: a net of rays that are aimed at
-// the ball gives their mean, and the pixel's net leaves them out.
+// Rays that meet the ball around a small bright body (bright_spots.h) are averaged apart: a net of rays that are aimed
+// at the ball gives their mean, and the pixel's net leaves them out.
 #pragma once
 #include <array>
 #include <cstdint>
