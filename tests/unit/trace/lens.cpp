@@ -158,7 +158,7 @@ double seen_of_ball(double x, double y, double radius, double blur) {
 }
 
 TEST_CASE("small bright balls out of focus become discs that have all their light, and the error is what is said") {
-    const int runs = sanitized() ? 2 : 8;
+    const int runs = sanitized() ? 2 : 5;
     double wrong = 0, said = 0;
     for (int seed = 0; seed < runs; ++seed) {
         Dice dice(seed);
