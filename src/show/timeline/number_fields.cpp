@@ -14,6 +14,15 @@
 namespace strahl {
 namespace {
 
+/// Makes a field of text take letters at once. ImGui up to 1.89 keeps such a request in a member of its own.
+template <class Context>
+void take_letters(Context& context, ImGuiID id) {
+    if constexpr (requires { context.NavActivateInputId; })
+        context.NavActivateInputId = id;
+    else
+        context.NavActivateId = id, context.NavActivateFlags = ImGuiActivateFlags_PreferInput;
+}
+
 /// Returns the words of a range without what stands in parentheses.
 std::string short_words(const NumberRange& range) {
     std::string words = range.words;
@@ -98,7 +107,7 @@ NumberFields::FieldEdit NumberFields::field(double& number, const NumberRange& r
     if (begins) {
         next.reset();
         std::snprintf(text.data(), text.size(), "%s", text_of(number).c_str());
-        ImGui::GetCurrentContext()->NavActivateInputId = id;  // makes it take letters at once
+        take_letters(*ImGui::GetCurrentContext(), id);
     }
     const bool entered = ImGui::TempInputText(box, id, label, text.data(), static_cast<int>(text.size()),
                                               ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
