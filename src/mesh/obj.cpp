@@ -24,7 +24,7 @@ bool continues(std::string_view line) {
     return true;
 }
 
-/// What a line is about, by its first word. All other lines are skipped.
+/// Says what a line is about, by its first word. All other lines are skipped.
 enum class ObjLine { none, point, normal, place, face, name, material, library, surface };
 ObjLine line_of(std::string_view word) {
     constexpr std::pair<std::string_view, ObjLine> known[]{

@@ -32,7 +32,7 @@ enum class ImageMap : std::int32_t {
 };
 inline constexpr std::array<std::string_view, 3> image_maps{"planar", "spherical", "cylindrical"};
 
-/// What is beyond the edges of a picture along u or v.
+/// Says what is beyond the edges of a picture along u or v.
 enum class ImageWrap : std::int32_t {
     repeat,  // the picture again; its edges join
     clamp,   // the colours of the edge

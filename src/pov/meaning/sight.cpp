@@ -25,7 +25,7 @@ bool mirrors(const Scene& scene, const Primitive& body) {
     return any;
 }
 
-/// Returns the number of the material of the simple body, alone or in a composite, whose surface was met.
+/// Returns the material of the simple body, alone or in a composite, whose surface was met.
 int material_at(const Scene& scene, const BodyHit& at) {
     int material = 0, leaf = 0;
     for_each_leaf(scene.primitives[static_cast<std::size_t>(at.body)], [&](const Primitive& own, const glm::dmat4&) {

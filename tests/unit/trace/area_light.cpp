@@ -76,6 +76,14 @@ Deviation difference(const Frame& a, const Frame& b) {
     return result;
 }
 
+/// Traces the scene of a text with one light, with or without its shadows, in a square picture.
+Frame light_of(const std::string& text, int size, bool shadows) {
+    Scene scene = parse_scene(text, "x");
+    scene.lights[0].shadowless = !shadows;
+    const View view{.camera = scene.camera, .width = size, .height = size, .depth = 2, .error = 1e-5};
+    return render(scene, view, Precision::float64, 2, Simd::automatic);
+}
+
 }  // namespace
 
 TEST_CASE("what nothing can hide is the mean over the rectangle") {
@@ -140,13 +148,7 @@ box { <0, -99, 5>, <99, 99, 5.000001> }
     for (const int points : {1, 2, 3, 4, 5, 6}) {
         std::string text = scene_text;
         text.replace(text.find("COUNT"), 5, std::to_string(points));
-        const auto light_of = [&](bool shadows) {
-            Scene scene = parse_scene(text, "x");
-            scene.lights[0].shadowless = !shadows;
-            const View view{.camera = scene.camera, .width = size, .height = size, .depth = 2, .error = 1e-5};
-            return render(scene, view, Precision::float64, 2, Simd::automatic);
-        };
-        const Frame shaded = light_of(true), whole = light_of(false);
+        const Frame shaded = light_of(text, size, true), whole = light_of(text, size, false);
         // The shares of the points' light: those of parts of the row that have a point in common add up.
         std::vector<double> shares(points);
         const auto halve = [&](const auto& self, int first, int last, double share) -> void {
@@ -242,13 +244,7 @@ box { <0, -99, 5>, <99, 99, 5.000001> }
     for (const int columns : {4, 7, 16}) {
         std::string text = scene_text;
         text.replace(text.find("COUNT"), 5, std::to_string(columns));
-        const auto light_of = [&](bool shadows) {
-            Scene scene = parse_scene(text, "x");
-            scene.lights[0].shadowless = !shadows;
-            const View view{.camera = scene.camera, .width = size, .height = size, .depth = 2, .error = 1e-5};
-            return render(scene, view, Precision::float64, 2, Simd::automatic);
-        };
-        const Frame shaded = light_of(true), whole = light_of(false);
+        const Frame shaded = light_of(text, size, true), whole = light_of(text, size, false);
         for (int column = 0; column < size; ++column) {
             const double x = 4 * std::tan(std::acos(-1.) / 6) * (1 - 2 * (column + .5) / size);
             double sum = 0;
