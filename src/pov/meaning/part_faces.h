@@ -64,7 +64,8 @@ struct CurvedFace : BodyFace {
     double size;       // radius, or of a cone radius per length
     std::vector<PointOnFace> points{};  // some, where they are asked for
 
-    /// Returns the centre's place along a direction in which those of a lattice or on a sphere are hardly ever the same.
+    /// Returns the centre's place along a direction in which those of a lattice or on a sphere are hardly ever the
+    /// same.
     double along() const { return dot_product(centre, DVec3(.48712, .71359, .50341)); }
     bool continues(const CurvedFace& other) const;
 };

@@ -58,8 +58,7 @@ TEST_CASE("faces in one place are found as a comparison of all with all finds th
         const Pairs flat_found = found(flat), curved_found = found(curved);
         CHECK(flat_found == all_with_all(flat, [](const PartFace& a, const PartFace& b) {
                   bool same = length(a.normal - b.normal) < 1e-9 && std::fabs(a.at - b.at) < 1e-9;
-                  for (int i = 0; i < 3; ++i)
-                      same &= a.box.low[i] <= b.box.high[i] && b.box.low[i] <= a.box.high[i];
+                  for (int i = 0; i < 3; ++i) same &= a.box.low[i] <= b.box.high[i] && b.box.low[i] <= a.box.high[i];
                   return same;
               }));
         CHECK(curved_found == all_with_all(curved, [](const CurvedFace& a, const CurvedFace& b) {
