@@ -58,20 +58,20 @@ class PatchDivider {
 
   private:
     /// A part of the patch, between parameters across rows and along them.
-    struct Part {
+    struct SubPatch {
         ControlPoints points;
         std::array<double, 2> low, high;
     };
     /// Adds the triangles of a part that has been halved so often; returns whether there are not too many.
-    bool divide(const Part& part, int depth) {
+    bool divide(const SubPatch& part, int depth) {
         constexpr int deepest = 24;
         const auto halved = [&](std::size_t way) { return depth < std::min(patch.steps[way], deepest); };
         if (!(halved(0) || halved(1)) || off_plane(part.points) < patch.flatness) return add(part);
-        std::vector<Part> parts{part};
+        std::vector<SubPatch> parts{part};
         for (std::size_t way = 0; way < 2; ++way) {
             if (!halved(way)) continue;
-            std::vector<Part> both;
-            for (const Part& whole : parts) {
+            std::vector<SubPatch> both;
+            for (const SubPatch& whole : parts) {
                 const auto [first, second] = halves(whole.points, way == 0);
                 const double middle = (whole.low[way] + whole.high[way]) / 2;
                 both.push_back({first, whole.low, whole.high}), both.back().high[way] = middle;
@@ -79,9 +79,9 @@ class PatchDivider {
             }
             parts = std::move(both);
         }
-        return std::ranges::all_of(parts, [&](const Part& own) { return divide(own, depth + 1); });
+        return std::ranges::all_of(parts, [&](const SubPatch& own) { return divide(own, depth + 1); });
     }
-    bool add(const Part& part) {
+    bool add(const SubPatch& part) {
         if (places.size() + 4 > 2 * BicubicPatch::most_triangles) return false;
         const auto& [low, high] = std::pair(part.low, part.high);
         const std::array<std::array<double, 2>, 4> at{{low, {low[0], high[1]}, high, {high[0], low[1]}}};
