@@ -187,7 +187,7 @@ Screen::Screen(const std::string& title, PictureSize size, bool default_size, bo
     try {
         make_window(title, size, default_size, full);
         start_drawing();
-        draw([] {});
+        draw_picture();
     } catch (...) {
         picture.reset(), gl.reset();
         glfwTerminate();
@@ -277,11 +277,26 @@ unsigned Screen::make_texture(const ScreenImage& image) const {
 }
 
 void Screen::copy_pictures() const {
+    const int columns = width(), rows = height();
+    gl->Viewport(0, 0, columns, rows);
+    const bool shown = picture->width > 0;
     const ScreenArea all = area();
+    if (!shown || all.width != columns || all.height != rows) {
+        const float brightness = shown ? 0 : 0.12f;  // grey, until there is a picture
+        gl->ClearColor(brightness, brightness, brightness, 1);
+        gl->Clear(GL_COLOR_BUFFER_BIT);
+    }
+    if (!shown) return;
     picture->copy(0, all, height());
     if (!second) return;
     const int hidden = second_whole ? 0 : second->width * (second_part.x - all.x) / all.width;
     second_picture->copy(hidden, second_part, height());
+}
+
+void Screen::draw_picture() const {
+    if (width() == 0 || height() == 0) return;
+    copy_pictures();
+    glfwSwapBuffers(glfw);
 }
 
 void Screen::draw(const std::function<void()>& overlay) {
@@ -314,14 +329,7 @@ void Screen::draw(const std::function<void()>& overlay) {
     ImGui::NewFrame();
     overlay();
     ImGui::Render();
-    gl->Viewport(0, 0, columns, rows);
-    const bool shown = picture->width > 0;
-    if (const ScreenArea all = area(); !shown || all.width != columns || all.height != rows) {
-        const float brightness = shown ? 0 : 0.12f;  // grey, until there is a picture
-        gl->ClearColor(brightness, brightness, brightness, 1);
-        gl->Clear(GL_COLOR_BUFFER_BIT);
-    }
-    if (shown) copy_pictures();
+    copy_pictures();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     glfwSwapBuffers(glfw);
 }
