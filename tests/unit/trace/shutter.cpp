@@ -243,7 +243,8 @@ light { position <-4, -8, 8>  color <1, .8, .6> }
 plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0>  material { rgb checker { <1, 1, 1>, <.1, .1, .1> }  reflection .2 } }
 sphere { <1, 2, 1>, 1  material { rgb <.1, .5, .1>  reflection .4 } }
 sphere { <1, 2, 1>, .5  motion { key { time 0 }  key { time 1  translate <.2, 0, 0> } } })");  // in the other one
-    const View view = view_of(scene, .5, 64, 48);
+    const int width = sanitized() ? 32 : 64, height = 3 * width / 4;
+    const View view = view_of(scene, .5, width, height);
     REQUIRE(view.moments);
     View sharp = view;
     sharp.moments = nullptr;
@@ -256,16 +257,16 @@ sphere { <1, 2, 1>, .5  motion { key { time 0 }  key { time 1  translate <.2, 0,
     const auto rays = [&](const View& own) {
         return tracer.trace({own, pool, [](const Tile&) {}}, SampledRegion{whole(own), {}}).camera;
     };
-    CHECK(rays(view) <= rays(sharp) + 4 * 64 * 48);
+    CHECK(rays(view) <= rays(sharp) + 4 * width * height);
 
     // Without anything that moves there is no shutter, nor one with a ray in each pixel.
     const std::vector<double> one = values_of(tracer, sharp, whole(view), pool);
     CHECK(values_of(tracer, view, whole(view), pool) == one);
     scene.primitives.pop_back();
-    CHECK(!view_of(scene, .5, 64, 48).moments);
+    CHECK(!view_of(scene, .5, width, height).moments);
     scene.flythrough = {.duration = 1,
                         .keys = {{0, {0, -10, 3}, DVec3(0), {}, {}}, {1, {1, -10, 3}, DVec3(0), {}, {}}}};
-    CHECK(view_of(scene, .5, 64, 48).moments);
+    CHECK(view_of(scene, .5, width, height).moments);
 }
 
 TEST_CASE("worlds of moments at which lights alone are elsewhere are those of their bodies with other lights") {
