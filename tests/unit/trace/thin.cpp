@@ -312,7 +312,7 @@ TEST_CASE("of many long triangles those are found that a bundle meets, and no ot
     }
     Scene scene = wires();
     scene.primitives.resize(1);
-    scene.primitives[0] = {.shape = Mesh{std::make_shared<const MeshData>(data), ""}, .material = 0};
+    scene.primitives[0] = {Mesh{std::make_shared<const MeshData>(data), ""}, 0, {}};
     const CapsuleTree tree(scene);
     constexpr double least = .01;
     int found = 0, missed = 0;
