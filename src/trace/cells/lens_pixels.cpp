@@ -24,6 +24,14 @@ double most_missed(double light, double share) {
     return light * share * std::exp(-rays / 2 * share);
 }
 
+/// Returns whether rays through the lens are to be aimed at a body that a share of a pixel's rays meets: whether it
+/// gives the mean of the first rays too large a deviation. How many of them meet it does not tell enough: pixels in
+/// which few do stop early, and would lack light on average.
+bool spreads(double light, double share, double error) {
+    constexpr double most_share = .5;
+    return share < most_share && light * std::sqrt(share / first_rays) > 4 * error;
+}
+
 double variance_of(const std::array<LensLight, LensPixels::eighths>& parts) {
     double light = 0, alpha = 0;
     for (std::size_t c = 0; c < 4; ++c) {
@@ -44,11 +52,27 @@ bool on_lens(const Camera& camera, double across, double below) {
     return across * std::sin(middle) - below * std::cos(middle) <= std::cos(side / 2);
 }
 
+/// Is a ball so far out of focus that places on the lens are chosen for those in the pixel?
+bool is_wide(const SeenBall& ball) {
+    constexpr double enough = .5;
+    return std::min(std::abs(ball.blur_x), std::abs(ball.blur_y)) > enough;
+}
+
 /// Returns the area of the lens for a radius of 1.
 double area_of_lens(const Camera& camera) {
     if (!camera.blades) return std::numbers::pi;
     const double corners = std::round(*camera.blades);
     return corners / 2 * std::sin(2 * std::numbers::pi / corners);
+}
+
+/// Returns the area that a disc of radius 1 shares with one of another radius, whose middle is `apart` from its own.
+double shared_area(double radius, double apart) {
+    if (apart >= 1 + radius) return 0;
+    if (apart <= std::abs(1 - radius)) return std::numbers::pi * std::min(1., radius * radius);
+    const double to_chord = (apart * apart + 1 - radius * radius) / (2 * apart), other = apart - to_chord;
+    const auto angle = [](double cosine) { return std::acos(std::clamp(cosine, -1., 1.)); };
+    return angle(to_chord) + radius * radius * angle(other / radius) -
+           apart * std::sqrt(std::max(1 - to_chord * to_chord, 0.));
 }
 
 /// Returns what is in [from, to) of the stretch around `middle`.
@@ -111,7 +135,7 @@ LensLight LensPixels::light_of(const LensPixel& pixel, const PixelSums& sums, Ei
     return all;
 }
 
-/// Finds the spots that pixels may see and the first rays might miss, the brightest first.
+/// Finds the spots that rays of pixels are to be aimed at, the brightest first.
 void LensPixels::find_targets() {
     const std::vector<BrightSpot>& spots = bright->spots();
     const auto light_at = [&](const Target& target) {
@@ -139,7 +163,8 @@ void LensPixels::find_targets() {
         }
         for (const int pixel : seen) {
             std::vector<Target>& targets = pixels[static_cast<std::size_t>(pixel)].targets;
-            if (!(most_missed(spots[i].light, targets.back().share) > 4 * aim)) {
+            const double light = spots[i].light, share = targets.back().share;
+            if (!(lens ? spreads(light, share, aim) : most_missed(light, share) > 4 * aim)) {
                 targets.pop_back();
                 continue;
             }
@@ -175,13 +200,12 @@ LensPixels::AimedRay LensPixels::aimed(int number, std::size_t target, const std
         ray.across = across, ray.below = below;
     }
     // Chooses the place on the lens for one in the pixel, or the other way round in the plane in focus.
-    constexpr double enough = .5;
     const auto choose = [&](double& place, double share, double middle, double half, double from, double to) {
         const auto [low, high] = stretch_around(middle, half, from, to);
         place = std::min(low + share * (high - low), std::nextafter(to, from));
         ray.weight *= high - low;
     };
-    if (std::min(std::abs(ball.blur_x), std::abs(ball.blur_y)) > enough) {
+    if (is_wide(ball)) {
         choose(ray.across, point[2], (ball.x - ray.x) / ball.blur_x, ball.half_x / std::abs(ball.blur_x), -1, 1);
         choose(ray.below, point[3], (ball.y - ray.y) / ball.blur_y, ball.half_y / std::abs(ball.blur_y), -1, 1);
         ray.weight = on_lens(camera, ray.across, ray.below) ? ray.weight / area_of_lens(camera) : 0;
@@ -193,18 +217,32 @@ LensPixels::AimedRay LensPixels::aimed(int number, std::size_t target, const std
     return {ray, moment};
 }
 
-/// Finds the share of a target by many points, without tracing.
+/// Finds the share of a target by many places in the pixel, without tracing. The part of a round lens that sees a ball
+/// out of focus from a place is what two discs share; else many places on the lens are tried too.
 void LensPixels::measure_share(int pixel, std::size_t target) {
-    constexpr int points = 4096;
     constexpr double root = 1.1347241384015194;  // of x^6 = x + 1 (the sequence R5 of M. Roberts, 2018)
+    Target& own = pixels[static_cast<std::size_t>(pixel)].targets[target];
+    const auto balls =
+        std::span(bright->spots()[static_cast<std::size_t>(own.spot)].seen)
+            .subspan(static_cast<std::size_t>(own.first), static_cast<std::size_t>(own.last - own.first));
+    const bool discs = lens && !camera.blades && target == 0 && std::ranges::all_of(balls, is_wide);
+    const auto share_at = [&](const std::array<double, 5>& point) {
+        if (!discs) return aimed(pixel, target, point).ray.weight;
+        const SeenBall& ball = balls[static_cast<std::size_t>(point[4] * double(balls.size()))];
+        const double x = (ball.x - (left + pixel % columns - .5 + point[0])) / ball.blur_x;
+        const double y = (ball.y - (top + pixel / columns - .5 + point[1])) / ball.blur_y;
+        return double(balls.size()) / std::max(moments, 1) / std::numbers::pi *
+               shared_area(ball.half_x / std::abs(ball.blur_x), std::hypot(x, y));
+    };
+    const int points = discs ? 2048 : 4096;
     std::array<double, 5> point{.5, .5, .5, .5, .5};
     double sum = 0;
     for (int i = 0; i < points; ++i) {
         double step = 1;
         for (double& at : point) step /= root, at += step, at -= std::floor(at);
-        sum += aimed(pixel, target, point).ray.weight;
+        sum += share_at(point);
     }
-    pixels[static_cast<std::size_t>(pixel)].targets[target].share = sum / points;
+    own.share = sum / points;
 }
 
 std::uint32_t LensPixels::seed_of(int pixel) const {
