@@ -66,7 +66,8 @@ std::string SceneChooser::copy_path(std::string path) const {
 SceneChooser::ChosenPaths SceneChooser::take(const Screen& screen) try {
     welcome.take(screen);
     const auto chosen = dialog.take();
-    if (!chosen || (chosen->path.empty() && chosen->fault.empty())) return {};
+    if (!chosen) return {};
+    if (chosen->path.empty() && chosen->fault.empty()) return notes.log("no file was chosen"), ChosenPaths{};
     if (chosen->from == FileDialog::for_sound) {
         if (chosen->path.empty()) notes.fail("there is no file dialog: install zenity or kdialog, or type the name");
         return {chosen->path, ""};

@@ -20,6 +20,7 @@ namespace strahl {
 namespace {
 
 constexpr double signal_interval = 0.2;  // seconds until a signal is noticed
+constexpr double panels_alone = 0.5;     // seconds from the start on until panels are drawn without a picture
 
 std::string window_title(const std::string& path, const KeyMap& keys) {
     const std::string help = " (" + keys.first_key(Action::help) + ": help)";
@@ -369,7 +370,18 @@ double Viewer::next_draw() const {
     const double for_picture = pace.next_draw(picture.has_update(), playback.tracks.awaited() || picture.finished());
     const bool counting = recordings.under_way() || file.reading() || picture.seconds_built() > 0 || side.under_way();
     const double for_count = counting ? pace.last_draw() + 0.25 : Pace::forever;
-    return std::min({for_picture, for_count, notes.next_change(), file.next_change()});
+    const double next = std::min({for_picture, for_count, notes.next_change(), file.next_change()});
+    const bool awaited = picture.state().number == 0 && !picture.has_update() && !file.waiting() && !panels.gallery;
+    return awaited ? std::max(next, panels_alone) : next;
+}
+
+/// Shows the first picture before what is drawn on it, for which a font and shaders have to be made.
+void Viewer::show_first_picture() {
+    screen.draw_picture();
+    char text[80];
+    std::snprintf(text, sizeof text, "first picture after %.3f s, %s", pace.now(),
+                  resolution_text(picture.state().level).c_str());
+    notes.log(text);
 }
 
 void Viewer::draw() {
@@ -383,6 +395,7 @@ void Viewer::draw() {
         side.keep(fresh);
         if (options.benchmark) recordings.keep_flown(fresh, session);
     });
+    if (update && before == 0) show_first_picture();
     screen.show_second(side.image(), side.divider().second_area(screen.area()), side.divider().other_view());
     panels.arrange(bodies.editor());
     const Overlay over = overlay();
@@ -422,11 +435,6 @@ void Viewer::draw() {
     if (from_gallery && !leaving.asking()) chooser.take(*from_gallery);
     if (answered != Leaving::Decision::none) answer(answered);
     if (update && picture.newest()) playback.tracks.shown();
-    if (!update || before > 0) return;
-    char text[80];
-    std::snprintf(text, sizeof text, "first picture after %.3f s, %s", pace.now(),
-                  resolution_text(state.level).c_str());
-    notes.log(text);
 }
 
 /// Waits for events, and processes them.

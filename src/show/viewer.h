@@ -62,6 +62,7 @@ class Viewer {
     bool in_motion() const { return session.flight.under_way() || input.active(); }
     void move();
     void draw();
+    void show_first_picture();
     double next_draw() const;
     void wait();
     void take_scene();

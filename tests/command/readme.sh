@@ -99,6 +99,37 @@ while read -r test; do
     grep -qx "$test" tests || fault "promises.md names the test $test, which is not there"
 done < <(tr '\n' ' ' <"$source_folder/tests/attack/promises.md" | grep -oP '\*\([^*]*\)\*' | grep -oP '`\K[a-z_]+(?=`)' | sort -u)
 
+# Limits that the promises state are those of the code.
+promises=$(tr '\n' ' ' <"$source_folder/tests/attack/promises.md" | tr -s ' ')
+while IFS='|' read -r words file code; do
+    [[ $promises == *"$words"* ]] || fault "promises.md does not say '$words'"
+    grep -qF "$code" "$source_folder/src/$file" || fault "promises.md says '$words'; $file has no '$code'"
+done <<'END'
+nested at most 32 levels deep|text/parser.cpp|most_levels = 32;
+at most 100,000 simple bodies, of which 1024|scene/kinds/composite.h|most_parts = 100'000, most_leaves = 1024;
+at most 1 GiB|files/read_file.h|limit = std::size_t(1) << 30
+5,000,000 bodies, 1000 transformations|text/reading/text_limits.h|primitives = 5'000'000;
+1000 transformations of one body|text/reading/text_limits.h|transformations = 1000;
+65,536 lights|text/reading/text_limits.h|lights = 1 << 16;
+1,048,576 keys|text/reading/text_limits.h|keys = 1 << 20;
+5,000,000 bodies, nested at most 2000 levels|pov/reading/reader.h|most_bodies = 5'000'000, most_levels = 2000;
+nested at most 400 levels|pov/language/interpreter_options.h|nesting = 400;
+at most 200,000,000 words|pov/language/interpreter_options.h|steps = 200'000'000;
+may take 4 GiB|pov/language/interpreter_options.h|bytes = std::size_t(4) << 30;
+at most 2^28 values|image/picture.h|most_values_read = std::uint64_t(1) << 28;
+at most 2^27 values|image/pixels.cpp|most_values = std::uint64_t(1) << 27;
+32,768 pixels along a side|image/pixels.cpp|most_pixels = 1 << 15;
+a mesh 20,000,000 triangles|mesh/read_mesh.h|most_triangles = 20'000'000;
+60,000,000 points|mesh/read_mesh.h|most_points = 60'000'000;
+may be at most 1000|mesh/split.h|most_concave = 1000;
+the JSON of a glTF file 128 MiB|import/models/gltf_file.cpp|most_text = 128 << 20;
+1,000,000,000 numbers|import/models/gltf_file.cpp|most_numbers = 1'000'000'000;
+nodes at most 100 levels|import/models/gltf.cpp|most_depth = 100;
+at most 1,000,000 pixels|main/render/values.cpp|longest_side = 1'000'000;
+depth at most 256|text/reading/parameter.h|depths{1, 256,
+Each band of 64 rows|image/encoder.h|band_rows = 64;
+END
+
 # The README's figures are those of the measured tables.
 comparison=$source_folder/tests/bench/scenes/table.md
 read -r count float < <(grep -oP '^[0-9]+ scenes; POV-Ray over float: median [0-9.]+' "$comparison" | head -1 | tr -cd '0-9. \n')

@@ -27,14 +27,11 @@ shot() {
     xdotool key ctrl+t
     shows_other "$1.png"
 }
-# shot_gallery NAME: the same of the gallery, once it is drawn and no place for a small picture has the colour of an
-# empty one.
+# shot_gallery NAME: the same of the gallery, once it shows the pictures of all scenes.
 shot_gallery() {
     [[ -z $folder ]] && return
-    until import -window "$id" "$1.png" && (($(convert "$1.png" -format %k info:) > 5000)) &&
-        (($(convert "$1.png" -format %c histogram:info: | grep -cE '[0-9]{4}: .*#25262C') == 0)); do
-        sleep 0.5
-    done
+    await 'the gallery shows all its pictures'
+    import -window "$id" "$1.png"
 }
 # point X Y [BUTTON]: clicks there with this button, or the left one.
 point() {

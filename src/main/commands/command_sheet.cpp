@@ -104,15 +104,15 @@ int sheet_command(const SheetOptions& options, const std::atomic<bool>* stop) tr
             tracer = Tracer(open_scene(text, options.scene, opening, read_pixels).scene, Precision::float64);
         const Scene& scene = tracer.scene();
         const Camera camera = camera_at(scene, time);
-        const View view{
-            .camera = camera,
-            .width = width,
-            .height = height,
-            .depth = options.depth.value_or(scene.settings.max_trace_level),
-            .error = half_step(format),
-            .time = time,
-            .moments = shutter_moments(tracer.declared(), time, shutter_seconds(camera, FrameRate{}.per_second()),
-                                       [&](double moment) { return camera_at(scene, moment); })};
+        const auto shutter = shutter_moments(tracer.declared(), time, shutter_seconds(camera, FrameRate{}.per_second()),
+                                             [&](double moment) { return camera_at(scene, moment); });
+        const View view{.camera = camera,
+                        .width = width,
+                        .height = height,
+                        .depth = options.depth.value_or(scene.settings.max_trace_level),
+                        .error = half_step(format),
+                        .time = time,
+                        .moments = shutter};
         const Picture picture{width, height, 3,
                               values_of(tracer, view, {.columns = width, .rows = height}, pool, sampling, stop)};
         if (stop && *stop) throw Interrupted("interrupted");

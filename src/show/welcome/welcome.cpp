@@ -33,6 +33,8 @@ bool Welcome::key(int key) {
 
 void Welcome::take(const Screen& screen) {
     if (!reader) return;
+    if (complete && !told) notes.log("the gallery shows all its pictures");
+    told = complete;
     while (auto found = reader->take()) {
         pace.redraw();
         if (!found->listed) {
@@ -114,7 +116,10 @@ std::optional<GalleryItem> Welcome::draw(const KeyMap& keys, bool back) {
     ImGui::End();
     ImGui::PopStyleVar();
     ImGui::PopStyleColor();
-    if (reader) reader->want(visible, static_cast<int>(width), static_cast<int>(width * .75f));
+    if (!reader) return result;
+    reader->want(visible, static_cast<int>(width), static_cast<int>(width * .75f));
+    complete = !visible.empty() &&
+               std::ranges::all_of(visible, [this](const std::string& path) { return pictures.contains(path); });
     return result;
 }
 

@@ -54,6 +54,7 @@ class Welcome {
     float width = 1;                      // of an item, in pixels
     bool taken = false, scrolls = false;  // did a key open the chosen scene; move the choice?
     std::vector<std::string> visible;
+    bool complete = false, told = false;  // was there a picture of every visible scene; is that in the log?
 };
 
 }  // namespace strahl

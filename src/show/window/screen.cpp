@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cfloat>
 #include <cstdio>
 #include <filesystem>
 #include <utility>
@@ -64,6 +65,32 @@ void set_icon(GLFWwindow* window) {
     for (std::size_t i = 0; i < icons.size(); ++i)
         icons[i] = {images[i].width, images[i].height, reinterpret_cast<unsigned char*>(images[i].pixels.data())};
     glfwSetWindowIcon(window, static_cast<int>(icons.size()), icons.data());
+}
+
+/// Returns where the pointer is, in units of the screen, if the window has the keys.
+std::optional<glm::dvec2> pointer_now(GLFWwindow* window) {
+    if (!glfwGetWindowAttrib(window, GLFW_FOCUSED)) return std::nullopt;
+    glm::dvec2 at{};
+    glfwGetCursorPos(window, &at.x, &at.y);
+    return at;
+}
+
+/// Tells ImGui where the pointer is, in units of the screen, while it counts in pixels, and in the next frame all that
+/// has happened. From 1.87 on ImGui has a queue of events, which replaces what is written into its state, and which by
+/// default it takes in several frames; before, it asks for the left button by itself.
+template <class Io>
+void show_pointer(Io& io, const std::optional<glm::dvec2>& place, const std::optional<bool>& left_down) {
+    ImVec2 at(-FLT_MAX, -FLT_MAX);  // outside
+    if (place)
+        at = {static_cast<float>(place->x) * io.DisplayFramebufferScale.x,
+              static_cast<float>(place->y) * io.DisplayFramebufferScale.y};
+    if constexpr (requires { io.AddMousePosEvent(at.x, at.y); }) {
+        io.ConfigInputTrickleEventQueue = false;
+        io.AddMousePosEvent(at.x, at.y);
+    } else {
+        io.MousePos = at;
+        if (left_down) io.MouseDown[0] = *left_down;
+    }
 }
 
 void set_style(float scale) {
@@ -160,7 +187,7 @@ Screen::Screen(const std::string& title, PictureSize size, bool default_size, bo
     try {
         make_window(title, size, default_size, full);
         start_drawing();
-        draw([] {});
+        draw_picture();
     } catch (...) {
         picture.reset(), gl.reset();
         glfwTerminate();
@@ -250,11 +277,26 @@ unsigned Screen::make_texture(const ScreenImage& image) const {
 }
 
 void Screen::copy_pictures() const {
+    const int columns = width(), rows = height();
+    gl->Viewport(0, 0, columns, rows);
+    const bool shown = picture->width > 0;
     const ScreenArea all = area();
+    if (!shown || all.width != columns || all.height != rows) {
+        const float brightness = shown ? 0 : 0.12f;  // grey, until there is a picture
+        gl->ClearColor(brightness, brightness, brightness, 1);
+        gl->Clear(GL_COLOR_BUFFER_BIT);
+    }
+    if (!shown) return;
     picture->copy(0, all, height());
     if (!second) return;
     const int hidden = second_whole ? 0 : second->width * (second_part.x - all.x) / all.width;
     second_picture->copy(hidden, second_part, height());
+}
+
+void Screen::draw_picture() const {
+    if (width() == 0 || height() == 0) return;
+    copy_pictures();
+    glfwSwapBuffers(glfw);
 }
 
 void Screen::draw(const std::function<void()>& overlay) {
@@ -270,10 +312,7 @@ void Screen::draw(const std::function<void()>& overlay) {
     if (columns == 0 || rows == 0) return;
     ImGui_ImplGlfw_NewFrame();
     ImGuiIO& io = ImGui::GetIO();
-    if (left_down) io.MouseDown[0] = *left_down;
-    if (pointer) io.MousePos = {static_cast<float>(pointer->x), static_cast<float>(pointer->y)};
-    // ImGui counts in units of the screen, Strahl in pixels.
-    io.MousePos = {io.MousePos.x * io.DisplayFramebufferScale.x, io.MousePos.y * io.DisplayFramebufferScale.y};
+    show_pointer(io, pointer ? pointer : pointer_now(glfw), left_down);
     io.DisplaySize = {static_cast<float>(columns), static_cast<float>(rows)};
     io.DisplayFramebufferScale = {1, 1};
     // A press, its release and the next press are taken by three drawings: slow ones must not part a double click.
@@ -290,14 +329,7 @@ void Screen::draw(const std::function<void()>& overlay) {
     ImGui::NewFrame();
     overlay();
     ImGui::Render();
-    gl->Viewport(0, 0, columns, rows);
-    const bool shown = picture->width > 0;
-    if (const ScreenArea all = area(); !shown || all.width != columns || all.height != rows) {
-        const float brightness = shown ? 0 : 0.12f;  // grey, until there is a picture
-        gl->ClearColor(brightness, brightness, brightness, 1);
-        gl->Clear(GL_COLOR_BUFFER_BIT);
-    }
-    if (shown) copy_pictures();
+    copy_pictures();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     glfwSwapBuffers(glfw);
 }

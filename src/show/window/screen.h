@@ -46,6 +46,8 @@ class Screen {
     unsigned make_texture(const ScreenImage& image) const;
     /// Draws the window: the uploaded picture, and on it what `overlay` draws with ImGui.
     void draw(const std::function<void()>& overlay);
+    /// Draws the uploaded picture alone. What ImGui needs, a font and shaders, is made by the first draw().
+    void draw_picture() const;
     void toggle_full_screen();
     /// Removes the window from the screen.
     void hide();
