@@ -49,9 +49,10 @@ bool is_film(const std::string& path) { return !format_of(path).empty(); }
 std::string find_ffmpeg(const std::string& film) {
     const std::string program = os::find_program("ffmpeg");
     if (!program.empty()) return program;
-    throw OutputError("cannot make " + film +
-                      ": there is no ffmpeg in PATH, which films need; on Debian: apt install ffmpeg. Without it, "
-                      "-o film-%04d.png --frames LIST makes pictures");
+    throw OutputError(
+        "cannot make " + film +
+        ": there is no ffmpeg in PATH, which films need (ffmpeg.org; on Debian: apt install ffmpeg). Without it, "
+        "-o film-%04d.png --frames LIST makes pictures");
 }
 
 Film::Film(const std::string& ffmpeg, const std::string& own_path, const FrameRate& rate,

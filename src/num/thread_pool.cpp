@@ -6,12 +6,18 @@
 #include <system_error>
 #include <utility>
 
+#include "files/os/thread.h"
+
 namespace strahl {
 
 ThreadPool::ThreadPool(int threads) {
     if (threads <= 0) threads = std::max(1u, std::thread::hardware_concurrency());
     try {
-        for (int i = 1; i < threads; ++i) workers.emplace_back([this, i](std::stop_token stop) { loop(i, stop); });
+        for (int i = 1; i < threads; ++i)
+            workers.emplace_back([this, i, lower = os::threads_need_lowering()](std::stop_token stop) {
+                if (lower) os::lower_priority();
+                loop(i, stop);
+            });
     } catch (const std::system_error&) {
         throw std::runtime_error("of " + std::to_string(threads) + " threads only " + std::to_string(size()) +
                                  " can be started here; ask for fewer with --threads");

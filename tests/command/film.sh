@@ -71,7 +71,7 @@ rm full film.part.mp4 arguments
 
 # No ffmpeg.
 mkdir none
-PATH=$work/none expect 1 "strahl: cannot make 'film.mp4': there is no ffmpeg in PATH, which films need; on Debian: apt install ffmpeg" render scene.rt -o film.mp4
+PATH=$work/none expect 1 "strahl: cannot make 'film.mp4': there is no ffmpeg in PATH, which films need (ffmpeg.org; on Debian: apt install ffmpeg)" render scene.rt -o film.mp4
 rmdir none
 # Options that do not fit a film are refused.
 refuse() { expect 2 "$1" render scene.rt "${@:2}"; }

@@ -69,6 +69,9 @@ std::size_t Connection::send(std::string_view bytes) {
     return done;
 }
 
-void Connection::end() { ::shutdown(socket_of(socket), SD_BOTH); }
+void Connection::end() {
+    ::shutdown(socket_of(socket), SD_BOTH);    // ends what receives later,
+    ::CancelIoEx(handle_of(socket), nullptr);  // and this what receives now
+}
 
 }  // namespace strahl::os

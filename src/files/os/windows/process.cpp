@@ -3,10 +3,12 @@
 
 #include <cerrno>
 #include <cstdint>
+#include <cstdlib>
 #include <new>
 #include <stdexcept>
 #include <system_error>
 
+#include "files/os/thread.h"
 #include "files/os/windows/win32.h"
 
 namespace strahl::os {
@@ -38,9 +40,10 @@ HANDLE start_program(const ProgramStart& start, STARTUPINFOW with, bool inherits
     std::wstring line = command_line(start.words);
     const std::wstring folder = utf16(start.folder);
     with.cb = sizeof with;
+    const DWORD session = start.own_session ? CREATE_NEW_PROCESS_GROUP : 0;
+    const DWORD priority = threads_need_lowering() ? BELOW_NORMAL_PRIORITY_CLASS : 0;
     PROCESS_INFORMATION started{};
-    if (!::CreateProcessW(nullptr, line.data(), nullptr, nullptr, inherits,
-                          start.own_session ? CREATE_NEW_PROCESS_GROUP : 0, nullptr,
+    if (!::CreateProcessW(nullptr, line.data(), nullptr, nullptr, inherits, session | priority, nullptr,
                           folder.empty() ? nullptr : folder.c_str(), &with, &started))
         throw std::system_error(errno_of(::GetLastError()), std::generic_category());
     ::CloseHandle(started.hThread);
@@ -107,8 +110,10 @@ bool start_apart(const std::vector<std::string>& words) try {
 }
 
 std::string find_program(const std::string& name) {
+    const char* const folders = std::getenv("PATH");  // without it, Windows would search the current folder first
     wchar_t path[MAX_PATH];
-    const DWORD size = ::SearchPathW(nullptr, utf16(name).c_str(), L".exe", MAX_PATH, path, nullptr);
+    const DWORD size =
+        ::SearchPathW(utf16(folders ? folders : "").c_str(), utf16(name).c_str(), L".exe", MAX_PATH, path, nullptr);
     return size < MAX_PATH ? utf8({path, size}) : "";
 }
 

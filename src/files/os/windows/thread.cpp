@@ -8,6 +8,8 @@ namespace strahl::os {
 
 void lower_priority() { ::SetThreadPriority(::GetCurrentThread(), THREAD_PRIORITY_LOWEST); }
 
+bool threads_need_lowering() { return ::GetThreadPriority(::GetCurrentThread()) < THREAD_PRIORITY_NORMAL; }
+
 void leave_thread_behind() {
     // Functions that are registered later run first, so static data still exist.
     std::atexit([] { ::TerminateProcess(::GetCurrentProcess(), 0); });
