@@ -23,11 +23,11 @@ struct Sample {
 
 /// Rules by which POV-Ray decides otherwise. The defaults are Strahl's.
 struct OtherRules {
-    double nearest = 0;             // hits nearer to the start of a ray do not count,
-    double farthest = HUGE_VAL;     // nor does what is farther away,
-    double shadow = 0;              // nor a caster nearer to either end of a shadow ray, or to the caster before it
-    bool bent_side = false;         // a bent normal alone decides on which side of a surface a light is
-    bool one_share = false;         // all parts of a composite reflect the share of its medium totally
+    double nearest = 0;          // hits nearer to the start of a ray do not count
+    double farthest = HUGE_VAL;  // hits farther away do not count
+    double shadow = 0;       // casters nearer to either end of a shadow ray, or to the caster before them, do not count
+    bool bent_side = false;  // a bent normal alone decides on which side of a surface a light is
+    bool one_share = false;  // all parts of a composite reflect the share of its medium totally
     bool straight_is_free = false;  // a ray that passes a surface unrefracted does not count as a generation
 };
 

@@ -411,8 +411,24 @@ std::optional<SceneMaker::Part> SceneMaker::build_turned(const ObjectThing& obje
         in.count_bytes(4 * sizeof(Primitive), object.place);  // unions of unions make many bodies of few words
         Shape shape = *object.shape;
         if (object.surface) shape = Mesh{object.surface->mesh(cells_of(object, around)), ""};
-        Steps steps = object.steps;
-        const Steps folded = fold_matrix(shape, steps);
+        Steps steps = object.steps, folded;
+        if (object.patch) {
+            Steps to_world = steps;
+            append(to_world, around.after);
+            const glm::dmat4 matrix = matrix_of(to_world);
+            if (glm::dmat3(matrix) != glm::dmat3(1)) {
+                // It is divided in the world, from which it is moved back, since the objects around it move it.
+                BicubicPatch moved = *object.patch;
+                for (DVec3& p : moved.points) p = transform_point(matrix, p);
+                if (std::optional<MeshData> made = moved.mesh()) {
+                    in.count_bytes(made->triangles.size() * bytes_of_triangle, object.place);
+                    shape = Mesh{std::make_shared<const MeshData>(std::move(*made)), ""};
+                    folded = std::move(to_world), steps = inverse(around.after);
+                }
+            }
+        } else {
+            folded = fold_matrix(shape, steps);
+        }
         if (mirrored) {
             std::shared_ptr<const void> shared;
             if (const auto* const own = std::get_if<Mesh>(&shape)) shared = own->data;

@@ -125,7 +125,7 @@ DVec3 upwards(const DVec3& n) {
 }  // namespace
 
 bool PartFace::may_meet(const PartFace& other) const {
-    bool all = length(normal - other.normal) < off(0);
+    bool all = length(normal - other.normal) < off(0) && std::fabs(at - other.at) <= off(at);
     for (int c = 0; c < 3; ++c) all &= box.low[c] <= other.box.high[c] && other.box.low[c] <= box.high[c];
     return all;
 }
@@ -168,7 +168,7 @@ std::vector<DVec3> common_part(std::vector<DVec3> polygon, const Box& box) {
 }
 
 bool CurvedFace::continues(const CurvedFace& other) const {
-    return kind == other.kind && length(centre - other.centre) <= off(away()) &&
+    return kind == other.kind && length(centre - other.centre) <= off(length(centre)) &&
            std::fabs(size - other.size) <= off(size) && length(axis - other.axis) <= off(0);
 }
 

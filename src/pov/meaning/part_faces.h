@@ -4,8 +4,10 @@
 #include <cmath>
 #include <cstddef>
 #include <glm/mat4x4.hpp>
+#include <iterator>
 #include <vector>
 
+#include "num/vec_math.h"
 #include "scene/scene.h"
 
 namespace strahl::pov {
@@ -62,7 +64,9 @@ struct CurvedFace : BodyFace {
     double size;       // radius, or of a cone radius per length
     std::vector<PointOnFace> points{};  // some, where they are asked for
 
-    double away() const { return length(centre); }
+    /// Returns the centre's place along a direction in which those of a lattice or on a sphere are hardly ever the
+    /// same.
+    double along() const { return dot_product(centre, DVec3(.48712, .71359, .50341)); }
     bool continues(const CurvedFace& other) const;
 };
 /// Adds the curved face of a simple body, which a matrix moves that keeps shapes similar.
@@ -73,19 +77,30 @@ std::vector<PointOnFace> points_on(const Shape& shape, const glm::dmat4& matrix)
 /// it did. Sorts the faces.
 template <class Test>
 bool any_pair_of(std::vector<CurvedFace>& faces, const Test& test) {
-    std::ranges::sort(faces, {}, &CurvedFace::away);
-    for (std::size_t a = 0; a < faces.size(); ++a)
-        for (std::size_t b = a + 1; b < faces.size() && faces[b].away() - faces[a].away() <= off(faces[a].away()); ++b)
+    std::ranges::sort(faces, {}, &CurvedFace::along);
+    for (std::size_t a = 0; a < faces.size(); ++a) {
+        const double most = faces[a].along() + off(length(faces[a].centre));
+        for (std::size_t b = a + 1; b < faces.size() && faces[b].along() <= most; ++b)
             if (faces[a].part != faces[b].part && faces[a].continues(faces[b]) && test(faces[a], faces[b])) return true;
+    }
     return false;
 }
-/// Calls test(a, b) for pairs of flat faces in one plane, until it is true; returns whether it was.
+/// Calls test(a, b) for pairs of flat faces in one plane, until it is true; returns whether it was. Sorts the faces.
 template <class Test>
 bool any_pair_of(std::vector<PartFace>& faces, const Test& test) {
     std::ranges::sort(faces, {}, &PartFace::at);
-    for (std::size_t a = 0; a < faces.size(); ++a)
-        for (std::size_t b = a + 1; b < faces.size() && faces[b].at - faces[a].at <= off(faces[a].at); ++b)
-            if (faces[a].part != faces[b].part && faces[a].may_meet(faces[b]) && test(faces[a], faces[b])) return true;
+    for (auto begin = faces.begin(), end = begin; begin != faces.end(); begin = end) {
+        Box around;
+        do around.add(end->box);
+        while (++end != faces.end() && end->at - std::prev(end)->at <= off(end->at));
+        // Thousands may stand on one floor: only those are compared that overlap along the longest side of all.
+        const DVec3 size = around.size();
+        const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+        std::ranges::sort(begin, end, {}, [&](const PartFace& face) { return face.box.low[axis]; });
+        for (auto a = begin; a != end; ++a)
+            for (auto b = std::next(a); b != end && b->box.low[axis] <= a->box.high[axis]; ++b)
+                if (a->part != b->part && a->may_meet(*b) && test(*a, *b)) return true;
+    }
     return false;
 }
 

@@ -316,7 +316,7 @@ void PovReader::read_mesh(Interpreter& in, ObjectThing& object) {
     while (in.at("triangle") || in.at("smooth_triangle")) {
         const bool smooth = in.at("smooth_triangle");
         in.skip();
-        in.count_bytes(sizeof(MeshPart::data.triangles[0]) + 9 * sizeof(DVec3), in.last_place());
+        in.count_bytes(bytes_of_triangle, in.last_place());
         in.begin_block();
         DVec3 points[3], normals[3];
         std::array<double, 2> places[3]{};

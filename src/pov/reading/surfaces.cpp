@@ -280,30 +280,36 @@ bool PovReader::read_surface(Interpreter& in, std::uint16_t code, ObjectThing& o
             return true;
         }
         case word("bicubic_patch"): {
-            int steps[2]{0, 0};
-            std::array<Point2, 4> places{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
-            if (in.at_expression() && !in.at('<')) {  // an old form
-                in.read_number(), in.skip_comma(), in.read_number(), in.skip_comma();
-                for (int& own : steps) own = in.read_integer(), in.skip_comma();
+            BicubicPatch patch;
+            if (in.at_expression() && !in.at('<')) {  // an old form, whose flatness only types 2 and 3 give
+                const int type = in.read_integer();
+                in.skip_comma();
+                patch.flatness = .1;
+                if (type == 2 || type == 3) patch.flatness = in.read_number(), in.skip_comma();
+                for (int& own : patch.steps) own = in.read_integer(), in.skip_comma();
             }
             for (;;) {
-                if (in.accept("type") || in.accept("flatness"))
+                if (in.accept("type") || in.accept("accuracy"))
                     in.read_number();
+                else if (in.accept("flatness"))
+                    patch.flatness = in.read_number();
                 else if (in.accept("u_steps"))
-                    steps[0] = in.read_integer();
+                    patch.steps[0] = in.read_integer();
                 else if (in.accept("v_steps"))
-                    steps[1] = in.read_integer();
+                    patch.steps[1] = in.read_integer();
                 else if (in.accept("uv_vectors"))
-                    for (Point2& place : places) place = in.read_uv(), in.skip_comma();
+                    for (MeshData::Place& place : patch.places) place = in.read_uv(), in.skip_comma();
                 else
                     break;
                 in.skip_comma();
             }
-            std::array<DVec3, 16> points;
-            for (DVec3& p : points) in.skip_comma(), p = in.read_vector();
-            set_mesh(object, bicubic(points, 1 << std::clamp(std::max(steps[0], steps[1]), 0, 5), places));
+            for (DVec3& p : patch.points) in.skip_comma(), p = in.read_vector();
+            std::optional<MeshData> made = patch.mesh();
+            if (!made) in.fail("a bicubic_patch is divided into more than a million triangles: its steps are too many");
+            in.count_bytes(made->triangles.size() * bytes_of_triangle, in.last_place());
+            set_mesh(object, std::move(*made));
+            object.patch = std::make_shared<const BicubicPatch>(patch);
             object.turned_surface = true;
-            object.approximated("'bicubic_patch" + mesh);
             return true;
         }
         case word("quadric"): {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "pov/things/bicubic.h"
 #include "pov/things/implicit.h"
 #include "pov/things/textures.h"
 #include "scene/light.h"
@@ -51,12 +52,16 @@ struct MadeBodies {
     mutable std::shared_ptr<const std::vector<std::pair<Primitive, Box>>> bodies;
 };
 
+/// What a triangle of a mesh needs, with corners of its own.
+inline constexpr std::size_t bytes_of_triangle = sizeof(MeshData::Corners) + 9 * sizeof(DVec3);
+
 struct ObjectThing : Thing {
     ObjectKind kind = ObjectKind::nothing;
     int levels = 1;  // of bodies in bodies, with this one
     TextPlace place;
     std::optional<Shape> shape;
     std::shared_ptr<const LevelSurface> surface;  // if any, the shape is its mesh
+    std::shared_ptr<const BicubicPatch> patch;    // if any, the shape is its mesh where it is not moved
     std::shared_ptr<const LightThing> light;
     /// The textures of a blob's lumps, in its space, null for those that have the blob's; null if all have.
     std::shared_ptr<const std::vector<std::shared_ptr<const TextureThing>>> lump_textures;

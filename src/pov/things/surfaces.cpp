@@ -213,34 +213,6 @@ MeshData patch(int pieces, const std::function<std::pair<DVec3, DVec3>(double u,
     return made;
 }
 
-MeshData bicubic(const std::array<DVec3, 16>& points, int pieces, const std::array<Point2, 4>& places) {
-    const auto weights = [](double t) {
-        const double s = 1 - t;
-        return std::array{s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t};
-    };
-    const auto slopes = [](double t) {
-        const double s = 1 - t;
-        return std::array{-3 * s * s, 3 * s * s - 6 * s * t, 6 * s * t - 3 * t * t, 3 * t * t};
-    };
-    const auto sum = [&](const std::array<double, 4>& v, const std::array<double, 4>& u) {
-        DVec3 p(0);
-        for (std::size_t i = 0; i < 4; ++i)
-            for (std::size_t j = 0; j < 4; ++j) p += v[i] * u[j] * points[4 * i + j];
-        return p;
-    };
-    const auto at = [&](double v, double u) {
-        return std::pair(sum(weights(v), weights(u)),
-                         cross_product(sum(slopes(v), weights(u)), sum(weights(v), slopes(u))));
-    };
-    return patch(pieces, at, [&](const Point2& own) {
-        const auto [v, u] = own;
-        Point2 to;
-        for (std::size_t k = 0; k < 2; ++k)
-            to[k] = std::lerp(std::lerp(places[0][k], places[1][k], u), std::lerp(places[3][k], places[2][k], u), v);
-        return to;
-    });
-}
-
 MeshData height_field(int width, int height, std::span<const double> heights, double water, bool smooth) {
     MeshData mesh;
     const auto value = [&](int i, int j) { return heights[std::size_t(j) * std::size_t(width) + std::size_t(i)]; };

@@ -41,9 +41,6 @@ MeshData superellipsoid(double e, double n, int cells);
 /// by uv.
 MeshData patch(int pieces, const std::function<std::pair<DVec3, DVec3>(double u, double v)>& at,
                const std::function<Point2(const Point2& uv)>& place);
-/// The bicubic surface of 16 control points, row by row, in `pieces` by `pieces` squares. `places` are those of its
-/// corners by uv.
-MeshData bicubic(const std::array<DVec3, 16>& points, int pieces, const std::array<Point2, 4>& places);
 /// The field of heights over x and z from 0 to 1, from the lower row of z on; what is below `water` is left out.
 MeshData height_field(int width, int height, std::span<const double> heights, double water, bool smooth);
 

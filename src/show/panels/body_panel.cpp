@@ -181,7 +181,8 @@ void BodyPanel::draw_placing(const BodyEditor& editor, BodyInput& input) {
     ImGui::TreePop();
 }
 
-/// `source` is that of the value above, and becomes this one's.
+/// Draws a value's name and a field to change it, below the name of its block unless the value above is of the same
+/// one. `source` says where the value above comes from, and then where this one does.
 void BodyPanel::draw_value(const BodyEditor& editor, std::size_t number, std::string& source, BodyInput& input) {
     const BodyValue& value = editor.body().values[number];
     const float font = ImGui::GetFontSize();

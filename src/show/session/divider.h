@@ -22,7 +22,7 @@ struct Divider {
     /// Returns the part of the window where the second picture is seen: all to the right of the divider, or the whole
     /// other view in the middle of that.
     ScreenArea second_area(const ScreenArea& picture) const;
-    /// Does it show what is seen, and not its light?
+    /// Is the second picture of a layer, depth or normals, in place of the scene's light?
     bool layer() const { return second >= SecondKind::depth; }
     bool shown() const { return second != SecondKind::none; }
     /// Is this point of the window so near to it that the pointer takes hold of it there? All in pixels.

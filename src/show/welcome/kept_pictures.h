@@ -10,7 +10,7 @@ namespace strahl {
 /// A small picture of a scene at the start of its flight, as the window would show it.
 struct SmallPicture {
     ScreenImage image{};               // empty if the scene cannot be read
-    std::string fault{};               // why, or ""
+    std::string fault{};               // why the scene cannot be read, or ""
     std::vector<std::string> files{};  // all that were read for it
 };
 

@@ -57,7 +57,7 @@ TEST_CASE("images that are opaque only in places") {
         CHECK(own.clear());
         const DVec3 there = transform_point(glm::inverse(matrix(own.pattern->transformations)), at);
         CHECK(value_at(std::get<SolidPattern>(own.pattern->kind), there) == doctest::Approx(opaque));
-        // The text is read as the same pigment, and as the same text.
+        // The pigment that is read from its own text is the same, and so is the text of that.
         const Pigment again = rgb(text_of(own));
         CHECK(text_of(again) == text_of(own));
         CHECK(value_at(std::get<SolidPattern>(again.pattern->kind), there) == doctest::Approx(opaque));
