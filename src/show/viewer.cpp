@@ -104,7 +104,9 @@ Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::unique_ptr<Reload
 
 void Viewer::perform(Command command) {
     if (leaving.asking())
-        return answer(command.action == Action::write_path ? Leaving::Decision::write : Leaving::Decision::none);
+        return answer(command.action == Action::write_path ? Leaving::Decision::write
+                      : command.action == Action::save_as  ? Leaving::Decision::save_as
+                                                           : Leaving::Decision::none);
     const bool playing = command.action == Action::quit || command.action == Action::back ||
                          command.action == Action::full_screen ||
                          (command.action == Action::pause && !options.benchmark);
@@ -252,6 +254,7 @@ void Viewer::leave(std::function<void()> go) {
 
 void Viewer::answer(Leaving::Decision given) {
     if (leaving.take(given)) write();
+    if (given == Leaving::Decision::save_as) chooser.ask_where_to_save();
     panels.asking = leaving.asking();
     pace.redraw(3);
 }

@@ -98,6 +98,17 @@ has 'key \{ time 3' mine.rt
 [[ -e mine.rt~ ]] || fault "no copy of the older file is kept"
 xdotool key F2
 await 'nothing to write'
-quit
+
+echo "-- the question before the end also saves elsewhere, and then goes on"
+printf '#!/bin/sh\necho kept.rt\n' >bin/zenity
+cp mine.rt before.rt
+xdotool key KP_3 p
+await 'key 3 added'
+xdotool key ctrl+q
+await 'mine.rt is not written'
+quit ctrl+shift+s
+await 'scene written into kept.rt'
+has 'key \{ time 6' kept.rt
+cmp before.rt mine.rt || fault "saving elsewhere wrote the scene, too"
 "$strahl" check mine.rt >checked 2>&1 || fault "the copy has errors: $(<checked)"
 finish

@@ -28,10 +28,10 @@ Leaving::Decision Leaving::answer_of(int key) {
 
 bool Leaving::take(Decision answer) {
     if (!go || answer == Decision::none) return false;
-    writes = answer == Decision::write;
+    writes = answer == Decision::write || answer == Decision::save_as;
     if (answer == Decision::stay) go = nullptr;
     if (answer == Decision::drop) std::exchange(go, nullptr)();
-    return writes;
+    return answer == Decision::write;
 }
 
 Leaving::Decision Leaving::draw(const KeyMap& keys) const {
@@ -49,6 +49,7 @@ Leaving::Decision Leaving::draw(const KeyMap& keys) const {
         ImGui::SameLine();
     };
     button("write it (Enter, " + keys.name(Action::write_path) + ")", Decision::write);
+    button("elsewhere (" + keys.name(Action::save_as) + ")", Decision::save_as);
     button("drop it (D)", Decision::drop);
     button("stay (Esc)", Decision::stay);
     if (writes) ImGui::NewLine(), ImGui::TextUnformatted("It goes on once this is written.");

@@ -17,7 +17,7 @@ class Leaving {
     /// To be called regularly: goes on if the answer was to write, and `unwritten` is false by now.
     void follow(bool unwritten);
 
-    enum class Decision { none, write, drop, stay };
+    enum class Decision { none, write, save_as, drop, stay };
     /// Returns the answer that a key of GLFW gives.
     static Decision answer_of(int key);
     /// Takes an answer. Returns whether everything is to be written now.
@@ -29,7 +29,7 @@ class Leaving {
     std::string name;
     std::vector<std::string> list;  // names of what is not written
     std::function<void()> go;       // null if nothing is asked
-    bool writes = false;            // the answer was to write
+    bool writes = false;            // the answer was to write, here or elsewhere
 };
 
 }  // namespace strahl

@@ -185,4 +185,10 @@ TEST_CASE("a scene is left once it is written or dropped, and not if the user st
     CHECK((leaving.asking() && left == 1));
     leaving.follow(false);
     CHECK((!leaving.asking() && left == 2));
+    ask();
+    CHECK(!leaving.take(Answer::save_as));  // a dialog asks where first
+    leaving.follow(true);
+    CHECK((leaving.asking() && left == 2));
+    leaving.follow(false);
+    CHECK((!leaving.asking() && left == 3));
 }
