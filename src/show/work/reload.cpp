@@ -190,9 +190,9 @@ class Reload::FileThread {
 
     const std::shared_ptr<Desk> desk;
     std::string path, text, own_text, own_tracks, own_flight;  // own_: what Strahl wrote last
-    std::optional<Loaded> saved;  // elsewhere; shown once that is told, since the window may end then
-    std::optional<std::string> shown_text;                     // what was shown since the file was read or written
-    std::shared_ptr<const Scene> shown_scene;                  // the first one that gave the picture of the last one
+    std::optional<Loaded> saved;               // elsewhere; shown once that is told, since the window may end then
+    std::optional<std::string> shown_text;     // what was shown since the file was read or written
+    std::shared_ptr<const Scene> shown_scene;  // the first one that gave the picture of the last one
     OpeningOptions options;
     bool any_scene = false;  // has been read
     os::FileStamp known, before;
