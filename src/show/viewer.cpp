@@ -608,6 +608,8 @@ void Viewer::print_paths() {
 }
 
 void Viewer::end(const std::atomic<bool>& interrupted) {
+    while (file.tell_written()) {
+    }
     print_paths();
     if (!options.play) chooser.remember();
     if (!options.size && !options.play) screen.remember();

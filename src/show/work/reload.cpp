@@ -190,8 +190,9 @@ class Reload::FileThread {
 
     const std::shared_ptr<Desk> desk;
     std::string path, text, own_text, own_tracks, own_flight;  // own_: what Strahl wrote last
-    std::optional<std::string> shown_text;                     // what was shown since the file was read or written
-    std::shared_ptr<const Scene> shown_scene;                  // the first one that gave the picture of the last one
+    std::optional<Loaded> saved;               // elsewhere; shown once that is told, since the window may end then
+    std::optional<std::string> shown_text;     // what was shown since the file was read or written
+    std::shared_ptr<const Scene> shown_scene;  // the first one that gave the picture of the last one
     OpeningOptions options;
     bool any_scene = false;  // has been read
     os::FileStamp known, before;
@@ -306,8 +307,11 @@ void Reload::FileThread::run() {
         }
         for (const Request& request : requests) {  // before the window closes, too
             Written done = write(request);
-            std::lock_guard lock(desk->mutex);
-            desk->written.push_back(std::move(done));
+            {
+                std::lock_guard lock(desk->mutex);
+                desk->written.push_back(std::move(done));
+            }
+            if (saved) tell(*std::exchange(saved, std::nullopt));
         }
         if (quit) return;
         if (!requests.empty()) notify();
@@ -523,7 +527,7 @@ Written Reload::FileThread::write_elsewhere(const Request& request) {
     path = to, text = own_text = content, own_tracks = keys, own_flight.clear(), shown_text.reset(),
     known = before = {};
     loaded.renamed = true;
-    tell(std::move(loaded));
+    saved = std::move(loaded);
     return {.file = to, .what = "scene"};
 }
 
