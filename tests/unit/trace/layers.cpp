@@ -311,7 +311,7 @@ TEST_CASE("unions that are split count as one body, and copies of their material
 }
 
 TEST_CASE("layers do not depend on threads, and are the same in a crop, by cells, a lens and a shutter") {
-    const int size = sanitized() ? 4 : 9;
+    const int size = sanitized() ? 6 : 9;  // in tenths of the width
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
         CAPTURE(seed);
         Scene scene = random_scene(seed, {.lights = true});

@@ -206,7 +206,7 @@ TEST_CASE("small bright balls out of focus become discs that have all their ligh
         CHECK(510 * std::sqrt(squares) < 1.5);
         wrong += squares, said += sampled.error() * sampled.error();
     }
-    CHECK(said > wrong / 3);
+    if (!sanitized()) CHECK(said > wrong / 3);  // of eight balls; two do not tell
 }
 
 TEST_CASE("random worlds are what pinholes all over the lens see, and the error is what is said") {
