@@ -392,6 +392,23 @@ int SceneMaker::cells_of(const ObjectThing& object, const Around& around) {
     return std::max(size > .1 ? use.cells : size > .03 ? use.cells / 2 : use.cells / 4, 16);
 }
 
+/// Divides a patch that is turned or scaled in the world, as POV-Ray does. Its mesh is moved back from there, since the
+/// objects around it move it. Returns the steps that were taken away; none if the patch stays as it is.
+Steps SceneMaker::fold_into_patch(const ObjectThing& object, const Around& around, Shape& shape, Steps& steps) {
+    Steps to_world = steps;
+    append(to_world, around.after);
+    const glm::dmat4 matrix = matrix_of(to_world);
+    if (glm::dmat3(matrix) == glm::dmat3(1)) return {};
+    BicubicPatch moved = *object.patch;
+    for (DVec3& p : moved.points) p = transform_point(matrix, p);
+    std::optional<MeshData> made = moved.mesh();
+    if (!made) return {};
+    in.count_bytes(made->triangles.size() * bytes_of_triangle, object.place);
+    shape = Mesh{std::make_shared<const MeshData>(std::move(*made)), ""};
+    steps = inverse(around.after);
+    return to_world;
+}
+
 std::optional<SceneMaker::Part> SceneMaker::build(const ObjectThing& object, const Around& around) {
     if (!mirrored || !object.shape || !std::holds_alternative<JuliaFractal>(*object.shape))
         return build_turned(object, around);
@@ -411,24 +428,8 @@ std::optional<SceneMaker::Part> SceneMaker::build_turned(const ObjectThing& obje
         in.count_bytes(4 * sizeof(Primitive), object.place);  // unions of unions make many bodies of few words
         Shape shape = *object.shape;
         if (object.surface) shape = Mesh{object.surface->mesh(cells_of(object, around)), ""};
-        Steps steps = object.steps, folded;
-        if (object.patch) {
-            Steps to_world = steps;
-            append(to_world, around.after);
-            const glm::dmat4 matrix = matrix_of(to_world);
-            if (glm::dmat3(matrix) != glm::dmat3(1)) {
-                // It is divided in the world, from which it is moved back, since the objects around it move it.
-                BicubicPatch moved = *object.patch;
-                for (DVec3& p : moved.points) p = transform_point(matrix, p);
-                if (std::optional<MeshData> made = moved.mesh()) {
-                    in.count_bytes(made->triangles.size() * bytes_of_triangle, object.place);
-                    shape = Mesh{std::make_shared<const MeshData>(std::move(*made)), ""};
-                    folded = std::move(to_world), steps = inverse(around.after);
-                }
-            }
-        } else {
-            folded = fold_matrix(shape, steps);
-        }
+        Steps steps = object.steps;
+        const Steps folded = object.patch ? fold_into_patch(object, around, shape, steps) : fold_matrix(shape, steps);
         if (mirrored) {
             std::shared_ptr<const void> shared;
             if (const auto* const own = std::get_if<Mesh>(&shape)) shared = own->data;

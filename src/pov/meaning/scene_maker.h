@@ -73,6 +73,7 @@ class SceneMaker {
     static Steps to_owner(const ObjectThing& object, const Around& around);
     Around inside(const ObjectThing& object, const Around& around);
     std::optional<Part> build(const ObjectThing& object, const Around& around);
+    Steps fold_into_patch(const ObjectThing& object, const Around& around, Shape& shape, Steps& steps);
     std::optional<Part> build_turned(const ObjectThing& object, const Around& around);
     void tell_of_cuts(const Primitive& body, TextPlace place) const;
     bool clear(const Primitive& body, bool bends = false) const;

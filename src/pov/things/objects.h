@@ -52,7 +52,7 @@ struct MadeBodies {
     mutable std::shared_ptr<const std::vector<std::pair<Primitive, Box>>> bodies;
 };
 
-/// What a triangle of a mesh needs, with corners of its own.
+/// Counts the bytes of memory that a triangle takes in a mesh whose corners are not shared.
 inline constexpr std::size_t bytes_of_triangle = sizeof(MeshData::Corners) + 9 * sizeof(DVec3);
 
 struct ObjectThing : Thing {

@@ -160,7 +160,7 @@ double seen_of_ball(double x, double y, double radius, double blur) {
 }
 
 TEST_CASE("small bright balls out of focus become discs that have all their light, and the error is what is said") {
-    const int runs = sanitized() ? 2 : 8;
+    constexpr int runs = 8;
     double wrong = 0, said = 0;
     for (int seed = 0; seed < runs; ++seed) {
         Dice dice(seed);
@@ -206,7 +206,7 @@ TEST_CASE("small bright balls out of focus become discs that have all their ligh
         CHECK(510 * std::sqrt(squares) < 1.5);
         wrong += squares, said += sampled.error() * sampled.error();
     }
-    if (!sanitized()) CHECK(said > wrong / 3);  // of eight balls; two do not tell
+    CHECK(said > wrong / 3);
 }
 
 TEST_CASE("random worlds are what pinholes all over the lens see, and the error is what is said") {
