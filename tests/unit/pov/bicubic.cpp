@@ -73,12 +73,9 @@ TEST_CASE("parts of patches that are flat enough in the world stay whole") {
     }
 }
 
-TEST_CASE("patches of too many triangles are refused") {
-    BicubicPatch patch;
+TEST_CASE("patches of too many triangles are refused, however deep they are halved") {
     std::mt19937 random(3);
-    patch = random_patch(random, 1);
-    patch.steps = {30, 30};
-    CHECK_FALSE(patch.mesh());
+    BicubicPatch patch = random_patch(random, 1);
     patch.steps = {1'000'000'000, 0};
     CHECK_FALSE(patch.mesh());
 }
