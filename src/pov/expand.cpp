@@ -8,6 +8,7 @@
 
 #include "num/decimal.h"
 #include "pov/language/interpreter.h"
+#include "text/reading/scene_tokens.h"
 
 namespace strahl::pov {
 namespace {
@@ -55,18 +56,13 @@ bool at_value(Interpreter& in, std::string_view rest) {
 }  // namespace
 
 bool has_directives(std::string_view text) {
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        if (text[i] != '#' && text[i] != '/' && text[i] != '"') continue;
-        const std::string_view rest = text.substr(i);
-        if (rest[0] == '#') {
-            const std::string_view behind = rest.substr(std::min(rest.find_first_not_of(" \t", 1), rest.size()));
-            if (is_directive(behind.substr(0, word_length(behind)))) return true;
-        }
-        const bool line = rest.starts_with("//"), quotes = rest[0] == '"';
-        const std::size_t end = line ? rest.find('\n') : quotes ? rest.find_first_of("\"\n", 1) : 0;
-        const std::size_t close = rest.starts_with("/*") ? rest.find("*/", 2) : end;
-        if (close == rest.npos) return false;
-        i += close + (rest.starts_with("/*") ? 1 : 0);
+    if (text.find('#') == text.npos) return false;
+    SceneTokens tokens(text);
+    for (SceneToken token; (token = tokens.next()).kind != SceneToken::none;) {
+        if (token.text[0] != '#') continue;
+        const std::string_view rest(token.text.data() + 1, text.data() + text.size());
+        const std::string_view behind = rest.substr(std::min(rest.find_first_not_of(" \t"), rest.size()));
+        if (is_directive(behind.substr(0, word_length(behind)))) return true;
     }
     return false;
 }

@@ -2,58 +2,35 @@
 #include "text/edit_path.h"
 
 #include <algorithm>
+#include <string_view>
 #include <vector>
 
 #include "num/decimal.h"
 #include "text/parse.h"
-#include "text/reading/lexer.h"
+#include "text/reading/scene_tokens.h"
 #include "text/text_changes.h"
+#include "text/text_items.h"
 #include "text/write.h"
 
 namespace strahl {
 namespace {
 
-/// The parts of the block `flythrough` in the text.
+/// The numbers and keys of the block `flythrough` in the text.
 struct PathSlices {
-    TextSlice block, duration;  // `duration` is its number alone
+    TextSlice duration;
     std::optional<TextSlice> loop;
     std::vector<TextSlice> keys;
-    std::string music;  // the block `music`
 };
 
-std::optional<PathSlices> find_path(const std::string& text) {
-    Diagnostics diagnostics(text, "");
-    Lexer lexer(text, diagnostics);
-    std::optional<PathSlices> slices;
-    const auto begin = [&](std::string_view slice) { return std::size_t(slice.data() - text.data()); };
-    bool inside = false;  // is the token in the block of the flythrough?
-    std::size_t music_begin = 0;
-    std::string music;
-    for (int depth = 0; !lexer.at_end();) {
-        if (lexer.peek() == '"') {
-            lexer.quotation("");
-            continue;
-        }
-        const std::string_view token = lexer.token();
-        const std::size_t start = begin(token), stop = start + token.size();
-        lexer.rewind(token.substr(token.size()));
-        if (token == "{") ++depth;
-        if (token == "}") --depth;
-        if (depth == 0 && token == "music") music_begin = start + 1;
-        if (depth == 0 && token == "}" && music_begin > 0)
-            music = text.substr(music_begin - 1, stop - music_begin + 1), music_begin = 0;
-        if (depth == 0 && token == "flythrough") slices.emplace().block.begin = start, inside = true;
-        if (!inside) continue;
-        if (depth == 1 && token == "key") slices->keys.push_back({start, 0});
-        if (depth == 1 && token == "}") slices->keys.back().end = stop;
-        if (depth == 1 && token == "loop") slices->loop = {start, stop};
-        if (depth == 1 && token == "duration") {
-            const std::string_view number = lexer.token();
-            slices->duration = {begin(number), begin(number) + number.size()};
-        }
-        if (depth == 0 && token == "}") slices->block.end = stop, inside = false;
+/// Finds them in `block`, a slice of the text.
+PathSlices parts_of_path(const std::string& text, std::string_view block) {
+    PathSlices slices;
+    const TextItem path = item_of_block(block, "flythrough");
+    for (const TextItem& item : path.items) {
+        if (item.word == "key") slices.keys.push_back(slice_of(text, whole_block(item)));
+        if (item.word == "loop") slices.loop = slice_of(text, item.word);
+        if (item.word == "duration" && !item.numbers.empty()) slices.duration = slice_of(text, item.numbers[0]);
     }
-    if (slices) slices->music = music;
     return slices;
 }
 
@@ -104,50 +81,41 @@ std::optional<Flythrough> path_of(const std::string& music, const std::string& b
 }  // namespace
 
 EyeWords eye_words(const std::string& text) {
-    Diagnostics diagnostics(text, "");
-    Lexer lexer(text, diagnostics);
     EyeWords words;
-    int depth = 0;
-    for (bool camera = false; !lexer.at_end() && !(camera && depth == 0 && lexer.peek() != '{');) {
-        if (lexer.peek() == '"') {
-            lexer.quotation("");
-            continue;
-        }
-        const std::string_view token = lexer.token();
-        lexer.rewind(token.substr(token.size()));
-        if (token == "{") ++depth;
-        if (token == "}") --depth;
-        if (depth == 0 && token == "camera") camera = true;
-        if (camera && token == "sky") words.sky = true;
-        if (camera && token == "angle") words.angle = true;
+    SceneTokens tokens(block_of(text, "camera"));
+    for (SceneToken token; (token = tokens.next()).kind != SceneToken::none;) {
+        words.sky |= token.text == "sky";
+        words.angle |= token.text == "angle";
     }
     return words;
 }
 
 std::string with_path(const std::string& text, const std::optional<Flythrough>& path, std::optional<EyeWords> given) {
-    const auto slices = find_path(text);
+    const std::string_view found = block_of(text, "flythrough");
     const EyeWords words = given ? *given : eye_words(text);
-    if (!slices) {
+    if (found.empty()) {
         if (!path) return text;
         if (text.empty()) return write_flythrough(*path, words);
         return text + (text.back() == '\n' ? "\n" : "\n\n") + write_flythrough(*path, words);
     }
-    const TextSlice block = slices->block;
+    const TextSlice block = slice_of(text, found);
     if (!path) return with_changes(text, {{with_space(text, block), ""}});
-    const auto old = path_of(slices->music, text.substr(block.begin, block.end - block.begin));
+    const std::string music(block_of(text, "music"));
+    const auto old = path_of(music, std::string(found));
     const std::string whole = write_flythrough(*path, words);
     const TextChange anew{block, whole.substr(0, whole.size() - 1)};
-    if (!old) return with_changes(text, {anew});
+    const PathSlices slices = parts_of_path(text, found);
+    if (!old || old->keys.size() != slices.keys.size()) return with_changes(text, {anew});
 
     std::vector<TextChange> edits;
-    if (old->duration != path->duration) edits.push_back({slices->duration, text_of(path->duration)});
-    if (path->loop && !old->loop) edits.push_back({{slices->duration.end, slices->duration.end}, "  loop"});
-    if (!path->loop && old->loop) edits.push_back({with_space(text, *slices->loop), ""});
-    edit_keys(edits, text, *slices, old->keys, path->keys, words);
+    if (old->duration != path->duration) edits.push_back({slices.duration, text_of(path->duration)});
+    if (path->loop && !old->loop) edits.push_back({{slices.duration.end, slices.duration.end}, "  loop"});
+    if (!path->loop && old->loop) edits.push_back({with_space(text, *slices.loop), ""});
+    edit_keys(edits, text, slices, old->keys, path->keys, words);
     std::string changed = with_changes(text, edits);
     const std::size_t length = changed.size() - (text.size() - (block.end - block.begin));
     // Nothing that was written in an unusual way may get lost.
-    return path_of(slices->music, changed.substr(block.begin, length)) == path ? changed : with_changes(text, {anew});
+    return path_of(music, changed.substr(block.begin, length)) == path ? changed : with_changes(text, {anew});
 }
 
 }  // namespace strahl

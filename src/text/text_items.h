@@ -34,8 +34,11 @@ BodyItems items_of_body(std::string_view text, int number);
 /// is none.
 TextItem item_of_light(std::string_view text, int number);
 
-/// Finds the first block of the top level with this word; an item without a word if there is none.
+/// Finds the first block of the top level with this word; an item without a word if there is none, or the text up to
+/// its end has an error.
 TextItem item_of_block(std::string_view text, std::string_view word);
+/// Finds it in any text, and returns it whole, from the word to the closing brace; an empty slice if there is none.
+std::string_view block_of(std::string_view text, std::string_view word);
 
 /// Is this the word of a kind of body?
 bool is_body_word(std::string_view word);

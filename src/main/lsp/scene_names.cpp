@@ -2,53 +2,7 @@
 
 #include <utility>
 
-#include "files/utf8.h"
-#include "files/words.h"
-
 namespace strahl {
-namespace {
-
-bool in_word(char c) { return (lower(c) >= 'a' && lower(c) <= 'z') || c == '_' || (c >= '0' && c <= '9'); }
-
-class SceneTokens {
-  public:
-    explicit SceneTokens(std::string_view text) : text(text) {}
-
-    /// Returns the next token, with comments or without; its kind is `none` at the end.
-    SceneToken next(bool comments = false) {
-        SceneToken token = any();
-        while (!comments && token.kind == SceneToken::comment) token = any();
-        return token;
-    }
-
-  private:
-    SceneToken any() {
-        while (at < text.size() && is_space(text[at])) ++at;
-        const std::string_view rest = text.substr(at);
-        if (rest.empty()) return {};
-        if (rest.starts_with("//")) return take(SceneToken::comment, rest.find_first_of("\r\n"));
-        if (rest.starts_with("/*")) return take(SceneToken::comment, behind(rest.find("*/", 2), 2));
-        if (rest[0] == '"') return take(SceneToken::quotation, behind(rest.find_first_of("\"\r\n", 1), 1));
-        std::size_t length = rest[0] == '#' ? 1 : 0;
-        while (length < rest.size() && in_word(rest[length])) ++length;
-        if (length > 0) return take(SceneToken::word, length);
-        return take(SceneToken::sign, forth(rest, 0, rest.size(), 1));
-    }
-    static std::size_t behind(std::size_t end, std::size_t length) {
-        return end + (end == std::string_view::npos ? 0 : length);
-    }
-    SceneToken take(SceneToken::TokenKind kind, std::size_t length) {
-        const SceneToken token{kind, text.substr(at, length)};
-        at += token.text.size();
-        return token;
-    }
-
-    std::string_view text;
-    std::size_t at = 0;
-};
-
-}  // namespace
-
 SceneCursor cursor_at(std::string_view text, std::size_t at) {
     SceneTokens tokens(text);
     SceneCursor cursor;

@@ -4,13 +4,9 @@
 #include <string_view>
 #include <vector>
 
-namespace strahl {
+#include "text/reading/scene_tokens.h"
 
-/// A piece of scene text: a word, perhaps with '#' before it, a text in quotes, a comment, or one other character.
-struct SceneToken {
-    enum TokenKind { none, word, quotation, comment, sign } kind = none;
-    std::string_view text;
-};
+namespace strahl {
 
 /// The token at a place of a text, or that ends there, the one before it, and the words that opened the blocks around
 /// it, the outermost first.

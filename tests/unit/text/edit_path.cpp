@@ -5,8 +5,10 @@
 
 #include <utility>
 
+#include "tests/unit/text/random_texts.h"
 #include "text/camera_text.h"
 #include "text/parse.h"
+#include "text/text_items.h"
 #include "text/write.h"
 
 using namespace strahl;
@@ -110,4 +112,47 @@ TEST_CASE("the point in focus takes the place of the one before, or of a distanc
     CHECK(focused(" aperture track \"a\" .2") == "nothing");
     CHECK(focused(" aperture .2 focus track \"f\" 7") == "nothing");
     CHECK(!with_focus_on("sphere { <0,0,0>, 1 }", point, .1));
+}
+
+TEST_CASE("blocks are found by braces where they are found by reading") {
+    const std::string_view words[] = {"camera", "global_settings", "background", "fog", "flythrough", "light"};
+    const std::string_view comments[] = {"// { \" }\n", "/* } \" { camera */", " /**/ ", "\n"};
+    std::mt19937 random(7);
+    int found = 0;
+    for (unsigned seed = 0; seed < 200; ++seed) {
+        std::string text = write_scene(RandomScenes(seed).scene());
+        for (std::size_t at = 0; (at = text.find_first_of(" \n", at)) != text.npos;) {
+            const std::string_view comment = comments[random() % 4];
+            if (random() % 4 == 0) text.insert(at, comment), at += comment.size();
+            ++at;
+        }
+        for (const std::string_view word : words) {
+            const TextItem item = item_of_block(text, word);
+            CHECK(block_of(text, word) == (item.end.empty() ? std::string_view() : whole_block(item)));
+            found += !item.end.empty();
+        }
+    }
+    CHECK(found > 600);
+}
+
+TEST_CASE("a path and a view are written into a scene whose text has directives") {
+    const std::string path = "flythrough { duration 2 * Long key { time 0 position <0,-3,0> look_at <0,0,0> } }";
+    const std::string text =
+        "#declare Long = 4;\n#macro Two() sphere { 0, 1 } #end\n"
+        "camera { position <0,-9,1> look_at <0,0,0> sky <0,0,1> angle 40 }\nTwo()\n";
+    CHECK(eye_words(text).sky);
+    Flythrough newer;
+    newer.duration = 5, newer.keys = {{1, {7, 8, 9}, {0, 0, 0}, {}, {}}};
+    const std::string block = write_flythrough(newer, eye_words(text));
+    CHECK(with_path(text + path + "\n// the end\n", newer) == text + block + "// the end\n");
+    CHECK(with_path(text + path, std::nullopt) + "\n" == text);
+    Keyframe view = newer.keys[0];
+    view.look_at = {1, 2, 3};
+    std::string moved = text;
+    moved.replace(moved.find("<0,-9,1> look_at <0,0,0>"), 24, "<7,8,9> look_at <1,2,3>");
+    CHECK(with_camera(text, view) == moved);
+    // Bodies of a loop or a macro are not numbered as they stand in the text.
+    CHECK(items_of_body(text, 0).body.word.empty());
+    CHECK(item_of_light("light { position 1 } #if (1) light { position 2 } #end", 0).word == "light");
+    CHECK(item_of_light("light { position 1 } #if (1) light { position 2 } #end", 1).word.empty());
 }
