@@ -180,15 +180,8 @@ void Viewer::perform(Command command) {
         case Action::full_screen:
             input.release_pointer();
             return screen.toggle_full_screen();
-        case Action::help:
-        case Action::info:
-        case Action::quiet:
-        case Action::timeline:
-        case Action::outline:
-        case Action::toolbar:
-            return panels.toggle(command.action);
         default:
-            notes.tell(session.perform(command, pace.now()));
+            if (!panels.toggle(command.action)) notes.tell(session.perform(command, pace.now()));
     }
 }
 
