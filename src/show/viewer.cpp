@@ -520,6 +520,7 @@ Overlay Viewer::overlay() const {
                                   session.view(screen.width(), screen.height()));
     overlay.share = state.share, overlay.notes_below = panels.gallery;
     overlay.fault = file.fault(), overlay.fault_title = file.fault_title();
+    overlay.quiet_key = notes.key(Action::quiet);
     if (panels.info_shown()) overlay.info = info_lines(session, pace, picture);
     if (session.recording()) overlay.notes.push_back({"recording; " + notes.key(Action::record) + " ends it"});
     if (bodies.focusing())
