@@ -11,7 +11,7 @@ namespace strahl {
 
 /// The timeline lies at the bottom of the window, the others beside each other above it.
 enum class Panel { timeline, outline, add, info, body };
-/// What shows and hides them. The panel of the body has no such action.
+/// The actions that show and hide them, in their order. The panel of the body, the last one, has none.
 inline constexpr std::array panel_actions{Action::timeline, Action::outline, Action::add_block, Action::info};
 inline constexpr std::size_t panel_count = panel_actions.size() + 1;
 
