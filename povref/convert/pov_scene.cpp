@@ -214,7 +214,7 @@ std::string camera_block(Projection projection, bool lens, const Text& text) {
                 text("Focus", &PovCamera::focus) + "\n  blur_samples 400, 400  variance 0";
     if (angular(projection)) angle = "\n  angle     " + text("Angles", &PovCamera::angles) + ".x";
     if (projection == Projection::spherical) angle += ", " + text("Angles", &PovCamera::angles) + ".y";
-    std::string word(projection_words[static_cast<std::size_t>(projection)]);
+    std::string word(word_of(projection));
     if (projection >= Projection::cylinder)
         word = "cylinder " + std::to_string(1 + int(projection) - int(Projection::cylinder));
     return "camera {\n  " + word + "\n  location  " + text("Eye", &PovCamera::location) + "\n  right     " +

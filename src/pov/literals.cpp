@@ -49,7 +49,7 @@ std::vector<NamedArgument> arguments_of(std::string_view body) {
     std::vector<NamedArgument> arguments;
     const auto add = [&]<class Kind>(std::type_identity<Kind>) {
         if (Kind::name == body && body != Torus::name && body != Plane::name && body != Superellipsoid::name &&
-            body != Blob::name && body != SphereSweep::name && body != JuliaFractal::name)
+            (has_contours<Kind> || !lists_crossings<Kind>))
             std::apply(
                 [&](const auto&... field) {
                     (arguments.push_back({std::string(field.name), argument_range(field.range)}), ...);

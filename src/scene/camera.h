@@ -27,6 +27,9 @@ enum class Projection {
 inline constexpr std::array<std::string_view, 10> projection_words{
     "perspective", "orthographic", "panoramic", "fisheye",   "ultra_wide_angle",
     "spherical",   "cylinder",     "cylinder2", "cylinder3", "cylinder4"};
+constexpr std::string_view word_of(Projection projection) {
+    return projection_words[static_cast<std::size_t>(projection)];
+}
 /// Returns whether the picture's sides are angles, which may exceed 180 degrees.
 constexpr bool angular(Projection projection) { return projection >= Projection::fisheye; }
 /// Returns whether rays start at different points.

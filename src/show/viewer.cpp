@@ -180,15 +180,8 @@ void Viewer::perform(Command command) {
         case Action::full_screen:
             input.release_pointer();
             return screen.toggle_full_screen();
-        case Action::help:
-        case Action::info:
-        case Action::quiet:
-        case Action::timeline:
-        case Action::outline:
-        case Action::toolbar:
-            return panels.toggle(command.action);
         default:
-            notes.tell(session.perform(command, pace.now()));
+            if (!panels.toggle(command.action)) notes.tell(session.perform(command, pace.now()));
     }
 }
 
@@ -527,6 +520,7 @@ Overlay Viewer::overlay() const {
                                   session.view(screen.width(), screen.height()));
     overlay.share = state.share, overlay.notes_below = panels.gallery;
     overlay.fault = file.fault(), overlay.fault_title = file.fault_title();
+    overlay.quiet_key = notes.key(Action::quiet);
     if (panels.info_shown()) overlay.info = info_lines(session, pace, picture);
     if (session.recording()) overlay.notes.push_back({"recording; " + notes.key(Action::record) + " ends it"});
     if (bodies.focusing())

@@ -85,7 +85,7 @@ BodyText light_text(const std::string& text, const Scene& scene, int light) {
 BodyText camera_values(const std::string& text, const Scene& scene) {
     const Camera& own = scene.camera;
     BodyText result;
-    result.kind = projection_words[static_cast<std::size_t>(own.projection)];
+    result.kind = word_of(own.projection);
     const TextItem block = item_of_block(text, "camera");
     if (block.word.empty()) {
         result.values = {fixed_value("position", numbers_of(own.position), false, from_file),

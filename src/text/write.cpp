@@ -242,7 +242,7 @@ std::string write_camera(const Camera& camera, const std::vector<Follow>& follow
     std::string text = "camera {\n  position " + text_of(camera.position, follows, "position") + "\n  look_at " +
                        text_of(camera.look_at, follows, "look_at") + (sky ? "\n  sky " : "\n  up ") +
                        text_of(sky ? DVec3(0) - camera.up : camera.up, follows, "up") + "\n  ";
-    const std::string projection(projection_words[static_cast<std::size_t>(camera.projection)]);
+    const std::string projection(word_of(camera.projection));
     if (camera.projection != Projection::perspective) text += projection + (angular(camera.projection) ? " " : "\n  ");
     if (angular(camera.projection))
         text += text_of(2 * camera.fov, follows, "fov") + "\n";

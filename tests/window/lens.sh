@@ -9,20 +9,6 @@ set -uo pipefail
 source "$(dirname -- "$0")/window.sh"
 own_display 960x540 import "$@"
 
-point() { xdotool mousemove --window "$id" "$1" "$2" click 1; }
-# change X Y TEXT: types it into a field for a number of the text.
-change() {
-    xdotool mousemove --window "$id" "$1" "$2" keydown Control_L click 1 keyup Control_L
-    xdotool type --delay 1 -- "$3"
-    xdotool key Return
-    await 'the changed text is shown'
-}
-# writes PATTERN: F2 writes a file with a line that matches.
-writes() {
-    xdotool key F2
-    await 'written into'
-    grep -qE -e "$1" scene.rt || fault "no line has '$1': $(<scene.rt)"
-}
 # says NUMBER PATTERN: the values that the window logs for the pointer match.
 says() { [[ $line =~ $1 ]] || fault "'$line' does not match $1"; }
 

@@ -10,21 +10,6 @@ source "$(dirname -- "$0")/window.sh"
 own_display 960x540 import "$@"
 rm state/strahl/no_toolbar
 
-point() { xdotool mousemove --window "$id" "$1" "$2" click 1; }
-# change X Y TEXT: types it into a field for a number of the text.
-change() {
-    xdotool mousemove --window "$id" "$1" "$2" keydown Control_L click 1 keyup Control_L
-    xdotool type --delay 1 -- "$3"
-    xdotool key Return
-    await 'the changed text is shown'
-}
-# writes PATTERN: F2 writes a file with a line that matches.
-writes() {
-    xdotool key F2
-    await 'written into'
-    grep -qE -e "$1" scene.rt || fault "no line has '$1': $(<scene.rt)"
-}
-
 put "${camera/fov 12/fov 20}" 'light { position <-5, 0, 10>  color <.9, .9, .9> }' 'sphere { <-3, 0, 3>, 1 }' \
     'box { <1, -1, 0>, <3, 1, 2> }' 'plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0> }'
 start scene.rt --size 960x540 --depth 2

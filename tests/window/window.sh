@@ -98,6 +98,22 @@ shows_other() {
 # still FILE ARGUMENT...: renders what the window should show.
 still() { "$strahl" render scene.rt -o "$1" --precision float --quiet "${@:2}" || fault "render $*"; }
 
+# point X Y: clicks there.
+point() { xdotool mousemove --window "$id" "$1" "$2" click 1; }
+# change X Y TEXT: types it into a field for a number of the text.
+change() {
+    xdotool mousemove --window "$id" "$1" "$2" keydown Control_L click 1 keyup Control_L
+    xdotool type --delay 1 -- "$3"
+    xdotool key Return
+    await 'the changed text is shown'
+}
+# writes PATTERN: F2 writes a file with a line that matches.
+writes() {
+    xdotool key F2
+    await 'written into'
+    grep -qE -e "$1" scene.rt || fault "no line has '$1': $(<scene.rt)"
+}
+
 # quit [KEY]: closes the window by this key and waits until the program has ended.
 quit() {
     xdotool key "${1-ctrl+q}"

@@ -102,9 +102,7 @@ std::string summary(const Scene& scene, const std::string& path) {
          << "  bounds       " << bounds_in_words(scene) << '\n'
          << "  camera       at " << camera.position << ", looking at " << camera.look_at << ", " << 2 * camera.fov
          << " degrees wide"
-         << (camera.projection == Projection::perspective
-                 ? ""
-                 : ", " + std::string(projection_words[static_cast<std::size_t>(camera.projection)]))
+         << (camera.projection == Projection::perspective ? "" : ", " + std::string(word_of(camera.projection)))
          << (camera.stereo == Stereo::none ? ""
                                            : ", " + std::string(stereo_words[static_cast<std::size_t>(camera.stereo)]))
          << '\n'

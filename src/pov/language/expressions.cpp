@@ -1,6 +1,8 @@
 // Expressions with POV-Ray's rules: commas are optional, shorter vectors are padded, comparisons have a tolerance.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -302,29 +304,27 @@ DVec3 Interpreter::State::vector() {
     return {value.value[0], value.value[1], value.value[2]};
 }
 
+namespace {
+
+constexpr std::array color_forms{word("rgb"),  word("rgbf"),  word("rgbt"),  word("rgbft"),
+                                 word("srgb"), word("srgbf"), word("srgbt"), word("srgbft")};
+/// The words of a colour's numbers, with their places among the five.
+constexpr std::array<std::pair<std::uint16_t, std::size_t>, 6> color_parts{{{word("red"), 0},
+                                                                            {word("green"), 1},
+                                                                            {word("blue"), 2},
+                                                                            {word("filter"), 3},
+                                                                            {word("alpha"), 3},
+                                                                            {word("transmit"), 4}}};
+constexpr auto part_of_color(std::uint16_t code) {
+    return std::ranges::find(color_parts, code, [](const auto& own) { return own.first; });
+}
+
+}  // namespace
+
 bool Interpreter::State::at_color() {
-    switch (code()) {
-        case word("color"):
-        case word("rgb"):
-        case word("rgbf"):
-        case word("rgbt"):
-        case word("rgbft"):
-        case word("srgb"):
-        case word("srgbf"):
-        case word("srgbt"):
-        case word("srgbft"):
-        case word("red"):
-        case word("green"):
-        case word("blue"):
-        case word("filter"):
-        case word("transmit"):
-        case word("alpha"):
-            return true;
-        case value_code:
-            return next.value->kind == ValueKind::color;
-        default:
-            return false;
-    }
+    if (code() == value_code) return next.value->kind == ValueKind::color;
+    return code() == word("color") || std::ranges::count(color_forms, code()) > 0 ||
+           part_of_color(code()) != color_parts.end();
 }
 
 double Interpreter::State::decode(double value) const {
@@ -344,51 +344,29 @@ FilterColor Interpreter::State::color() {
     };
     for (;;) {
         const std::uint16_t key = code();
-        switch (key) {
-            case word("rgb"):
-            case word("rgbf"):
-            case word("rgbt"):
-            case word("rgbft"):
-            case word("srgb"):
-            case word("srgbf"):
-            case word("srgbt"):
-            case word("srgbft"): {
-                if (begun) goto done;
-                const bool transmits = key == word("rgbt") || key == word("srgbt");
-                const bool filters = key == word("rgbf") || key == word("srgbf");
-                take();
-                read(transmits || filters ? 4 : key == word("rgb") || key == word("srgb") ? 3 : 5);
-                if (transmits) {
-                    color[4] = color[3];
-                    color[3] = 0;
-                }
-                if (key >= word("srgb") && key <= word("srgbt"))
-                    for (int i = 0; i < 3; ++i) color[i] = decode(color[i]);
-                break;
+        if (std::ranges::count(color_forms, key) > 0) {
+            if (begun) break;
+            const bool transmits = key == word("rgbt") || key == word("srgbt");
+            const bool filters = key == word("rgbf") || key == word("srgbf");
+            take();
+            read(transmits || filters ? 4 : key == word("rgb") || key == word("srgb") ? 3 : 5);
+            if (transmits) {
+                color[4] = color[3];
+                color[3] = 0;
             }
-            case word("red"):
-            case word("green"):
-            case word("blue"):
-            case word("filter"):
-            case word("alpha"):
-            case word("transmit"):
-                take();
-                color[key == word("red")        ? 0
-                      : key == word("green")    ? 1
-                      : key == word("blue")     ? 2
-                      : key == word("transmit") ? 4
-                                                : 3] = number();
-                begun = true;
-                break;
-            default:
-                if (begun || !at_value()) {
-                    if (!begun && (key == new_name_code || key == ']')) expected("a colour");
-                    goto done;
-                }
-                read(5);
+            if (key >= word("srgb") && key <= word("srgbt"))
+                for (int i = 0; i < 3; ++i) color[i] = decode(color[i]);
+        } else if (const auto part = part_of_color(key); part != color_parts.end()) {
+            take();
+            color[part->second] = number();
+            begun = true;
+        } else if (!begun && at_value()) {
+            read(5);
+        } else {
+            if (!begun && (key == new_name_code || key == ']')) expected("a colour");
+            break;
         }
     }
-done:
     FilterColor result;
     result.red = static_cast<float>(color[0]);
     result.green = static_cast<float>(color[1]);

@@ -247,6 +247,11 @@ bool PovReader::read_old_texture_word(Interpreter& in, LayerValues& layer) {
     return true;
 }
 
+constexpr std::array interior_values{
+    value_word<InteriorThing, &InteriorThing::ior>("ior"),
+    value_word<InteriorThing, &InteriorThing::fade_distance>("fade_distance"),
+    value_word<InteriorThing, &InteriorThing::fade_power>("fade_power"),
+};
 void PovReader::read_interior(Interpreter& in, InteriorThing& interior) {
     in.begin_block();
     interior.place = in.place();
@@ -261,18 +266,10 @@ void PovReader::read_interior(Interpreter& in, InteriorThing& interior) {
             continue;
         }
         if (Steps steps; read_step(in, steps)) continue;
+        if (accept_value(in, interior_values, interior)) continue;
         const std::uint16_t code = in.code();
         in.skip();
         switch (code) {
-            case word("ior"):
-                interior.ior = in.read_number();
-                break;
-            case word("fade_distance"):
-                interior.fade_distance = in.read_number();
-                break;
-            case word("fade_power"):
-                interior.fade_power = in.read_number();
-                break;
             case word("fade_color"):
                 interior.fade_color = color_of(in.read_color());
                 break;

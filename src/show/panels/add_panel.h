@@ -6,17 +6,7 @@
 
 namespace strahl {
 
-class AddPanel {
-  public:
-    /// To be called while ImGui makes a frame. Returns what the user has clicked, or null.
-    const NewBlock* draw(const Margins& margins);
-    /// Its width in pixels, with the space beside it.
-    float width() const { return wide; }
-    const CoveredArea& area() const { return own; }
-
-  private:
-    float wide = 0;
-    CoveredArea own;
-};
+/// To be called while ImGui makes a frame. Sets what the panel covers. Returns what the user has clicked, or null.
+const NewBlock* draw_add_panel(const Margins& margins, CoveredArea& covered);
 
 }  // namespace strahl

@@ -70,7 +70,8 @@ std::string numbers_text(const std::vector<double>& numbers) {
 
 }  // namespace
 
-BodyInput BodyPanel::draw(const BodyEditor& editor, const std::string& file, const Margins& margins, bool left) {
+BodyInput BodyPanel::draw(const BodyEditor& editor, const std::string& file, const Margins& margins, bool left,
+                          CoveredArea& covered) {
     BodyInput input;
     begin_panel("body", left ? 0 : 1, 0, margins);
     const BodyText& body = editor.body();
@@ -140,8 +141,7 @@ BodyInput BodyPanel::draw(const BodyEditor& editor, const std::string& file, con
         ImGui::TreePop();
     }
     if (!ImGui::IsAnyItemActive()) held = false;
-    own = end_panel();
-    wide = own.right - own.left + ImGui::GetFontSize() * .8f;
+    covered = end_panel();
     return input;
 }
 

@@ -44,19 +44,16 @@ struct BodyInput {
 
 class BodyPanel {
   public:
-    /// To be called while ImGui makes a frame. `left`: it stands there, else at the right.
-    BodyInput draw(const BodyEditor& editor, const std::string& file, const Margins& margins, bool left);
-    /// Its width in pixels, with the space beside it.
-    float width() const { return wide; }
-    const CoveredArea& area() const { return own; }
+    /// To be called while ImGui makes a frame. `left`: it stands there, else at the right. Sets what it covers.
+    BodyInput draw(const BodyEditor& editor, const std::string& file, const Margins& margins, bool left,
+                   CoveredArea& covered);
 
   private:
     void draw_placing(const BodyEditor& editor, BodyInput& input);
     void draw_value(const BodyEditor& editor, std::size_t number, std::string& source, BodyInput& input);
     void draw_track(const BodyEditor& editor, std::size_t number, BodyInput& input);
 
-    float wide = 0, labels = 0;  // of the panel, and of the names of values in it, in pixels
-    CoveredArea own;
+    float labels = 0;  // width of the names of values, in pixels
     NumberFields fields;
     bool held = false;                                        // a value has been changed since the mouse button is down
     std::array<double, 3> moves{}, turns{}, scales{1, 1, 1};  // by which it is placed while a field is used

@@ -24,7 +24,7 @@ void begin_panel(const char* name, float x, float y, const Margins& margins, boo
 CoveredArea end_panel() {
     const ImVec2 corner = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
     ImGui::End();
-    return {corner.x, corner.y, corner.x + size.x, corner.y + size.y};
+    return {corner.x, corner.y, corner.x + size.x, corner.y + size.y, size.x + .8f * ImGui::GetFontSize()};
 }
 
 }  // namespace strahl

@@ -3,9 +3,9 @@
 
 namespace strahl {
 
-/// In pixels of the window; nothing by default.
+/// In pixels of the window; nothing by default. `wide` is its width with the space beside it.
 struct CoveredArea {
-    float left = 0, top = 0, right = 0, bottom = 0;
+    float left = 0, top = 0, right = 0, bottom = 0, wide = 0;
     bool has(double x, double y) const { return x >= left && y >= top && x < right && y < bottom; }
 };
 

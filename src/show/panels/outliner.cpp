@@ -90,7 +90,8 @@ std::vector<std::size_t> rows_shown(const std::vector<OutlineRow>& rows, std::st
 }
 
 OutlinerInput Outliner::draw(const std::shared_ptr<const Scene>& scene, const BodyEditor& editor,
-                             const std::set<int>& hidden, const std::vector<Message>& notes, const Margins& margins) {
+                             const std::set<int>& hidden, const std::vector<Message>& notes, const Margins& margins,
+                             CoveredArea& covered) {
     OutlinerInput input;
     if (known != scene) rows = outline_of(*scene), warnings = scene_warnings(*scene), known = scene;
     const float font = ImGui::GetFontSize(), width = 17 * font;
@@ -130,8 +131,7 @@ OutlinerInput Outliner::draw(const std::shared_ptr<const Scene>& scene, const Bo
     }
     ImGui::PopTextWrapPos();
     ImGui::EndChild();
-    own = end_panel();
-    wide = own.right - own.left + .8f * font;
+    covered = end_panel();
     return input;
 }
 

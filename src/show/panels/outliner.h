@@ -45,12 +45,9 @@ struct OutlinerInput {
 class Outliner {
   public:
     /// To be called while ImGui makes a frame. `hidden` are the bodies that the picture lacks, and `notes` what was
-    /// said when the scene was opened.
+    /// said when the scene was opened. Sets what it covers.
     OutlinerInput draw(const std::shared_ptr<const Scene>& scene, const BodyEditor& editor, const std::set<int>& hidden,
-                       const std::vector<Message>& notes, const Margins& margins);
-    /// Its width in pixels, with the space beside it.
-    float width() const { return wide; }
-    const CoveredArea& area() const { return own; }
+                       const std::vector<Message>& notes, const Margins& margins, CoveredArea& covered);
 
   private:
     void draw_row(const OutlineRow& row, const BodyEditor& editor, const std::set<int>& hidden, OutlinerInput& input);
@@ -60,8 +57,6 @@ class Outliner {
     std::vector<std::string> warnings;
     std::set<int> open;             // composites whose parts are shown
     std::array<char, 64> sought{};  // what the user has typed
-    float wide = 0;
-    CoveredArea own;
 };
 
 }  // namespace strahl

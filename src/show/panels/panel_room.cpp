@@ -24,7 +24,7 @@ void PanelRoom::arrange(const RoomSizes& sizes) {
     const bool together = sizes.height - sizes.timeline >= sizes.least;
     for (auto panel = order.rbegin(); panel != order.rend(); ++panel) {
         bool& room = fits[std::size_t(*panel)];
-        const float width = sizes.widths[std::size_t(*panel)];
+        const float width = area(*panel).wide;
         if (*panel == Panel::timeline) {
             room = used == 0 || together;
         } else if ((used == 0 || used + width <= sizes.width) && (!shown(Panel::timeline) || together)) {

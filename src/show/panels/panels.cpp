@@ -8,32 +8,26 @@
 
 namespace strahl {
 
-namespace {
-
-std::optional<Panel> panel_of(Action action) {
-    return action == Action::info        ? std::optional(Panel::info)
-           : action == Action::timeline  ? std::optional(Panel::timeline)
-           : action == Action::add_block ? std::optional(Panel::add)
-           : action == Action::outline   ? std::optional(Panel::outline)
-                                         : std::nullopt;
-}
-
-}  // namespace
-
-void Panels::toggle(Action action) {
-    pace.redraw(3);
-    if (const auto panel = panel_of(action)) {
-        room.shown(*panel) ? room.close(*panel) : room.open(*panel);
+bool Panels::toggle(Action action) {
+    bool* const seen = action == Action::help      ? &help
+                       : action == Action::toolbar ? &toolbar_open
+                       : action == Action::gallery ? &gallery
+                       : action == Action::quiet   ? &quiet
+                                                   : nullptr;
+    const auto named = std::ranges::find(panel_actions, action);
+    if (seen) {
+        *seen = !*seen;
+    } else if (named != panel_actions.end()) {
+        const Panel panel{static_cast<int>(named - panel_actions.begin())};
+        room.shown(panel) ? room.close(panel) : room.open(panel);
     } else {
-        bool& shown = action == Action::help      ? help
-                      : action == Action::toolbar ? toolbar_open
-                      : action == Action::gallery ? gallery
-                                                  : quiet;
-        shown = !shown;
+        return false;
     }
+    pace.redraw(3);
     if (action == Action::help) typed.clear();
     if (action != Action::quiet) quiet = false;
     if (action == Action::toolbar) hide_toolbar(!toolbar_open);
+    return true;
 }
 
 void Panels::arrange(const BodyEditor& editor) {
@@ -45,12 +39,12 @@ void Panels::arrange(const BodyEditor& editor) {
     chosen_before = chosen;
     const ImVec2 all = ImGui::GetIO().DisplaySize;
     const float font = ImGui::GetFontSize();
-    constexpr float least = 12, info = 23;  // in heights of a line
+    constexpr float least = 12, info = 23;      // in heights of a line
+    room.area(Panel::info).wide = info * font;  // it is drawn by the overlay
     room.arrange({.width = all.x - .8f * font,
                   .height = all.y - reserved_top(),
                   .least = least * font,
-                  .timeline = timeline.height(),
-                  .widths = {0, outliner.width(), add.width(), info * font, body.width()}});
+                  .timeline = timeline.height()});
 }
 
 bool Panels::step_back_from_popup() {
@@ -105,20 +99,22 @@ bool Panels::delete_clicked_key() {
 }
 
 const NewBlock* Panels::draw_add() {
-    const NewBlock* const chosen = add_shown() ? add.draw({beside_add(), reserved_top(), reserved()}) : nullptr;
+    if (!shown(Panel::add)) return nullptr;
+    const NewBlock* const chosen = draw_add_panel({beside_add(), reserved_top(), reserved()}, room.area(Panel::add));
     if (chosen) room.close(Panel::add);
     return chosen;
 }
 
 OutlinerInput Panels::draw_outline(const Session& session, const BodyEditor& editor, const std::set<int>& hidden,
                                    const std::vector<Message>& notes) {
-    return outline_shown() ? outliner.draw(session.scene, editor, hidden, notes, margins()) : OutlinerInput{};
+    if (!shown(Panel::outline)) return {};
+    return outliner.draw(session.scene, editor, hidden, notes, margins(), room.area(Panel::outline));
 }
 
 BodyInput Panels::draw_body(const BodyEditor& editor, const std::string& file) {
     if (const auto x = std::exchange(clicked_x, std::nullopt))
         clicked_at_right = *x > .6 * ImGui::GetIO().DisplaySize.x;
-    return body_shown() ? body.draw(editor, file, margins(), body_left()) : BodyInput{};
+    return body_shown() ? body.draw(editor, file, margins(), body_left(), room.area(Panel::body)) : BodyInput{};
 }
 
 std::optional<Command> Panels::draw_toolbar(const KeyMap& keys, ToolbarView view) {

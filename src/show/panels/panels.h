@@ -1,5 +1,6 @@
 // Which panels lie over the picture.
 #pragma once
+#include <algorithm>
 #include <optional>
 #include <set>
 #include <string>
@@ -22,10 +23,10 @@ class Panels {
     /// `no_text`: no panel is shown until the user asks for one. `gallery`: that is shown.
     Panels(Pace& pace, bool no_text, bool gallery) : quiet(no_text), gallery(gallery), pace(pace) {}
 
-    /// Shows or hides what the action names: help, info, timeline, the list of what can be added, the outline, the
-    /// toolbar, or all text (Action::quiet); or the gallery, which covers the window. A panel that is open but has no
-    /// room is shown in place of others.
-    void toggle(Action action);
+    /// Shows or hides what the action names: one of `panel_actions`, the help, the toolbar, or all text
+    /// (Action::quiet); or the gallery, which covers the window. A panel that is open but has no room is shown in place
+    /// of others. Returns false if the action names none of these.
+    bool toggle(Action action);
     /// Finds out which panels have room. To be called before they are drawn.
     void arrange(const BodyEditor& editor);
     /// Shows the panel of what is chosen, or the timeline if it is open, in place of others if there is no room.
@@ -55,8 +56,8 @@ class Panels {
                                const std::vector<Message>& notes);
     /// Draws the toolbar, unless the user has hidden it.
     std::optional<Command> draw_toolbar(const KeyMap& keys, ToolbarView view);
-    bool timeline_shown() const { return room.shown(Panel::timeline) && !quiet; }
-    bool info_shown() const { return room.shown(Panel::info) && !quiet && !help; }
+    bool timeline_shown() const { return shown(Panel::timeline); }
+    bool info_shown() const { return shown(Panel::info) && !help; }
     /// Is the help shown? It covers the window.
     bool help_shown() const { return help && !quiet; }
     /// The words that the help is searched for. Adds a character to them, or, with 0, removes the last one.
@@ -64,14 +65,14 @@ class Panels {
     void search(unsigned character);
     /// Does one of these panels cover this point of the window?
     bool cover(double x, double y) const {
-        return gallery || asking || help_shown() || (body_shown() && body.area().has(x, y)) ||
-               (add_shown() && add.area().has(x, y)) || (outline_shown() && outliner.area().has(x, y)) ||
-               (toolbar_shown() && toolbar.area().has(x, y));
+        return gallery || asking || help_shown() || (toolbar_shown() && toolbar.area().has(x, y)) ||
+               std::ranges::any_of(room.opened(),
+                                   [&](Panel panel) { return shown(panel) && room.area(panel).has(x, y); });
     }
     /// The width in pixels that it takes at the right of the window.
-    float reserved_right() const { return body_shown() && !body_left() ? body.width() : 0; }
+    float reserved_right() const { return body_left() ? 0 : width(Panel::body); }
     /// The width in pixels that the outline or the panel of a body takes at the left, and the list beside it.
-    float reserved_left() const { return beside_add() + (add_shown() ? add.width() : 0); }
+    float reserved_left() const { return beside_add() + width(Panel::add); }
     /// The height in pixels of the toolbar at the top.
     float reserved_top() const { return toolbar_open && !quiet && !gallery && !help ? toolbar.height() : 0; }
     /// The height in pixels of what lies at the bottom of the window.
@@ -88,12 +89,15 @@ class Panels {
     bool step_back();
 
   private:
-    bool add_shown() const { return room.shown(Panel::add) && !quiet; }
-    bool outline_shown() const { return room.shown(Panel::outline) && !quiet; }
-    bool body_shown() const { return room.shown(Panel::body) && !quiet && !help; }  // the help needs the room
+    bool shown(Panel panel) const { return room.shown(panel) && !quiet; }
+    bool body_shown() const { return shown(Panel::body) && !help; }  // the help needs the room
     bool toolbar_shown() const { return toolbar_open && !quiet && !gallery && !help && !toolbar_rests; }
-    float beside_add() const { return outline_shown() ? outliner.width() : body_left() ? body.width() : 0; }
-    bool body_left() const { return body_shown() && clicked_at_right && !outline_shown(); }
+    /// The width that a panel takes, with the space beside it; 0 if it is not shown.
+    float width(Panel panel) const {
+        return (panel == Panel::body ? body_shown() : shown(panel)) ? room.area(panel).wide : 0;
+    }
+    float beside_add() const { return width(body_left() ? Panel::body : Panel::outline); }
+    bool body_left() const { return body_shown() && clicked_at_right && !shown(Panel::outline); }
     Margins margins() const { return {0, reserved_top(), reserved()}; }
 
     Pace& pace;
@@ -104,7 +108,6 @@ class Panels {
     bool clicked_at_right = false;
     std::optional<std::tuple<int, bool, std::optional<TopBlock>>> chosen_before;  // of what the panel was last shown
     BodyPanel body;
-    AddPanel add;
     Outliner outliner;
     bool toolbar_open = !toolbar_hidden();
     Toolbar toolbar;

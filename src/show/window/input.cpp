@@ -162,7 +162,7 @@ void Input::on_button(int button, int action, int modifiers) {
         if (action == GLFW_RELEASE && pointer.middle_held()) pointer.release();
     }
     if (button != GLFW_MOUSE_BUTTON_LEFT || pointer.middle_held()) return;
-    if (action == GLFW_PRESS && panels.help_shown()) return panels.toggle(Action::help);
+    if (action == GLFW_PRESS && panels.help_shown()) return void(panels.toggle(Action::help));
     if (action == GLFW_PRESS && !on_panel()) {
         held = fixed ? Hold::nothing : handlers.points_at(pointed().x, pointed().y);
         if (held == Hold::handle) handlers.hold(pointed().x, pointed().y);

@@ -73,7 +73,7 @@ void draw_fault(const Overlay& overlay, const FreeArea& free) {
         for (std::string line; std::getline(lines, line);) {
             const float height = ImGui::CalcTextSize(line.c_str(), nullptr, false, wide).y;
             if (ImGui::GetCursorPosY() + height + 3 * font > lowest) {
-                ImGui::TextUnformatted("... and more on standard output (N hides this)");
+                ImGui::Text("... and more on standard output (%s hides this)", overlay.quiet_key.c_str());
                 break;
             }
             ImGui::TextUnformatted(line.c_str());

@@ -19,6 +19,7 @@ struct Overlay {
     std::vector<std::pair<std::string, std::string>> info;  // names and values; if empty, no panel
     double share = 1;                                       // of the picture's passes that are done
     std::string fault_title, fault;                         // the error in the scene file, if any
+    std::string quiet_key;                                  // hides it
     std::vector<Note> notes;                                // the oldest first
     bool notes_below = false;                               // they are at the lower edge
     struct Bar {

@@ -2,6 +2,8 @@
 
 #include <string_view>
 #include <tuple>
+#include <type_traits>
+#include <variant>
 
 #include "text/blocks/blocks.h"
 
@@ -20,14 +22,12 @@ LanguageWords words_of_language() {
     add(words.others,
         std::initializer_list<std::string_view>{"colors", "map", "once", "wrap", "sharp", "height", "none", "track"});
     add(words.others, opacity_words);
-    std::apply(
-        [&](const auto&... kind) {
-            const auto add_fields = [&]<class Kind>(const Kind&) {
-                std::apply([&](const auto&... field) { (words.others.emplace(field.name), ...); }, Kind::fields);
-            };
-            (add_fields(kind), ...);
-        },
-        std::tuple<Checker, Gradient, Brick, Noise, Marble, Wood>());
+    const auto add_fields = [&](const auto& fields) {
+        std::apply([&](const auto&... field) { (words.others.emplace(field.name), ...); }, fields);
+    };
+    [&]<class... Kinds>(std::type_identity<std::variant<Kinds...>>) {
+        (add_fields(Kinds::fields), ...);
+    }(std::type_identity<PatternKind>());
     each_block([&](const char* word, const auto& parameters) {
         words.blocks.emplace(word);
         for (const Parameter& parameter : parameters) words.others.emplace(parameter.name);

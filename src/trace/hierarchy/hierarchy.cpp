@@ -23,13 +23,11 @@ constexpr int shared_items = 16384;  // more than these are cut by a grid, by al
 constexpr int few_cells = 128;       // until a part has no more cells than these
 constexpr int enough_boxes = 256;    // so many of a part are looked at for a cut
 constexpr int chunk_items = 8192;    // a thread's piece of other work on all items
-// A ray asks all parts of a composite and all pieces of a contour, a blob or a sweep: each of these bodies has a leaf,
+// A ray asks all parts of a composite, and all pieces of a body that lists crossings: each of these bodies has a leaf,
 // and so a box, of its own.
-constexpr bool alone(int form) {
-    return form == place_of<Form<Union, 0>>(Forms{}) || form == place_of<Form<Prism, 0>>(Forms{}) ||
-           form == place_of<Form<Lathe, 0>>(Forms{}) || form == place_of<Form<Blob, 0>>(Forms{}) ||
-           form == place_of<Form<SphereSweep, 0>>(Forms{}) || form == place_of<Form<JuliaFractal, 0>>(Forms{});
-}
+constexpr auto alone = []<class... F>(FormList<F...>) {
+    return std::array{(is_composite<typename F::Kind> || lists_crossings<typename F::Kind>)...};
+}(Forms{});
 constexpr bool triangles(int form) {
     return form == place_of<Form<Triangle, 0>>(Forms{}) || form == place_of<Form<SmoothTriangle, 0>>(Forms{});
 }
@@ -139,13 +137,13 @@ class HierarchyBuilder {
         const float area = part.extents.all.half_area();
         const float each = triangles(first_of(part)->form) ? triangle_cost : item_cost;
         const float whole = each * static_cast<float>(part.count());
-        if (whole > 1 || alone(first_of(part)->form)) part.cut = cut_of(part);  // else no cut pays
+        if (whole > 1 || alone[first_of(part)->form]) part.cut = cut_of(part);  // else no cut pays
         part.leaf = !(area + each * part.cut.cost < whole * area);
         if (part.leaf) {
             const auto [least, most] = std::minmax_element(
                 first_of(part), last_of(part), [](const ItemBox& a, const ItemBox& b) { return a.form < b.form; });
             if (least->form < most->form) part.cut = {0, by_form, least->form};
-            part.leaf = least->form == most->form && (part.count() == 1 || !alone(least->form));
+            part.leaf = least->form == most->form && (part.count() == 1 || !alone[least->form]);
         }
         return part;
     }
@@ -305,7 +303,7 @@ class HierarchyBuilder {
         for (int c = 0; c < 3; ++c) node.low[c][i] = child.box.low[c], node.high[c][i] = child.box.high[c];
         node.first[i] = child.first;
         node.leaves[i] = static_cast<std::int16_t>(child.code);
-        node.together |= child.code != 0 && alone(LeafCode::form(child.code));
+        node.together |= child.code != 0 && alone[LeafCode::form(child.code)];
     }
     /// If a part is a leaf, its items get their places.
     OpenedPart opened_part(const BinaryNode& part) {

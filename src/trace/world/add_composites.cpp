@@ -354,16 +354,16 @@ void WorldArrays<T>::add_composites(const Scene& scene, const Placement& placeme
         if (world.finishes.finished) finishes.finished[surface] = !is_plain(material);
     };
     const auto refer_to_all = [&]<class Own>(std::type_identity<Own>) {
-        constexpr int form = place_of<Own>(Forms{});
-        const auto* const all = reinterpret_cast<const Item<Own, T>*>(forms[form].numbers.get());
-        for (int i = 0; i < forms[form].count; ++i)
-            for (int face = 0; face < all[i].shape.face_count(); ++face)
-                refer_to(first_bins[form] + (world.bin_per_item ? i : 0), static_cast<int>(all[i].surface) + face, i,
-                         face, static_cast<int>(all[i].material));
+        if constexpr (lists_crossings<typename Own::Kind>) {
+            constexpr int form = place_of<Own>(Forms{});
+            const auto* const all = reinterpret_cast<const Item<Own, T>*>(forms[form].numbers.get());
+            for (int i = 0; i < forms[form].count; ++i)
+                for (int face = 0; face < all[i].shape.face_count(); ++face)
+                    refer_to(first_bins[form] + (world.bin_per_item ? i : 0), static_cast<int>(all[i].surface) + face,
+                             i, face, static_cast<int>(all[i].material));
+        }
     };
-    refer_to_all(std::type_identity<Form<Prism, 0>>()), refer_to_all(std::type_identity<Form<Lathe, 0>>());
-    refer_to_all(std::type_identity<Form<Blob, 0>>()), refer_to_all(std::type_identity<Form<SphereSweep, 0>>());
-    refer_to_all(std::type_identity<Form<JuliaFractal, 0>>());
+    [&]<class... Own>(FormList<Own...>) { (refer_to_all(std::type_identity<Own>()), ...); }(Forms{});
     for (const CompositeLeaf& leaf : leaves) {
         const auto refer = [&](std::int32_t surface, std::int32_t item, int face) {
             refer_to(leaf_bins[leaf.form], surface, item, face, leaf.material);

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <string>
 
 #include "scene/kinds/kinds.h"
 #include "scene/scene.h"
 #include "tests/referee/random_pattern.h"
+#include "text/parse.h"
 
 namespace strahl {
 
@@ -277,5 +279,13 @@ class RandomScenes {
     Scene result;
     std::vector<Material> palette;
 };
+
+/// Is a text a scene? Those of random scenes are not where a body is none by chance.
+inline bool is_valid(const std::string& text) try {
+    parse_scene(text, "test", {}, made_up_pixels);
+    return true;
+} catch (const FileError&) {
+    return false;
+}
 
 }  // namespace strahl
