@@ -72,7 +72,7 @@ std::vector<Facet> flat_facets(const DVec3& base, double base_radius, const DVec
     const double height = length(cap - base);
     std::vector<Facet> facets;
     if (!(height < 2 * std::max(base_radius, cap_radius))) return facets;
-    const std::vector<DVec3> points = circle(normalize(cap - base), 2 * fewest_sides);
+    const std::vector<DVec3> points = circle(normalize(cap - base), disc_sides);
     const double least = height / 4;  // a cone is at least half as thick somewhere
     add_circle(points, base, base_radius, least, facets);
     add_circle(points, cap, cap_radius, least, facets);
@@ -108,10 +108,8 @@ std::vector<Facet> own_facets(const Cuboid& box) {
     return facets;
 }
 
-std::vector<Facet> own_facets(const Triangle& triangle) { return {{{triangle.a, triangle.b, triangle.c}, 0, true}}; }
-std::vector<Facet> own_facets(const SmoothTriangle& triangle) {
-    return {{{triangle.a, triangle.b, triangle.c}, 0, true}};
-}
+std::vector<Facet> own_facets(const Triangle& triangle) { return {{{triangle.a, triangle.b, triangle.c}, 0}}; }
+std::vector<Facet> own_facets(const SmoothTriangle& triangle) { return {{{triangle.a, triangle.b, triangle.c}, 0}}; }
 std::vector<Facet> own_facets(const Mesh& mesh) {
     std::vector<Facet> facets;
     const MeshData& data = *mesh.data;
@@ -136,7 +134,8 @@ std::vector<Facet> own_facets(const Prism& prism) {
             return DVec3(data.centre[0] + data.unit * x, data.centre[1] + data.unit * y, z);
         };
         for (int i = 0; i < strips; ++i)
-            facets.push_back({{at(i, prism.base), at(i + 1, prism.base), at(i + 1, prism.top), at(i, prism.top)}, 0});
+            facets.push_back(
+                {{at(i, prism.base), at(i + 1, prism.base), at(i + 1, prism.top), at(i, prism.top)}, 0, false});
     }
     return facets;
 }
@@ -155,7 +154,7 @@ std::vector<Facet> facets_of(const Primitive& primitive, const glm::dmat4& outer
             }
             // Cutting may leave a piece of any size.
             for (Facet& facet : found)
-                facet.least = Kind::operation == Operation::unite ? facet.least : 0, facet.whole = false;
+                if (Kind::operation != Operation::unite) facet.least = 0, facet.whole = false;
         } else if constexpr (requires { own_facets(kind); }) {
             found = own_facets(kind);
             // A bound from below on how much the matrix lengthens vectors.

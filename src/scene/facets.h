@@ -11,7 +11,7 @@ namespace strahl {
 struct Facet {
     std::vector<DVec3> corners;
     double least;
-    bool whole = false;  // the body is this polygon, or a flat ring of such ones beside each other
+    bool whole = true;  // what the body hides is what it and the body's other facets hide
 };
 
 /// Returns the flat pieces of a body: of boxes, discs, triangles, meshes of up to 10,000 triangles, and of cylinders

@@ -298,17 +298,15 @@ void Cells::look_beside(Cell& cell) {
     if (layers) average_part(cell, used[0], first_area), average_part(cell, used[1], 1 - first_area);
 }
 
-/// Asks for samples of a flat body's part of a cell, if the corners beside it show one thing, and those in it another.
+/// Asks for samples of a thin body's part of a cell, if the corners beside it show one thing, and those in it others.
 bool Cells::begin_part(Cell& cell, const FlatPart& part) {
-    std::array<std::optional<std::uint32_t>, 2> shown;
-    for (int k = 0; k < 4; ++k) {
-        std::optional<std::uint32_t>& own = shown[part.corners >> k & 1];
-        const std::uint32_t signature = samples[cell.corners[k]].signature;
-        if (own && *own != signature) return false;
-        own = signature;
-    }
-    if (!shown[0] || shown[0] == shown[1]) return false;
-    PartSearch search{part, {}};
+    constexpr unsigned all = 15;
+    if (part.corners == all) return false;
+    PartSearch search{.part = part};
+    for (int k = 0; k < 4; ++k)
+        if (!(part.corners >> k & 1)) search.beside = samples[cell.corners[k]].signature;
+    for (int k = 0; k < 4; ++k)
+        if ((samples[cell.corners[k]].signature == search.beside) == bool(part.corners >> k & 1)) return false;
     for (std::size_t i = 0; i < 3; ++i) {
         const auto place = [&](double at) {
             return std::clamp(static_cast<std::int32_t>(std::lround(at * cell.size)), 0, cell.size);
@@ -321,10 +319,10 @@ bool Cells::begin_part(Cell& cell, const FlatPart& part) {
     return true;
 }
 
-/// Finishes a cell with a flat body's part of it if all samples in the part show the same, with the part's area.
+/// Finishes a cell with a thin body's part of it if no sample in the part shows what is beside it, with the part's
+/// area.
 void Cells::look_at_part(Cell& cell) {
-    const auto& [part, probes] = part_searches[cell.search];
-    const CellSample& first = samples[probes[0]];
+    const auto& [part, probes, beside] = part_searches[cell.search];
     const double s = double(cell.size) / unit;
     std::array<double, 3> color{};
     std::vector<int> both[2];
@@ -337,11 +335,12 @@ void Cells::look_at_part(Cell& cell) {
         for (int c = 0; c < channels; ++c) {
             double sum = 0, low = samples[own[0]].rgb[c], high = low;
             for (const int sample : own) {
-                if ((samples[sample].signature == first.signature) != in) return go_on(cell);
+                if ((samples[sample].signature == beside) == in) return go_on(cell);
                 const double value = samples[sample].rgb[c];
                 sum += value, low = std::min(low, value), high = std::max(high, value);
             }
-            if (!((high - low) * area * s * s <= contrast_in(cell))) return go_on(cell);
+            // Samples in the part may be on several sides of the body, of which nothing says how large each is.
+            if (!((high - low) * area * s * s <= (in ? .25 : 1) * contrast_in(cell))) return go_on(cell);
             if (c < 3) color[c] += area * sum / static_cast<double>(own.size());
         }
     }

@@ -3,8 +3,8 @@
 // Cells have their corners between pixels, so that the picture's value in a pixel is the sum over the cells in it. A
 // cell whose corners, and middle, have one signature is smooth: it is filled. Where an edge crosses a cell of a pixel
 // or less its ends are searched on the cell's sides, and it is taken for straight (compare J. Genetti and D. Gordon,
-// "Ray Tracing With Adaptive Supersampling in Object Space", Graphics Interface 1993). Where a flat thin body crosses
-// it alone, what the body takes of it is computed, and samples there say what it looks like. Everything else is
+// "Ray Tracing With Adaptive Supersampling in Object Space", Graphics Interface 1993). Where a thin body of flat sides
+// crosses it alone, what the body takes of it is computed, and samples there say what it looks like. Everything else is
 // divided.
 #pragma once
 #include <array>
@@ -78,7 +78,8 @@ class Cells {
     };
     struct PartSearch {
         FlatPart part;
-        std::array<int, 3> probes;
+        std::array<int, 3> probes{};
+        std::uint32_t beside = 0;  // signature of what the cell shows beside the part
     };
 
     std::size_t pixel_of(const Cell& cell) const { return 3 * (std::size_t(cell.y / unit) * columns + cell.x / unit); }

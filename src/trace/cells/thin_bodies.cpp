@@ -147,12 +147,19 @@ bool ThinBodies::hides_in(const std::array<CellCorner, 4>& corners, double least
     const FacetsSeen seen = small ? FacetsSeen::any : same ? FacetsSeen::same : FacetsSeen::split;
     const bool in_sight = wide && hides_camera(corners, sights, furthest, seen, least, part);
     if (in_sight && (!part || !*part)) return true;
-    if (!one_surface || (lit == 0 && !mirrors)) return in_sight;
     // Drops the part: with something else hidden, the cell is more than that part and the rest.
     const auto besides = [&] {
         if (part) part->reset();
         return true;
     };
+    if (!one_surface) {
+        // Shadows beside a part are not looked for here, but in smaller cells, whose corners are all beside it.
+        const bool large = corners[2].x - corners[0].x > finest_doubt;
+        for (unsigned k = 0; k < 4 && in_sight && large; ++k)
+            if (!((*part)->corners >> k & 1) && corners[k].sample->lit != 0) return besides();
+        return in_sight;
+    }
+    if (lit == 0 && !mirrors) return in_sight;
     for (int k = 0; k < 4; ++k) places[k] = sights.starts[k] + double(corners[k].sample->distance) * sights.units[k];
     const double radius = radius_of(places);
     const double most_dark = least / brightest;  // all that a shadow can take

@@ -243,19 +243,22 @@ CapsuleTree::CapsuleTree(const Scene& scene, bool with_facets) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const Box everywhere{DVec3(-infinity), DVec3(infinity)};
     std::vector<TreeLeaf> all;
-    std::int32_t body = 0;
     Box box;
-    double lengths = 0;  // of all facets together
+    double lengths = 0;                // of all facets together
+    std::vector<std::int32_t> bodies;  // of the facets
     for (const Primitive& primitive : scene.primitives) {
-        for (const Capsule& capsule : capsules_of(primitive)) all.push_back({capsule, everywhere, capsule.radius, -1});
+        const auto body = static_cast<std::int32_t>(whole.size());
+        for (const Capsule& capsule : capsules_of(primitive))
+            all.push_back({capsule, everywhere, capsule.radius, body, -1});
+        whole.push_back(false);
         if (!with_facets) continue;
         for (Facet& facet : facets_of(primitive)) {
+            whole.back() = facet.whole;
             for (const DVec3& corner : facet.corners) box.add(corner);
             lengths += length(longest_side(facet.corners));
             facets.push_back(std::move(facet));
             bodies.push_back(body);
         }
-        ++body;
     }
     // In a CAD model of 2,710 triangles finer pieces bring no more.
     constexpr double finest = 1. / 128, most_pieces = 1e5;
@@ -267,7 +270,7 @@ CapsuleTree::CapsuleTree(const Scene& scene, bool with_facets) {
             });
             Box own;
             for (const DVec3& corner : piece) own.add(corner);
-            all.push_back({ball, own, facets[i].least, static_cast<std::int32_t>(i), pieces > 1});
+            all.push_back({ball, own, facets[i].least, bodies[i], static_cast<std::int32_t>(i), pieces > 1});
         });
     if (all.empty()) return;
     nodes.reserve(2 * all.size() - 1);
@@ -285,7 +288,8 @@ void CapsuleTree::add(std::span<TreeLeaf> leaves) {
     const double least = std::ranges::min(leaves, {}, &TreeLeaf::least).least;
     Box box;
     for (const TreeLeaf& leaf : leaves) box.add(leaf.box);
-    nodes.push_back({around, box, least, 0, single, single && leaves[0].is_piece, single ? leaves[0].facet : -1});
+    nodes.push_back(
+        {around, box, least, 0, single, single && leaves[0].is_piece, leaves[0].body, single ? leaves[0].facet : -1});
     if (!single) {
         const std::size_t half = leaves.size() / 2;
         halve(leaves, half, [](const TreeLeaf& leaf) { return leaf.around.from + leaf.around.to; });
@@ -353,6 +357,57 @@ bool CapsuleTree::meets(const Tube& tube, const RayBundle& bundle, double least,
     return false;
 }
 
+namespace {
+
+using Outline = std::vector<glm::dvec2>;
+
+/// Returns the area of the union of convex polygons: between heights at which there is a corner or two sides cross, its
+/// width is linear.
+double area_of_union(std::span<const Outline> polygons) {
+    std::vector<double> heights;
+    const auto each_side = [](const Outline& polygon, const auto& visit) {
+        for (std::size_t k = 0; k < polygon.size(); ++k) visit(polygon[k], polygon[(k + 1) % polygon.size()]);
+    };
+    for (std::size_t i = 0; i < polygons.size(); ++i) {
+        for (const glm::dvec2& corner : polygons[i]) heights.push_back(corner.y);
+        for (std::size_t j = 0; j < i; ++j)
+            each_side(polygons[i], [&](const glm::dvec2& from, const glm::dvec2& to) {
+                each_side(polygons[j], [&](const glm::dvec2& other, const glm::dvec2& end) {
+                    const glm::dvec2 way = to - from, other_way = end - other, between = other - from;
+                    const double crossed = way.x * other_way.y - way.y * other_way.x;
+                    const double t = (between.x * other_way.y - between.y * other_way.x) / crossed;
+                    if (t > 0 && t < 1) heights.push_back(from.y + t * way.y);
+                });
+            });
+    }
+    std::ranges::sort(heights);
+    double area = 0;
+    std::vector<std::pair<double, double>> stretches;
+    for (std::size_t k = 1; k < heights.size(); ++k) {
+        const double height = heights[k] - heights[k - 1], y = heights[k - 1] + height / 2;
+        if (!(height > 0)) continue;
+        stretches.clear();
+        for (const Outline& polygon : polygons) {
+            std::pair<double, double> own{HUGE_VAL, -HUGE_VAL};
+            each_side(polygon, [&](const glm::dvec2& from, const glm::dvec2& to) {
+                if ((from.y < y) == (to.y < y)) return;
+                const double x = from.x + (y - from.y) / (to.y - from.y) * (to.x - from.x);
+                own = {std::min(own.first, x), std::max(own.second, x)};
+            });
+            if (own.first < own.second) stretches.push_back(own);
+        }
+        std::ranges::sort(stretches);
+        double end = -HUGE_VAL;
+        for (const auto& [low, high] : stretches) {
+            if (high > end) area += height * (high - std::max(low, end));
+            end = std::max(end, high);
+        }
+    }
+    return area;
+}
+
+}  // namespace
+
 std::optional<FlatPart> CapsuleTree::flat_part(const Tube& tube, const RayBundle& bundle) const {
     if (facets.empty()) return std::nullopt;
     const glm::dmat3 to_own = bundle.coordinates();
@@ -360,14 +415,19 @@ std::optional<FlatPart> CapsuleTree::flat_part(const Tube& tube, const RayBundle
     FlatPart part;
     double largest = 0;
     std::vector<std::array<glm::dvec2, 2>> ends;  // corners of the polygons, and their middles
-    std::vector<glm::dvec2> outline;
+    std::vector<Outline> polygons;
+    Outline outline;
     const bool others = any_thin(tube, bundle, to_own, [&](const CapsuleNode& node, double) {
-        if (node.facet < 0) return true;
+        if (!whole[node.body]) return true;
+        if (node.facet < 0) return false;
         const auto [share, corners, sides] = bundle.met(facets[node.facet].corners, to_own, &outline);
         if (share == 0) return false;
-        if (!facets[node.facet].whole || (body >= 0 && bodies[node.facet] != body)) return true;
-        body = bodies[node.facet];
-        part.share += share, part.corners |= corners;
+        constexpr std::size_t most_polygons = 12, most_ends = 96;  // dense meshes are divided
+        if ((body >= 0 && node.body != body) || polygons.size() == most_polygons || ends.size() > most_ends)
+            return true;
+        body = node.body;
+        part.corners |= corners;
+        polygons.push_back(outline);
         glm::dvec2 middle(0);
         for (const glm::dvec2& point : outline) middle += 1. / static_cast<double>(outline.size()) * point;
         for (const glm::dvec2& point : outline) ends.push_back({point, middle});
@@ -375,6 +435,7 @@ std::optional<FlatPart> CapsuleTree::flat_part(const Tube& tube, const RayBundle
         return false;
     });
     if (others || body < 0) return std::nullopt;
+    part.share = polygons.size() == 1 ? largest : area_of_union(polygons);
     glm::dvec2 from = part.places[0];
     for (const int k : {1, 2}) {
         const auto distance = [&](const auto& end) { return std::hypot(end[0].x - from.x, end[0].y - from.y); };

@@ -50,7 +50,7 @@ struct RayBundle {
     Met met(std::span<const DVec3> polygon, const glm::dmat3& to_own, std::vector<glm::dvec2>* outline = nullptr) const;
 };
 
-/// The part of a bundle that one flat thin body takes.
+/// The part of a bundle that one thin body takes, by its facets.
 struct FlatPart {
     double share = 0;
     unsigned corners = 0;              // bit set of the bundle's corners that are in it
@@ -80,7 +80,8 @@ class CapsuleTree {
     /// seen at the corners, see hides(). Bodies around all of `own` do not count: the rays start there.
     bool meets(const Tube& tube, const RayBundle& bundle, double least, FacetsSeen seen,
                std::span<const DVec3> own = {}) const;
-    /// Returns what a flat body takes of the bundle if nothing else is in the tube that is thin there.
+    /// Returns what a body takes of the bundle if facets say all of it and nothing else is in the tube that is thin
+    /// there.
     std::optional<FlatPart> flat_part(const Tube& tube, const RayBundle& bundle) const;
 
   private:
@@ -88,7 +89,7 @@ class CapsuleTree {
         Capsule around;  // a ball around a facet or a piece of one
         Box box;         // around the same; infinite for capsules
         double least;
-        std::int32_t facet;  // its number, -1 for capsules
+        std::int32_t body, facet;  // their numbers, -1 in place of a facet for capsules
         bool is_piece = false;
     };
     struct CapsuleNode {
@@ -97,7 +98,7 @@ class CapsuleTree {
         double least;       // the smallest radius below, or half a facet's thickness
         std::int32_t next;  // node that follows all below this one
         bool is_leaf, is_piece;
-        std::int32_t facet;
+        std::int32_t body, facet;  // of a leaf
     };
     void add(std::span<TreeLeaf> leaves);
     template <class Visit>
@@ -105,7 +106,7 @@ class CapsuleTree {
 
     std::vector<CapsuleNode> nodes;  // each before those below it
     std::vector<Facet> facets;
-    std::vector<std::int32_t> bodies;  // bodies of the facets
+    std::vector<char> whole;  // by body: do its facets say what it hides?
 };
 
 }  // namespace strahl

@@ -47,8 +47,7 @@ void look_at_layers(const Shading<S, P>& shading, const Hit<S>& hit, const int* 
         const Footprint<S> own = footprint_of(notes.cone.width, hit.direction, notes.flat);
         return void(FinishCalls<S>::look(shading.world, numbers, seen, &own, layers));
     }
-    const Footprint<S> footprint{hit.direction, notes.flat, notes.beside.place[0], notes.beside.place[1],
-                                 pick(from.weight)};
+    const Footprint<S> footprint = footprint_of(notes.beside, hit.direction, notes.flat, S(pick(from.weight)));
     Filtering<S> filtering = FinishCalls<S>::look(shading.world, numbers, seen, &footprint, layers);
     loosen(filtering, notes.beside.loose);
     note_colors(shading, filtering, color_of(layers), hit.pixel, pick(from.weight), pick.lanes);

@@ -1,5 +1,7 @@
 // Footprints of samples, over which patterns are averaged. Computed only if a batch has `footprints`.
 #pragma once
+#include <limits>
+
 #include "trace/kernel/ray_cones.h"
 
 namespace strahl::inline STRAHL_LEVEL {
@@ -39,6 +41,23 @@ STRAHL_INLINE void loosen(Filtering<S>& filtering, const S& loose) {
     filtering.loose = select(filtering.loose < S(0), filtering.loose, max(filtering.loose, loose));
 }
 
+/// Rays of a sample are taken to end on a surface no nearer than so many times less than its middle does, and no
+/// further than as many times more: a surface has a horizon, and its pixels no end.
+inline constexpr double most_shrink = 1.6;
+
+/// Returns the footprint of rays that end on surfaces with this normal.
+template <class S>
+Footprint<S> footprint_of(const Differentials<S>& beside, const Vec3<S>& direction, const Vec3<S>& normal,
+                          const S& weight) {
+    using T = Element<S>;
+    const S zero(0), most(static_cast<T>(most_shrink)), per = S(1) / dot(normal, direction);
+    const S shrink[2] = {per * dot(normal, beside.direction[0]), per * dot(normal, beside.direction[1])};
+    const S all = abs(shrink[0]) + abs(shrink[1]), limit = min(S(1), most / all);
+    const Mask<S> known = (all > zero) & (all < S(std::numeric_limits<T>::max()));
+    return {direction,       normal, beside.place[0],
+            beside.place[1], weight, {select(known, limit * shrink[0], zero), select(known, limit * shrink[1], zero)}};
+}
+
 /// Sets the colours of patterned materials to means over footprints.
 template <class S, class P>
 [[gnu::noinline]] void paint_filtered(const Shading<S, P>& shading, const int* materials, const SurfaceHit<S>& hit,
@@ -55,7 +74,7 @@ template <class S, class P>
         return void(paint(footprint_of(wide, direction, normal)));
     }
     const Differentials<S> beside = differentials_at(shading, from, pick, direction, t);
-    Filtering<S> filtering = paint({direction, normal, beside.place[0], beside.place[1], pick(from.weight)});
+    Filtering<S> filtering = paint(footprint_of(beside, direction, normal, S(pick(from.weight))));
     loosen(filtering, beside.loose);
     note_colors(shading, filtering, values.ambient + values.diffuse, pick(from.pixel), pick(from.weight), pick.lanes);
 }

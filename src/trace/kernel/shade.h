@@ -168,7 +168,7 @@ Vec3<S> factor_of(const Shading<S, P>& shading, const Hit<S>& hit, const RayQueu
 template <class S, class P>
 [[gnu::noinline, gnu::cold]] Vec3<S> bend_filtered(const Shading<S, P>& shading, const Hit<S>& hit, const S& weight,
                                                    const HitNotes<S, P>& notes, HitMaterial<S>& material) {
-    const Footprint<S> footprint{hit.direction, notes.flat, notes.beside.place[0], notes.beside.place[1], weight};
+    const Footprint<S> footprint = footprint_of(notes.beside, hit.direction, notes.flat, weight);
     S length;
     const Vec3<S> normal =
         PatternCalls<S>::bent_filtered(shading.world, material.numbers, hit.position, hit.surface, footprint, length);

@@ -1,5 +1,7 @@
 // The interface of patterns' colours and normals: compiled once per precision and SIMD level, apart from the kernel.
 #pragma once
+#include <array>
+
 #include "num/memory.h"
 #include "num/ray.h"
 #include "trace/world/world.h"
@@ -41,13 +43,14 @@ STRAHL_INLINE bool uneven(const World<T>& world, int material) {
     return form != PatternForm::checker && form != PatternForm::brick && form != PatternForm::constant;
 }
 
-/// The part of a surface that a sample's square of the view shows, as if the surface were flat: a parallelogram.
+/// The part of a surface that a sample's square of the view shows, as if the surface were flat.
 template <class S>
 struct Footprint {
     Vec3<S> direction;     // of the ray, of length 1
     Vec3<S> normal;        // of the surface
     Vec3<S> across, down;  // from the hit to where rays a side of the square beside this one are as far as it is
     S weight;              // of the ray: colours of little weight need no exact means
+    std::array<S, 2> shrink{S(0), S(0)};  // see SeenArea
 };
 
 /// Says how well a filtered colour stands for what samples beside it see.

@@ -181,9 +181,9 @@ T finest_detail(const PatternKernel<T>& pattern) {
 /// these are taken for linear. Octaves that are finer than the grid fade away.
 template <class S>
 [[gnu::noinline]] void mean_of_values(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
-                                      const Vec3<S>& p, const Vec3<S>& across, const Vec3<S>& down, const S& weight,
-                                      Mask<S> lanes, PatternMeans<S>& means) {
+                                      const SeenArea<S>& area, Mask<S> lanes, PatternMeans<S>& means) {
     using T = Element<S>;
+    const auto& [p, across, down, weight, shrink] = area;
     const S finest(finest_detail(pattern)), one(1);
     const S lengths[2] = {sqrt(dot(across, across)), sqrt(dot(down, down))};
     const T contrast = static_cast<T>(share_of_steps(pattern, world.patterns.stops + pattern.first_stop));
@@ -216,11 +216,12 @@ template <class S>
             }
         for (; n % lanes_of != 0; ++n) along[0][n] = along[1][n] = 0;
         const auto whole = [&](const Vec3<S>& v) { return Vec3<S>(S(lane(v.x, k)), S(lane(v.y, k)), S(lane(v.z, k))); };
-        const Vec3<S> middle = whole(p), side = whole(across), other = whole(down);
+        const SeenArea<S> own{
+            whole(p), whole(across), whole(down), weight, {S(lane(shrink[0], k)), S(lane(shrink[1], k))}};
         const S own_step(lane(step, k));
         for (int i = 0; i < n; i += lanes_of) {
             const S x = load_lanes<S>(along[0] + i), y = load_lanes<S>(along[1] + i);
-            store_lanes(values + i, smoothed_value(pattern, fma(x, side, fma(y, other, middle)), own_step));
+            store_lanes(values + i, smoothed_value(pattern, own.at(x, y), own_step));
         }
         std::copy_n(values, (grid.rows + 1) * (grid.columns + 1), grid.values);
         means.set(pattern, k, [&](double* weights) {
@@ -229,17 +230,20 @@ template <class S>
     });
 }
 
-/// Finds mean colours of a pattern that is no image over parallelograms with these sides around points of its space.
+/// Finds mean colours of a pattern that is no image over areas in its space.
 template <class S>
 [[gnu::noinline]] void find_means_of(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
-                                     const Vec3<S>& middle, const Vec3<S>& across, const Vec3<S>& down, const S& weight,
-                                     Mask<S> lanes, PatternMeans<S>& means) {
-    if (!has_mean(pattern.form)) return mean_of_values(world, pattern, middle, across, down, weight, lanes, means);
+                                     const SeenArea<S>& area, Mask<S> lanes, PatternMeans<S>& means) {
+    if (!has_mean(pattern.form)) return mean_of_values(world, pattern, area, lanes, means);
     each_lane<S>(lanes, [&](int k) {
         means.set(pattern, k, [&](double* weights) {
+            const auto of = [&](const S& all) { return static_cast<double>(lane(all, k)); };
             return mean_over(pattern, world.patterns.stops + pattern.first_stop,
-                             PatternArea{lane_of(middle, k), lane_of(across, k), lane_of(down, k),
-                                         static_cast<double>(lane(weight, k))},
+                             PatternArea{lane_of(area.middle, k),
+                                         lane_of(area.across, k),
+                                         lane_of(area.down, k),
+                                         of(area.weight),
+                                         {of(area.shrink[0]), of(area.shrink[1])}},
                              weights, smoothed_values<Widest<double>>);
         });
     });
@@ -303,8 +307,12 @@ template <class S>
                                               bool may_divide) {
     using T = Element<S>;
     const S zero(0), one(1);
-    const Vec3<S> across = along_surface(footprint, footprint.across, footprint.normal);
-    const Vec3<S> down = along_surface(footprint, footprint.down, footprint.normal);
+    const SeenArea<S> area{position, along_surface(footprint, footprint.across, footprint.normal),
+                           along_surface(footprint, footprint.down, footprint.normal), footprint.weight,
+                           footprint.shrink};
+    const auto footprint_on = [&](const SeenArea<S>& part, const S& weight) {
+        return Footprint<S>{footprint.direction, footprint.normal, part.across, part.down, weight, part.shrink};
+    };
     Filtering<S> all = means.whole.get(color);
     color = splat<S>(Vec3<T>(0));
     Mask<S> crossed = first_lanes<S>(0);
@@ -332,23 +340,21 @@ template <class S>
             add(others, position, footprint, false);
         } else if (any(others)) {
             const auto [x, y] = shift_of(means, i, others);
-            const Footprint<S> part{footprint.direction, footprint.normal, scale(one - S(2) * abs(x), across),
-                                    scale(one - S(2) * abs(y), down), footprint.weight * weight};
-            add(others, fma(x, across, fma(y, down, position)), part, false);
+            const SeenArea<S> own = area.part(x, y, one - S(2) * abs(x), one - S(2) * abs(y));
+            add(others, own.middle, footprint_on(own, footprint.weight * weight), false);
         }
     }
     if (!may_divide || none(crossed)) return all;
     const S per(T(1) / T(divided_into));
-    // Errors of parts are independent: that of their mean is `per` times theirs.
-    const Footprint<S> part{footprint.direction, footprint.normal, scale(per, across), scale(per, down),
-                            per * footprint.weight};
     Vec3<S> sum = splat<S>(Vec3<T>(0));
     for (int j = 0; j < divided_into; ++j)
         for (int i = 0; i < divided_into; ++i) {
             const auto middle = [&](int k) { return (S(static_cast<T>(k)) + S(T(.5))) * per - S(T(.5)); };
+            const SeenArea<S> part = area.part(middle(i), middle(j), per, per);
             Vec3<S> own;
-            filtered_at(world, pattern, fma(middle(i), across, fma(middle(j), down, position)), surface, part, crossed,
-                        own, false);
+            // Errors of parts are independent: that of their mean is `per` times theirs.
+            filtered_at(world, pattern, part.middle, surface, footprint_on(part, per * footprint.weight), crossed, own,
+                        false);
             sum = fma(per * per, own, sum);
         }
     color = select(crossed, sum, color);
@@ -388,17 +394,14 @@ Filtering<S> filtered_at(const World<Element<S>>& world, const PatternKernel<Ele
         color = quick_mean(world, pattern, position, surface, footprint, p, across, down);
         return {};
     }
-    const auto find_means = [&](const Vec3<S>& middle, const Vec3<S>& side, const Vec3<S>& other,
-                                PatternMeans<S>& means) {
-        find_means_of(world, pattern, middle, side, other, footprint.weight, lanes, means);
-    };
+    const SeenArea<S> area{p, across, down, footprint.weight, footprint.shrink};
     NestedMeans<S> means;
-    find_means(p, across, down, means.whole);
+    find_means_of(world, pattern, area, lanes, means.whole);
     if (!pattern.nests) return means.whole.get(color);
     if (!may_divide) {
-        const S half(T(.5)), aside(T(-.25));
-        find_means(fma(aside, across, p), scale(half, across), down, means.left);
-        find_means(fma(aside, down, p), across, scale(half, down), means.upper);
+        const S zero(0), half(T(.5)), one(1), aside(T(-.25));
+        find_means_of(world, pattern, area.part(aside, zero, half, one), lanes, means.left);
+        find_means_of(world, pattern, area.part(zero, aside, one, half), lanes, means.upper);
     }
     return mean_of_nested(world, pattern, position, surface, footprint, lanes, means, color, may_divide);
 }
@@ -514,7 +517,7 @@ template <class S>
     for (int i = 0; i < 4; ++i) {
         const Vec3<S> at = p + splat<S>(bump.steps[i]), bend = splat<S>(bump.bends[i]);
         PatternMeans<S> means;
-        find_means_of(world, pattern, at, across, down, footprint.weight, lanes, means);
+        find_means_of(world, pattern, SeenArea<S>{at, across, down, footprint.weight, footprint.shrink}, lanes, means);
         mean = fma(load_lanes<S>(means.values[0]), bend, mean), middle = fma(value_at(pattern, at), bend, middle);
     }
     for (int c = 0; c < 3; ++c) own[c] = dot(splat<S>(bump.columns[c]), normal);

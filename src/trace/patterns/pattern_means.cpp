@@ -165,6 +165,27 @@ bool is_far(const PatternArea& area) {
     return !(sum < furthest);
 }
 
+/// An area whose sides shrink by this share of their length is one parallelogram; others are divided into parts that
+/// do. An edge in the middle of a side is off by a quarter of that at most, in sides of the part.
+constexpr double even_enough = .01;
+
+/// Returns the mean of what mean(part) returns for parts of an area that are nearly parallelograms.
+template <class Mean>
+auto mean_of_parts(const PatternArea& area, const Mean& mean) {
+    constexpr double most_parts = 8;
+    const auto parts_along = [&](int i) {
+        return static_cast<int>(std::min(std::ceil(std::sqrt(std::abs(area.shrink[i]) / even_enough)), most_parts));
+    };
+    const int columns = std::max(parts_along(0), 1), rows = std::max(parts_along(1), 1);
+    if (columns == 1 && rows == 1) return mean(area);
+    const double width = 1. / columns, height = 1. / rows;
+    decltype(mean(area)) sum(0);
+    for (int j = 0; j < rows; ++j)
+        for (int i = 0; i < columns; ++i)
+            sum += width * height * mean(area.part((i + .5) * width - .5, (j + .5) * height - .5, width, height));
+    return sum;
+}
+
 double extent(const PatternArea& area, int axis) { return std::abs(area.across[axis]) + std::abs(area.down[axis]); }
 
 /// Returns whether a coordinate comes to a whole number within three times the area.
@@ -500,7 +521,8 @@ ValueGrid values_over(const SolidPattern& solid, const SolidDetails& details, co
     for (int j = 0; j <= grid.rows; ++j)
         for (int i = 0; i <= grid.columns; ++i, ++n) {
             const double x = double(i) / grid.columns - .5, y = double(j) / grid.rows - .5;
-            for (int c = 0; c < 3; ++c) at[c][n] = area.middle[c] + x * area.across[c] + y * area.down[c];
+            const DVec3 point = area.at(x, y);
+            for (int c = 0; c < 3; ++c) at[c][n] = point[c];
         }
     find(solid, at, n, step, grid.values);
     for (int i = 0; i < n && details.repeat != SolidDetails::Repeat::never; ++i) grid.values[i] /= period;
@@ -664,7 +686,7 @@ PatternMean mean_over(const PatternKernel<T>& pattern, const ColorStopKernel<T>*
     const auto any_border = [&] { return has_border(area, 0) || has_border(area, 1) || has_border(area, 2); };
     switch (pattern.form) {
         case PatternForm::checker:
-            return {mixed((1 - mean_of_checks(area)) / 2), any_border(), exact};
+            return {mixed((1 - mean_of_parts(area, mean_of_checks)) / 2), any_border(), exact};
         case PatternForm::brick: {
             const DVec3 mortar(double(pattern.mortar.x), double(pattern.mortar.y), double(pattern.mortar.z));
             bool detailed = false;
@@ -672,7 +694,8 @@ PatternMean mean_over(const PatternKernel<T>& pattern, const ColorStopKernel<T>*
                 for (const double border : {0., mortar[c]})
                     for (const double shift : {0., c == 1 ? 0. : .5})
                         detailed = detailed || has_border(area, c, shift - border);
-            return {mixed(share_of_bricks(area, mortar)), detailed, exact};
+            const auto share = [&](const PatternArea& part) { return share_of_bricks(part, mortar); };
+            return {mixed(mean_of_parts(area, share)), detailed, exact};
         }
         case PatternForm::solid: {
             const SolidDetails details = details_of(*pattern.solid);
@@ -686,7 +709,10 @@ PatternMean mean_over(const PatternKernel<T>& pattern, const ColorStopKernel<T>*
             const double x = area.middle.x - double(pattern.border), reach = 1.5 * extent(area, 0);
             const bool detailed = reach > .25 || map.has_jump(x - reach, x + reach);
             const auto mean_by = [&](const MapFunction& own) {
-                return is_far(area) ? own.mean : own.mean + mean_of(own, x, area.across.x, area.down.x);
+                if (is_far(area)) return own.mean;
+                return own.mean + mean_of_parts(area, [&](const PatternArea& part) {
+                           return mean_of(own, part.middle.x - double(pattern.border), part.across.x, part.down.x);
+                       });
             };
             if (weights) weigh(stops, pattern.stops, Fold::ramp, weights, mean_by);
             return {max(mean_by(map), DVec3(0)), detailed || is_far(area), exact};

@@ -1,10 +1,11 @@
 // Means of patterns over footprints: what a sample's square of the view shows of them. Compiled once, in double,
 // because it works on one sample at a time.
 //
-// Over a parallelogram a coordinate changes linearly. The mean of a periodic function of one coordinate follows from
-// the function's second integral; of products of such functions, one for each coordinate, from sums over the pieces in
-// which all but one of them are constant. Compare A. Apodaca and L. Gritz, "Advanced RenderMan", 1999, chapter 11, on
-// antialiasing by analytic integration; it has boxes along the axes, here parallelograms are what they are.
+// Over a parallelogram a coordinate changes linearly; other areas are divided into such ones. The mean of a periodic
+// function of one coordinate follows from the function's second integral; of products of such functions, one for each
+// coordinate, from sums over the pieces in which all but one of them are constant. Compare A. Apodaca and L. Gritz,
+// "Advanced RenderMan", 1999, chapter 11, on antialiasing by analytic integration; it has boxes along the axes, here
+// parallelograms are what they are.
 #pragma once
 #include <array>
 
@@ -13,11 +14,33 @@
 
 namespace strahl {
 
-/// A parallelogram in a pattern's space, around a point.
-struct PatternArea {
-    DVec3 middle, across, down;
-    double weight = 1;  // of the ray that sees it: means of little weight are less exact
+/// What a square of the view shows of a plane, in a pattern's space. The point i sides right of its middle and j below,
+/// from -1/2 to 1/2, is middle + (i across + j down) / (1 + i shrink[0] + j shrink[1]): a parallelogram where all of it
+/// is as far away, and else a quadrilateral whose further parts are larger. Means are over the square of the view.
+template <class S>
+struct SeenArea {
+    Vec3<S> middle, across, down;
+    S weight{1};  // of the ray that sees it: means of little weight are less exact
+    std::array<S, 2> shrink{S(0), S(0)};
+
+    Vec3<S> at(const S& i, const S& j) const {
+        const S per = S(1) / (S(1) + i * shrink[0] + j * shrink[1]);
+        Vec3<S> point;
+        for (int c = 0; c < 3; ++c) point[c] = middle[c] + per * (i * across[c] + j * down[c]);
+        return point;
+    }
+    /// Returns a rectangle of the square, around (i, j), with sides of these shares of the square's.
+    SeenArea part(const S& i, const S& j, const S& width, const S& height) const {
+        const S per = S(1) / (S(1) + i * shrink[0] + j * shrink[1]), sides[2] = {per * width, per * height};
+        SeenArea own{at(i, j), across, down, weight, {sides[0] * shrink[0], sides[1] * shrink[1]}};
+        for (int c = 0; c < 3; ++c) {
+            own.across[c] = sides[0] * (across[c] - shrink[0] * (own.middle[c] - middle[c]));
+            own.down[c] = sides[1] * (down[c] - shrink[1] * (own.middle[c] - middle[c]));
+        }
+        return own;
+    }
 };
+using PatternArea = SeenArea<double>;
 
 /// Values that a pattern has in equal shares, from the least to the largest.
 inline constexpr int most_anywhere = 256;

@@ -84,6 +84,44 @@ TEST_CASE("means of checks, bricks and ramps are those of many points") {
     }
 }
 
+TEST_CASE("means over what a square of the view shows of a plane that recedes are those of many rays") {
+    Dice dice(19);
+    for (const PatternForm form : {PatternForm::checker, PatternForm::brick, PatternForm::ramp}) {
+        PatternKernel<double> pattern{};
+        pattern.form = form, pattern.stops = form == PatternForm::ramp ? 6 : 2;
+        double squares = 0, even_squares = 0;
+        for (int i = 0; i < 60; ++i) {
+            pattern.mortar = DVec3(dice.in(.05, .2), dice.in(.05, .2), dice.in(.05, .2));
+            const DVec3 middle = dice.vector(-9, 9), forward = dice.arrow(1, 1), normal = dice.arrow(1, 1);
+            const double pixel = std::pow(10, dice.in(-2, -.5));
+            const DVec3 ways[2] = {dice.arrow(pixel, pixel), dice.arrow(pixel, pixel)};
+            const double steep = dot_product(normal, forward), distance = dice.in(.5, 2) / pixel;
+            PatternArea area{middle, {}, {}};
+            for (int k = 0; k < 2; ++k) {
+                area.shrink[k] = dot_product(normal, ways[k]) / steep;
+                (k ? area.down : area.across) = distance * (ways[k] - area.shrink[k] * forward);
+            }
+            if (!(std::abs(area.shrink[0]) + std::abs(area.shrink[1]) < .8)) continue;
+            constexpr int rays = 200;
+            DVec3 sum(0);
+            for (int j = 0; j < rays; ++j)
+                for (int k = 0; k < rays; ++k) {
+                    const double x = (k + dice.in(0, 1)) / rays - .5, y = (j + dice.in(0, 1)) / rays - .5;
+                    const DVec3 way = forward + x * ways[0] + y * ways[1];
+                    const double t = distance * steep / dot_product(normal, way);
+                    sum += 1. / (rays * rays) * color_at(pattern, middle - distance * forward + t * way);
+                }
+            const Stops& stops = form == PatternForm::ramp ? six : two;
+            const DVec3 off = mean_over(pattern, stops.data(), area).color - sum;
+            area.shrink = {0, 0};
+            const DVec3 even_off = mean_over(pattern, stops.data(), area).color - sum;
+            CHECK(std::max({std::abs(off.x), std::abs(off.y), std::abs(off.z)}) < 6e-3);
+            squares += dot_product(off, off), even_squares += dot_product(even_off, even_off);
+        }
+        CHECK(squares < even_squares / 25);  // parallelograms would not do
+    }
+}
+
 TEST_CASE("means of solid patterns are near those of many points") {
     Dice dice(11);
     double squares = 0, of_points = 0;

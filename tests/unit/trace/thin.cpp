@@ -382,21 +382,30 @@ TEST_CASE("flat bodies seen edge-on, rings, slivers and what differences leave k
     }
 }
 
-TEST_CASE("rings, slivers and discs seen edge-on, of .06 to .5 pixels, take their area") {
+TEST_CASE("rings, slivers, plates, coins and strips of meshes, of .06 to .5 pixels, take their area") {
     std::mt19937 random(21);
     const auto between = [&](double low, double high) { return std::uniform_real_distribution<>(low, high)(random); };
-    for (int i = 0; i < 12; ++i) {
+    for (int i = 0; i < 24; ++i) {
         CAPTURE(i);
-        const PictureSize sizes[]{{120, 90}, {128, 72}, {72, 128}}, &size = sizes[i / 3 % 3];
+        const PictureSize sizes[]{{120, 90}, {128, 72}, {72, 128}}, &size = sizes[i / 6 % 3];
         Scene scene = wires();
         scene.primitives.resize(1);
         const double width = 7.2 / size.width * std::pow(10., between(-1.2, -.3));  // a pixel has 7.2 / size.width
         const DVec3 across(between(-1, 1), between(-1, 1), between(-1, 1));
         Shape& shape = scene.primitives[0].shape;
-        if (i % 3 == 0) shape = Disc{{}, {across.x, 1, across.z}, 2.5, 2.5 - width};
-        if (i % 3 == 1)
+        if (i % 6 == 0) shape = Disc{{}, {across.x, 1, across.z}, 2.5, 2.5 - width};
+        if (i % 6 == 1)
             shape = Triangle{{-2.5, across.x, across.y}, {-2.5, across.x, across.y + width}, {2.5, 0, across.z}};
-        if (i % 3 == 2) shape = Disc{{0, 0, .2}, {across.x, width / 8, 1}, 2};
+        if (i % 6 == 2) shape = Disc{{0, 0, .2}, {across.x, width / 8, 1}, 2};
+        if (i % 6 == 3) shape = Cuboid{{-2.3, 0, 0}, {2.4, 1.5, width}};
+        if (i % 6 == 4) shape = Cylinder{{0, 0, 0}, {0, 0, width}, 2};
+        if (i % 6 == 5) {
+            const DVec3 low(-2.5, across.x, across.y), high(2.5, across.y, across.z), up(0, 0, width);
+            MeshData data;
+            data.points = {low, low + up, high, high + up}, data.triangles = {{0, 2, 3}, {0, 3, 1}};
+            shape = Mesh{std::make_shared<const MeshData>(data), ""};
+        }
+        if (i % 6 == 3 || i % 6 == 4) scene.primitives[0].transformations = {Rotate{{0, 30 * across.x, 0}}};
         check_last_body(std::move(scene), size, .02, .02);
     }
 }
