@@ -19,7 +19,7 @@ std::shared_ptr<const std::vector<Shot>> shutter_moments(const Scene& scene, dou
     const bool moves = Movers(scene).any();
     int count = most_moments;
     if (moves)
-        while (count > fewest_moments && count * surfaces_of(scene) > most_surfaces) count /= 2;
+        while (count > fewest_moments && count * surfaces_apart(scene) > most_surfaces) count /= 2;
     std::vector<Shot> moments;
     for (int i = 0; i < count; ++i) {
         const double moment = time + ((i + .5) / count - .5) * seconds;

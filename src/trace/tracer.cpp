@@ -87,7 +87,7 @@ class TracerOf : public AnyTracer {
         if (moved) capsules.reset();
         built.reset(), slack.reset(), bound.reset();
         placed = wanted, proves = view.prove;
-        built = build(pool);
+        built = build(pool, &moving, nullptr);
     }
 
     Counts trace(const Job& job, const TracedPixels& pixels) override {
@@ -315,9 +315,9 @@ class TracerOf : public AnyTracer {
         return sum;
     }
 
-    std::shared_ptr<BuiltWorld<T>> build(ThreadPool& pool) {
-        return std::make_shared<BuiltWorld<T>>(scene(), placed, pool, in_time.moves() ? &moving : nullptr, images,
-                                               proves, kernel.lanes);
+    std::shared_ptr<BuiltWorld<T>> build(ThreadPool& pool, MovingHierarchy* kept, const SharedMeshes<T>* shared) {
+        return std::make_shared<BuiltWorld<T>>(scene(), placed, pool, in_time.moves() ? kept : nullptr, images, proves,
+                                               kernel.lanes, shared);
     }
 
     /// Makes a view of the scene as it is now ready, if there are nets with rays all over a lens.
@@ -346,7 +346,7 @@ class TracerOf : public AnyTracer {
         moments.clear(), spots.begin(view.moments->size());
         // The system may promise more than it has, and end the program when the worlds fill it.
         constexpr double bytes_of_surface = 220;  // in a world: of a triangle, measured
-        const double bytes_of_world = in_time.moves() ? bytes_of_surface * double(surfaces_of(scene())) : 0;
+        const double bytes_of_world = in_time.moves() ? bytes_of_surface * double(surfaces_apart(scene())) : 0;
         std::shared_ptr<const BuiltWorld<T>> world = built;
         Bound light = *bound;
         const auto add = [&](const Shot& moment) {
@@ -356,7 +356,8 @@ class TracerOf : public AnyTracer {
                 world = std::make_shared<const BuiltWorld<T>>(world, scene(), placed);
             if (changed == Changed::more) {
                 if (bytes_of_world > os::available_memory()) throw std::bad_alloc();
-                const std::shared_ptr<BuiltWorld<T>> own = build(job.pool);
+                meshes.add(scene(), job.pool, kernel.lanes);
+                const std::shared_ptr<BuiltWorld<T>> own = build(job.pool, &moving_moments, &meshes);
                 own->share(*world);
                 world = own;
             }
@@ -428,7 +429,8 @@ class TracerOf : public AnyTracer {
     }
 
     Extent extent;
-    MovingHierarchy moving;
+    MovingHierarchy moving, moving_moments;
+    SharedMeshes<T> meshes;  // of the worlds of moments
     const std::shared_ptr<Images> images = std::make_shared<Images>();
     Kernel<T> kernel, proving;      // none of float proves
     std::optional<Slack<T>> slack;  // of the world's bodies; made when proofs first need it

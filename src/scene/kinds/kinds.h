@@ -34,6 +34,7 @@ const ContourData* contours_of(const Shape& shape);
 /// The number of simple bodies that a shape consists of.
 int leaves_of(const Shape& shape);
 
-using Forms = FormsOf<Shape>::Type;
+using SharedMeshForm = Form<SharedMesh, 0>;
+using Forms = JoinForms<FormsOf<Shape>::Type, FormList<SharedMeshForm>>::Type;
 
 }  // namespace strahl

@@ -81,4 +81,18 @@ struct Mesh {
     }
 };
 
+/// The number of a mesh of which worlds share the triangles.
+template <class T>
+struct SharedMeshKernel {
+    T number;
+};
+/// A mesh whose triangles are in a world of their own, in their own coordinates: see PlacedMesh. No kind of scenes, but
+/// a form of meshes in worlds.
+struct SharedMesh {
+    static constexpr int faces = 0;
+    static constexpr bool bounded = true, convex = false, closed = false, hot = false;
+    template <class T>
+    using Kernels = std::tuple<SharedMeshKernel<T>>;
+};
+
 }  // namespace strahl

@@ -286,7 +286,7 @@ void FormFunctions<Form, S>::list_crossings(const World<T>& world, const Composi
 }
 
 /// Composites have the first four only: hits are on leaves, and shaded as those of their forms. Bodies that list
-/// crossings are never alone in a bin, so that what is asked of one is not needed.
+/// crossings, and shared meshes, are never alone in a bin, so that what is asked of one is not needed.
 template <class Form, class S>
 constexpr FormCalls<S> calls_of() {
     using Own = FormFunctions<Form, S>;
@@ -294,7 +294,7 @@ constexpr FormCalls<S> calls_of() {
     constexpr bool composite = std::is_same_v<typename Form::Kind, Union>, lists = lists_crossings<typename Form::Kind>;
     if constexpr (!composite) calls.surfaces_at = &Own::surfaces_at;
     if constexpr (lists || of_triangles<Form>) calls.list_crossings = &Own::list_crossings;
-    if constexpr (!composite && !lists) {
+    if constexpr (!composite && !lists && !std::is_same_v<Form, SharedMeshForm>) {
         if constexpr (Form::Kind::closed && Form::Kind::bounded) calls.ends = &Own::ends;
         if constexpr (!Form::hot) calls.surface_at = &Own::surface_at;
         if constexpr (!Form::hot && Form::Kind::convex) calls.span = &Own::span;

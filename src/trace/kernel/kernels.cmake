@@ -12,6 +12,7 @@ file(READ src/scene/kinds/kinds.h strahl_kinds)
 string(REGEX REPLACE ".*using Shape = std::variant<([^>]*)>.*" "\\1" strahl_kinds "${strahl_kinds}")
 string(REGEX REPLACE "[ \n]*,[ \n]*" ";" strahl_kinds "${strahl_kinds}")
 list(REMOVE_ITEM strahl_kinds Mesh Intersection Difference)  # have other kinds' kernels
+list(APPEND strahl_kinds SharedMesh)  # a form of worlds alone
 list(TRANSFORM strahl_kinds REPLACE "(.+)" "KindCalls<\\1, " OUTPUT_VARIABLE strahl_kind_calls)
 
 # Writes a file that instantiates structs for each element type; each of `structs` is one up to its last argument.
@@ -46,7 +47,7 @@ function(strahl_kernel level elements)
       list(APPEND sources ${folder}/proving_${name}.cpp)
     endif()
   endforeach()
-  strahl_instances(${folder}/kinds.cpp "forms/kind_kernel.h;forms/composite_kernel.h;forms/listed_kernel.h" "${strahl_kind_calls}" "${elements}")
+  strahl_instances(${folder}/kinds.cpp "forms/kind_kernel.h;forms/composite_kernel.h;forms/listed_kernel.h;forms/shared_mesh_kernel.h" "${strahl_kind_calls}" "${elements}")
   strahl_instances(${folder}/features.cpp "lights/area_light_kernel.h;lights/light_buffer_kernel.h;finish/finish_kernel.h;patterns/pattern_kernel.h"
                    "AreaLightCalls<;LightBufferCalls<;FinishCalls<;PatternCalls<" "${elements}")
   list(APPEND sources ${folder}/kinds.cpp ${folder}/features.cpp)

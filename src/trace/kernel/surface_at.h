@@ -46,6 +46,13 @@ STRAHL_INLINE SurfaceHit<S> surfaces_at(const World<Element<S>>& world, int form
             known[k] = static_cast<Element<S>>(world.composites.leaf_faces[static_cast<int>(surfaces[pick.index[k]])]);
         faces = load_lanes<S>(known);
     }
+    if (form == place_of<SharedMeshForm>(Forms{})) [[unlikely]] {
+        alignas(64) Element<S> triangles[width<S>];
+        for (int k = 0; k < width<S>; ++k)
+            triangles[k] =
+                surfaces[pick.index[k]] - world.groups.template get<SharedMeshForm>().items[items[k]].surface;
+        faces = load_lanes<S>(triangles);
+    }
     const Ray<S> copy = ray;
     SurfaceHit<S> called;
     calls<S>(form).surfaces_at(world, items, copy, S(t), faces, called, materials);

@@ -60,7 +60,8 @@ bool passes(const World<Element<S>>& world, const Ray<S>& ray, const Nearest<S>&
     const auto body = [&](int own, const SurfaceHit<S>& point) {
         return first_of_body(world, own, static_cast<int>(lane(point.body, 0)));
     };
-    return body(source, from) != body(surface, to) && !(triangle_of(world, source) && triangle_of(world, surface)) &&
+    const auto flat = [&](int own) { return triangle_of(world, own) || placed_mesh_of(world, own); };
+    return body(source, from) != body(surface, to) && !(flat(source) && flat(surface)) &&
            (passes_light(world, material) || lane(dot(ray.direction, to.point.normal), k) > 0);
 }
 

@@ -20,11 +20,14 @@ template <class S>
     alignas(64) T values[numbers][width<S>] = {};
     for (int k = 0; k < width<S>; ++k) {
         const int own = static_cast<int>(lane(surface, k)), i = own - places.first_surface;
-        const TriangleKernel<T>* const triangle =
-            places.corners && i >= 0 && i < places.surfaces ? triangle_of(world, own) : nullptr;
+        if (!places.corners || i < 0 || i >= places.surfaces) continue;
+        const PlacedMesh<T>* const mesh = placed_mesh_of(world, own);
+        const TriangleKernel<T>* const triangle = mesh ? triangle_of(mesh->mesh, i) : triangle_of(world, own);
         if (!triangle) continue;
+        const Vec3<T> own_corners[]{triangle->a, triangle->b, triangle->c};
         for (int c = 0; c < 3; ++c) {
-            values[c][k] = triangle->a[c], values[3 + c][k] = triangle->b[c], values[6 + c][k] = triangle->c[c];
+            const Vec3<T> corner = mesh ? mesh->out.point(own_corners[c]) : own_corners[c];
+            for (int axis = 0; axis < 3; ++axis) values[3 * c + axis][k] = corner[axis];
             for (int j = 0; j < 2; ++j)
                 values[9 + 2 * c + j][k] = static_cast<T>(places.places[places.corners[i][c]][j]);
         }

@@ -25,5 +25,12 @@ STRAHL_INLINE const TriangleKernel<T>* triangle_of(const World<T>& world, int su
            : form == place_of<Form<SmoothTriangle, 0>>(Forms{}) ? in(Form<SmoothTriangle, 0>{})
                                                                 : nullptr;
 }
+/// Returns the shared mesh that a surface belongs to, or null.
+template <class T>
+STRAHL_INLINE const PlacedMesh<T>* placed_mesh_of(const World<T>& world, int surface) {
+    const ItemReference& reference = world.references[surface];
+    const bool shared = world.sort_bins[reference.bin].form == place_of<SharedMeshForm>(Forms{});
+    return shared ? &placed_mesh(world, reference.item) : nullptr;
+}
 
 }  // namespace strahl::inline STRAHL_LEVEL

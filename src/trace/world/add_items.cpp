@@ -1,6 +1,7 @@
 // Makes items of primitives by all threads. Each item goes where it would be if they were made one after the other.
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 #include <mutex>
 #include <numeric>
 
@@ -39,6 +40,13 @@ struct PutItems {
     }
 };
 
+/// Is a body a mesh that is worth a world of its own, and that shadow rays need not ask for its material?
+bool can_be_shared(const Scene& scene, const Primitive& body) {
+    const Mesh* const mesh = std::get_if<Mesh>(&body.shape);
+    const Material& material = scene.materials[static_cast<std::size_t>(body.material)];
+    return mesh && mesh->data->triangles.size() > share_items && !material.may_transmit() && material.shadow > 0;
+}
+
 }  // namespace
 
 /// Adds the pieces of contours, lumps and sweeps, those that bodies share once. Most worlds have none, and to look at a
@@ -66,10 +74,20 @@ void WorldArrays<T>::add_pieces(const Scene& scene) {
 template <class T>
 void WorldArrays<T>::add_items(const Scene& scene, const Placement& placement, ThreadPool& pool, bool proves) {
     const auto size = static_cast<std::int32_t>(scene.primitives.size());
+    /// Returns how many triangles a mesh has that worlds share, and of all else 0.
+    const auto shared_faces = [&](const Primitive& body) {
+        const bool shared = meshes && !proves && meshes->find(scene, body);
+        return shared ? static_cast<int>(std::get<Mesh>(body.shape).data->triangles.size()) : 0;
+    };
     std::vector<ItemCounts> before(size / share_items + 2);
     share_out(pool, size, share_items, [&](std::int32_t first, std::int32_t last) {
         ItemCounts own;
-        for (std::int32_t i = first; i < last; ++i) count_items<T>(scene.primitives[i], own);
+        for (std::int32_t i = first; i < last; ++i) {
+            if (const int faces = shared_faces(scene.primitives[i]))
+                CountItems<T>{own, faces}(SharedMeshKernel<T>{});
+            else
+                count_items<T>(scene.primitives[i], own);
+        }
         before[first / share_items + 1] = own;
     });
     for (std::size_t i = 1; i < before.size(); ++i) before[i] += before[i - 1];
@@ -111,6 +129,10 @@ void WorldArrays<T>::add_items(const Scene& scene, const Placement& placement, T
                 for (int c = 0; c < 3; ++c) reach = std::max({reach, std::abs(box.low[c]), std::abs(box.high[c])});
             std::int32_t leaf = leaf_of(i);
             const T material = static_cast<T>(material_of(primitive, leaf));
+            if (const int faces = shared_faces(primitive)) {
+                PutItems<T>{*this, own, box, material, faces, 0}(SharedMeshKernel<T>{});
+                continue;
+            }
             const Mesh* const mesh = std::get_if<Mesh>(&primitive.shape);
             if (mesh && mesh->data->triangles.size() > share_items && !proves) {
                 const std::lock_guard lock(enlarging);
@@ -129,6 +151,7 @@ void WorldArrays<T>::add_items(const Scene& scene, const Placement& placement, T
         reaches[first / share_items] = reach;
     });
     reach = *std::max_element(reaches.begin(), reaches.end());
+    if (meshes && !proves) place_meshes(scene, placement);
     for (const LargeMesh& own : large) {
         const auto count = static_cast<std::int32_t>(own.mesh.data->points.size());
         const Buffer<Vec3<T>> points = uninitialized_buffer<Vec3<T>>(count);
@@ -146,6 +169,76 @@ void WorldArrays<T>::add_items(const Scene& scene, const Placement& placement, T
     }
 }
 
+template <class T>
+void WorldArrays<T>::place_meshes(const Scene& scene, const Placement& placement) {
+    constexpr int form = place_of<SharedMeshForm>(Forms{});
+    const auto* item = reinterpret_cast<const Item<SharedMeshForm, T>*>(forms[form].numbers.get());
+    const auto into = [](const Placement& own) {
+        return glm::scale(glm::dmat4(1), glm::dvec3(own.scale)) *
+               glm::translate(glm::dmat4(1), -glm::dvec3(own.origin));
+    };
+    const auto map_of = [](const glm::dmat4& m) {
+        return PlaceMap<T>{{cast<T>(DVec3(m[0])), cast<T>(DVec3(m[1])), cast<T>(DVec3(m[2]))}, cast<T>(DVec3(m[3]))};
+    };
+    for (const Primitive& body : scene.primitives) {
+        const auto* const own = meshes->find(scene, body);
+        if (!own) continue;
+        const glm::dmat4 out = into(placement) * matrix(body.transformations) * glm::inverse(into(own->placement));
+        const glm::dmat4 in = glm::inverse(out);
+        const glm::dmat3 turn(in);
+        const double side = glm::determinant(turn) < 0 ? -1 : 1;
+        PlacedMesh<T>& mesh = placed_meshes.emplace_back(
+            own->built->world(), map_of(in), map_of(out), map_of(glm::dmat4(side * glm::transpose(turn))),
+            static_cast<std::int32_t>(item->surface),
+            static_cast<std::int32_t>(std::get<Mesh>(body.shape).data->triangles.size()));
+        ++item;
+        // Rays that start on it are rounded in this world, and once more on the way into its own.
+        const double size = std::max({length(DVec3(in[0])), length(DVec3(in[1])), length(DVec3(in[2]))});
+        mesh.mesh.rounding += static_cast<T>(4 * size * rounding(reach));
+    }
+    world.meshes = placed_meshes.data();
+}
+
+template <class T>
+void SharedMeshes<T>::add(const Scene& scene, ThreadPool& pool, int lanes) {
+    for (const Primitive& body : scene.primitives) {
+        if (!can_be_shared(scene, body)) continue;
+        const Mesh& mesh = std::get<Mesh>(body.shape);
+        const auto [own, is_new] = worlds.try_emplace(mesh.data);
+        if (!is_new) continue;
+        Scene alone;
+        alone.materials.emplace_back();
+        alone.primitives.push_back({mesh, 0});
+        const Placement place = placement(extent_of(alone), mesh.bounds().centre());
+        own->second = {place, std::make_unique<BuiltWorld<T>>(alone, place, pool, nullptr, nullptr, false, lanes)};
+    }
+}
+
+template <class T>
+const typename SharedMeshes<T>::OwnWorld* SharedMeshes<T>::find(const Scene& scene, const Primitive& body) const {
+    constexpr double most_uneven = 16;
+    if (!can_be_shared(scene, body)) return nullptr;
+    const auto found = worlds.find(std::get<Mesh>(body.shape).data);
+    if (found == worlds.end()) return nullptr;
+    const World<T>& world = found->second.built->world();
+    const glm::dmat3 m(matrix(body.transformations)), inverse = glm::inverse(m);
+    const auto largest = [](const glm::dmat3& all) {
+        return std::max({length(all[0]), length(all[1]), length(all[2])});
+    };
+    const bool even = largest(m) * largest(inverse) < most_uneven;
+    return even && world.nodes && world.loop_count == 0 ? &found->second : nullptr;
+}
+
+std::int64_t surfaces_apart(const Scene& scene) {
+    ItemCounts counts;
+    for (const Primitive& body : scene.primitives)
+        if (!can_be_shared(scene, body)) count_items<float>(body, counts);
+    return counts.surfaces;
+}
+
+template class SharedMeshes<float>;
+template class SharedMeshes<double>;
+template class SharedMeshes<long double>;
 template void WorldArrays<float>::add_items(const Scene&, const Placement&, ThreadPool&, bool);
 template void WorldArrays<double>::add_items(const Scene&, const Placement&, ThreadPool&, bool);
 template void WorldArrays<long double>::add_items(const Scene&, const Placement&, ThreadPool&, bool);

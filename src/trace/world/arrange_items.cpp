@@ -185,6 +185,7 @@ void WorldArrays<T>::number_bins(ThreadPool& pool) {
         finishes.finished.resize(surfaces);
         world.finishes.finished = finishes.finished.data();
     }
+    constexpr int shared_form = place_of<SharedMeshForm>(Forms{});
     int hierarchy_forms = 0;
     for (int form = 0; form < Forms::size; ++form) {
         const FormItems<T>& own = forms[form];
@@ -202,18 +203,21 @@ void WorldArrays<T>::number_bins(ThreadPool& pool) {
                 if (materials[material].refraction > 0 && !traits[form].listed) few.glass |= body;
                 if (!traits[form].hot) world.few.cold |= body;
                 if (traits[form].convex) world.few.convex |= body;
-                sort_bins.push_back({form, i, traits[form].listed ? -1 : material});
+                sort_bins.push_back({form, i, traits[form].listed || form == shared_form ? -1 : material});
             }
         }
         // The last of several copies of a triangle is the one that surfaces refer to.
         share_out(pool, own.count, own.copied ? own.count : share_items, [&](std::int32_t first, std::int32_t last) {
-            for (std::int32_t i = first; i < last; ++i)
-                for (int face = 0; face < traits[form].faces; ++face) {
+            for (std::int32_t i = first; i < last; ++i) {
+                const int mesh = form == shared_form ? static_cast<int>(own.numbers[i * fields]) : -1;
+                const int faces = mesh < 0 ? traits[form].faces : placed_meshes[mesh].surfaces;
+                for (int face = 0; face < faces; ++face) {
                     const int surface = static_cast<int>(own.numbers[i * fields + fields - 2]) + face;
                     references[1 + surface] = {i, world.bin_per_item ? first_bin + i : first_bin};
                     if (world.finishes.finished)
                         finishes.finished[surface] = !is_plain(static_cast<int>(own.numbers[i * fields + fields - 1]));
                 }
+            }
         });
     }
     if (hierarchy_forms > 1 || forms[place_of<CompositeForm>(Forms{})].count > 0) world.hierarchy_bin = -1;

@@ -265,7 +265,8 @@ WorldArrays<T>::WorldArrays(const WorldArrays& bodies, const Scene& scene, const
       reach(bodies.reach),
       moving(nullptr),
       images(bodies.images),
-      lanes(bodies.lanes) {
+      lanes(bodies.lanes),
+      meshes(bodies.meshes) {
     finishes.groups = bodies.finishes.groups, few.volumes = bodies.few.volumes;
     add_lights(scene, placement);
     if (world.bin_per_item) cull_for_lights();
@@ -294,8 +295,8 @@ void WorldArrays<T>::share(const WorldArrays& other) {
 
 template <class T>
 WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, ThreadPool& pool, MovingHierarchy* moving,
-                            std::shared_ptr<Images> kept, bool proves, int lanes)
-    : moving(moving), images(std::move(kept)), lanes(lanes) {
+                            std::shared_ptr<Images> kept, bool proves, int lanes, const SharedMeshes<T>* meshes)
+    : moving(moving), images(std::move(kept)), lanes(lanes), meshes(meshes) {
     add_materials(scene);
     add_finishes(scene, placement);
     add_patterns(scene, placement, proves);
@@ -374,9 +375,9 @@ WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, Thre
 
 template <class T>
 BuiltWorld<T>::BuiltWorld(const Scene& scene, const Placement& placement, ThreadPool& pool, MovingHierarchy* moving,
-                          const std::shared_ptr<Images>& images, bool proves, int lanes)
+                          const std::shared_ptr<Images>& images, bool proves, int lanes, const SharedMeshes<T>* meshes)
     : arrays(std::make_unique<WorldArrays<T>>(scene, placement, pool, moving,
-                                              images ? images : std::make_shared<Images>(), proves, lanes)) {}
+                                              images ? images : std::make_shared<Images>(), proves, lanes, meshes)) {}
 template <class T>
 BuiltWorld<T>::BuiltWorld(std::shared_ptr<const BuiltWorld> own_bodies, const Scene& scene, const Placement& placement)
     : bodies(own_bodies->bodies ? own_bodies->bodies : std::move(own_bodies)),

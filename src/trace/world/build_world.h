@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <unordered_map>
 #include <vector>
 
 #include "scene/scene.h"
@@ -40,15 +41,19 @@ void check_capacity(std::int64_t surfaces);
 
 template <class T>
 struct WorldArrays;
+template <class T>
+class SharedMeshes;
 
 /// A world and the arrays that it points into.
 template <class T>
 class BuiltWorld {
   public:
     /// `moving` and `images` keep what the same scene has at all moments. For proofs a world in long double is computed
-    /// in long double, see extended_numbers.h. `lanes` are those of the kernel.
+    /// in long double, see extended_numbers.h. `lanes` are those of the kernel. `meshes`, if any, are not made once
+    /// more, and outlive the world.
     BuiltWorld(const Scene& scene, const Placement& placement, ThreadPool& pool, MovingHierarchy* moving = nullptr,
-               const std::shared_ptr<Images>& images = nullptr, bool proves = false, int lanes = 1);
+               const std::shared_ptr<Images>& images = nullptr, bool proves = false, int lanes = 1,
+               const SharedMeshes<T>* meshes = nullptr);
     /// Makes the world of a moment at which no more than the lights differ from those of another world.
     BuiltWorld(std::shared_ptr<const BuiltWorld> bodies, const Scene& scene, const Placement& placement);
     ~BuiltWorld();
@@ -64,5 +69,25 @@ class BuiltWorld {
     const std::shared_ptr<const BuiltWorld> bodies;  // the world that this one differs from in its lights, or null
     std::unique_ptr<WorldArrays<T>> arrays;
 };
+
+/// Meshes that worlds of several moments share, each in a world of its own, in its own coordinates.
+template <class T>
+class SharedMeshes {
+  public:
+    struct OwnWorld {
+        Placement placement;
+        std::unique_ptr<const BuiltWorld<T>> built;
+    };
+    /// Adds the meshes of a scene, but for those that are there. `lanes` are those of the kernel.
+    void add(const Scene& scene, ThreadPool& pool, int lanes);
+    /// Returns the world of a body's mesh; null if the body has to be made as others are: unless it is a large mesh
+    /// that casts whole shadows, placed by a matrix that loses few digits.
+    const OwnWorld* find(const Scene& scene, const Primitive& body) const;
+
+  private:
+    std::unordered_map<std::shared_ptr<const MeshData>, OwnWorld> worlds;
+};
+/// Returns how many surfaces bodies have that worlds do not share.
+std::int64_t surfaces_apart(const Scene& scene);
 
 }  // namespace strahl

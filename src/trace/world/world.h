@@ -13,6 +13,8 @@ namespace strahl {
 struct Node;
 template <class T>
 struct LightBuffer;
+template <class T>
+struct PlacedMesh;
 
 /// Shares and weights above 1, of glass brighter than white or of total reflection, grow no further than this, or in
 /// float they would become infinite and, times 0, NaN.
@@ -288,6 +290,7 @@ struct World {
     const ContourPiece<T>* contour_pieces = nullptr;  // of all contours
     const LumpPiece* lump_pieces = nullptr;           // of all blobs
     const SweepPiece* sweep_pieces = nullptr;         // of all sweeps
+    const PlacedMesh<T>* meshes = nullptr;            // by the number in a shared mesh's kernel
     PatternTables<T> patterns;
     MediumTables<T> media;
     FinishTables<T> finishes;
@@ -308,6 +311,33 @@ struct World {
     bool transparent = false;  // some body lets light through
     bool nested = false;  // transparent bodies overlap, or bumps bend rays back: rays list the bodies that they are in
 };
+
+/// A linear map, and a place to which it moves the origin.
+template <class T>
+struct PlaceMap {
+    Vec3<T> columns[3], offset{0};
+
+    template <class S>
+    STRAHL_INLINE Vec3<S> turn(const Vec3<S>& way) const {
+        return fma(way.x, splat<S>(columns[0]), fma(way.y, splat<S>(columns[1]), scale(way.z, splat<S>(columns[2]))));
+    }
+    template <class S>
+    STRAHL_INLINE Vec3<S> point(const Vec3<S>& p) const {
+        return fma(p.x, splat<S>(columns[0]),
+                   fma(p.y, splat<S>(columns[1]), fma(p.z, splat<S>(columns[2]), splat<S>(offset))));
+    }
+};
+/// A mesh in a world that other worlds share, as it is placed in this one. Its triangle i is surface i there.
+template <class T>
+struct PlacedMesh {
+    World<T> mesh;
+    PlaceMap<T> in, out, normals;    // from this world into that one, back, and of normals but for their length
+    std::int32_t surface, surfaces;  // the first surface in this world, and how many there are
+};
+template <class T>
+STRAHL_INLINE const PlacedMesh<T>& placed_mesh(const World<T>& world, int item) {
+    return world.meshes[static_cast<int>(world.groups.template get<SharedMeshForm>().items[item].shape.number)];
+}
 
 /// A composite by its item.
 template <class T>

@@ -177,15 +177,17 @@ struct WorldArrays {
     std::vector<std::int32_t> copied_materials;  // what materials beyond those of the scene are copies of
     MediumArrays<T> media;
     FinishArrays<T> finishes;
-    double reach = 0;  // the largest coordinate of a bounded body
+    std::vector<PlacedMesh<T>> placed_meshes;  // those of `meshes` that are in this world
+    double reach = 0;                          // the largest coordinate of a bounded body
     int surfaces = 0;
 
     MovingHierarchy* const moving;  // hierarchy of the earlier moments, or nullptr
     const std::shared_ptr<Images> images;
-    const int lanes;  // SIMD lanes of the kernel
+    const int lanes;                      // SIMD lanes of the kernel
+    const SharedMeshes<T>* const meshes;  // or nullptr
 
     WorldArrays(const Scene& scene, const Placement& placement, ThreadPool& pool, MovingHierarchy* moving,
-                std::shared_ptr<Images> kept, bool proves, int lanes);
+                std::shared_ptr<Images> kept, bool proves, int lanes, const SharedMeshes<T>* meshes);
 
     /// Makes a world that differs from another one in its lights alone, whose arrays have to stay.
     WorldArrays(const WorldArrays& bodies, const Scene& scene, const Placement& placement);
@@ -206,6 +208,8 @@ struct WorldArrays {
             shape);
     }
     void add_items(const Scene& scene, const Placement& placement, ThreadPool& pool, bool proves);
+    /// Notes where the meshes are that other worlds have.
+    void place_meshes(const Scene& scene, const Placement& placement);
     // arrange_items.cpp
     void arrange_items(ThreadPool& pool, bool proves);
     std::vector<std::int32_t> cut_boxes(const std::array<std::int32_t, Forms::size + 1>& starts, ThreadPool& pool);

@@ -290,6 +290,128 @@ TEST_CASE("worlds of moments at which lights alone are elsewhere are those of th
     }
 }
 
+/// A bumpy ball of 2 * n * m triangles around `centre`: smooth or not, with places or without.
+MeshData bumpy_ball(Dice& dice, int n, int m, bool smooth, bool places) {
+    MeshData mesh;
+    const double waves = dice.upto(5) + 1, high = dice.in(0, .3);
+    for (int i = 0; i <= n; ++i)
+        for (int j = 0; j < m; ++j) {
+            const double down = std::numbers::pi * i / n, around = 2 * std::numbers::pi * j / m;
+            const double radius = 1 + high * std::sin(waves * around) * std::sin(3 * down) + dice.in(0, .01);
+            mesh.points.push_back(
+                radius * DVec3(std::sin(down) * std::cos(around), std::sin(down) * std::sin(around), std::cos(down)));
+            if (smooth) mesh.normals.push_back(dice.in(.5, 2) * (mesh.points.back() + dice.arrow(0, .2)));
+            if (places) mesh.places.push_back({6. * j / m, 4. * i / n});
+        }
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < m; ++j) {
+            const int a = i * m + j, b = i * m + (j + 1) % m;
+            mesh.triangles.push_back({a, a + m, b}), mesh.triangles.push_back({b, a + m, b + m});
+        }
+    if (smooth) mesh.corner_normals = mesh.triangles;
+    return mesh;
+}
+/// The triangles of a mesh from `first` to before `last`.
+Mesh stretch_of(const MeshData& whole, int first, int last) {
+    MeshData part = whole;
+    for (auto* const all : {&part.triangles, &part.corner_normals})
+        if (!all->empty()) *all = {all->begin() + first, all->begin() + last};
+    Mesh mesh;
+    mesh.data = std::make_shared<const MeshData>(std::move(part));
+    return mesh;
+}
+/// A random world with bumpy balls of 5,000 triangles that fly, turn and are mirrored and stretched, whole or in
+/// halves, and some of the camera's time. Halves are small enough for each moment to have triangles of its own.
+Scene flying_mesh(int seed, bool whole) {
+    Dice dice(seed);
+    Scene scene = random_scene(seed, {.lights = seed % 2 == 1, .patterns = seed % 3 == 0, .any_kind = .5});
+    if (seed % 4 == 1) scene.settings.passed_over = 1e-4;
+    for (int i = 0; i < (seed % 3 == 2 ? 70 : 0); ++i)  // so many that there is a hierarchy
+        scene.primitives.push_back({Sphere{dice.vector(-4, 4), dice.in(.05, .2)}, 0});
+    const std::string plain =
+        "mesh { triangle { <0,0,0>, <1,0,0>, <0,1,0>  uv_vectors <0,0>, <1,0>, <0,1> }  material { rgb ";
+    const Scene looks = language::parse(language::eye + plain + "<.9, .5, .2>  specular .7  pow 30 } }" +  //
+                                        plain + "checker { <1, 1, 1>, <.1, .3, .1>  map uv  scale .5 } } }" + plain +
+                                        "<.2, .3, .4>  reflection .5  bump noise { height .05  map uv  scale .2 } } }" +
+                                        plain + "checker { <1, 1, 1>, <.1, .3, .1>  scale .3 }  reflection .1 } }");
+    for (int body = 0; body < 1 + seed % 2; ++body) {
+        const MeshData mesh = bumpy_ball(dice, 50, 50, dice.chance(.5), dice.chance(.7));
+        std::vector<Transformation> steps;
+        steps.emplace_back(Scale{{dice.in(.5, 1.5), dice.in(.5, 1.5), dice.chance(.5) ? -1. : 1.}});
+        Motion motion;
+        for (int i = 0; i < 3; ++i) motion.keys.push_back({double(i), dice.vector(-1.5, 1.5), dice.vector(-180, 180)});
+        if (body == 0) steps.emplace_back(motion);  // the other one stands still
+        const int material = static_cast<int>(scene.materials.size());
+        scene.materials.push_back(looks.materials[dice.upto(3)]);
+        if (dice.chance(.4)) scene.materials.back().inside = .2;  // another look from inside
+        const int size = static_cast<int>(mesh.triangles.size()), half = size / 2;
+        if (whole) scene.primitives.push_back({stretch_of(mesh, 0, size), material, steps});
+        if (!whole) scene.primitives.push_back({stretch_of(mesh, 0, half), material, steps});
+        if (!whole) scene.primitives.push_back({stretch_of(mesh, half, size), material, steps});
+    }
+    scene.camera.shutter = dice.in(.2, 1);
+    return scene;
+}
+
+TEST_CASE("a mesh that moments share looks as if each moment had made it anew") {
+    std::size_t shown = 0, all = 0;
+    for (int seed = 1; seed <= (sanitized() ? 2 : 12); ++seed) {
+        CAPTURE(seed);
+        const Scene scene = flying_mesh(seed, true), halves = flying_mesh(seed, false);
+        Scene without = scene;
+        std::erase_if(without.primitives,
+                      [](const Primitive& body) { return std::holds_alternative<Mesh>(body.shape); });
+        const View view = view_of(halves, .8, sanitized() ? 16 : 48, sanitized() ? 12 : 36);  // has fewer moments
+        const auto seen = [&](const Scene& own, Precision precision) {
+            ThreadPool pool(2);
+            Tracer tracer(own, precision);
+            return values_of(tracer, view, whole(view), pool, {.grid = 3});
+        };
+        for (const Precision precision : {Precision::float64, Precision::float32}) {
+            CAPTURE(int(precision));
+            const bool fine = precision == Precision::float64;
+            const std::vector<double> own = seen(scene, precision), wanted = seen(halves, precision);
+            // Rounding lets single rays pass edges, bumps and borders of patterns on another side.
+            std::size_t off = 0;
+            double sum = 0;
+            for (std::size_t i = 0; i < own.size(); ++i) {
+                const double wrong = std::abs(own[i] - wanted[i]);
+                off += wrong > (fine ? 1e-9 : 1e-3), sum += wrong;
+            }
+            CHECK(double(off) / own.size() < (fine ? .001 : .01));
+            CHECK(sum / own.size() < (fine ? 1e-6 : 1e-4));
+            if (fine) continue;
+            const std::vector<double> empty = seen(without, precision);
+            for (std::size_t i = 0; i < own.size(); ++i) shown += std::abs(own[i] - empty[i]) > .01, ++all;
+        }
+    }
+    CHECK(double(shown) > .2 * double(all));
+}
+
+TEST_CASE("worlds of moments hold large opaque meshes once") {
+    const Scene scene = flying_mesh(3, true);  // with two of them
+    ThreadPool pool(2);
+    SharedMeshes<double> meshes;
+    meshes.add(scene, pool, 1);
+    const Placement place = placement(extent_of(scene), scene.camera.position);
+    const auto meshes_of = [&](const Scene& own) {
+        const BuiltWorld<double> built(own, place, pool, nullptr, nullptr, false, 1, &meshes);
+        const World<double>& world = built.world();
+        int count = 0;
+        world.groups.each([&](const auto& group) {
+            using Form = typename std::remove_cvref_t<decltype(group)>::Form;
+            if (Form::compact && !Form::hot) count += group.count;
+        });
+        return std::pair(count / 5000, world.groups.get<SharedMeshForm>().count);
+    };
+    CHECK((meshes_of(at(scene, .3)) == std::pair(0, 2)));
+    Scene clear = scene, flat = scene;
+    clear.materials[clear.primitives.back().material].refraction = .5;
+    CHECK((meshes_of(clear) == std::pair(1, 1)));
+    flat.primitives.back().transformations.emplace_back(Scale{{1, 1, 1e-3}});
+    CHECK((meshes_of(flat) == std::pair(1, 1)));
+}
+
 TEST_CASE("moments share the arrays of what stands still") {
     std::string text =
         "camera { position <0,-9,4> look_at <0,0,0> up <0,0,-1> fov 20 }\n"
