@@ -13,3 +13,4 @@ set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
 set(ENV{PKG_CONFIG_LIBDIR} ${windows_root}/lib/pkgconfig:/usr/x86_64-w64-mingw32/lib/pkgconfig)
+set(PKG_CONFIG_ARGN --static)  # names what a library needs, too

@@ -11,6 +11,7 @@ endif()
 if(SOUND_FOUND)
   target_sources(strahl_show PRIVATE ${CMAKE_SOURCE_DIR}/src/show/window/with/samples.cpp
                                      ${CMAKE_SOURCE_DIR}/src/show/window/with/sound.cpp)
+  target_compile_definitions(PkgConfig::SOUND INTERFACE STRAHL_OPENAL="$<IF:$<BOOL:${WIN32}>,OpenAL32.dll,libopenal.so.1>")
   target_link_libraries(strahl_show PRIVATE PkgConfig::SOUND)
 else()
   message(STATUS "building without sound, which needs OpenAL and libvorbisfile")

@@ -33,7 +33,7 @@ std::vector<fs::path> shared_folders() {
     return {fs::path(home ? home : "") / "Documents"};
 }
 
-std::vector<fs::path> loaded_libraries() { return {}; }  // all but Windows' own are in the program
+std::vector<fs::path> loaded_libraries() { return {}; }  // for bundles, which are not made here
 
 const char* system_name() { return "Windows"; }
 

@@ -52,6 +52,8 @@ struct Sound::Implementation {
         fault = samples.fault;
         if (!fault.empty() || stop) return;
         peaks = peaks_of(samples);
+        fault = os::Library(STRAHL_OPENAL).fault();  // Windows links it at the first call, which must not fail
+        if (!fault.empty()) return;
         device = ::alcOpenDevice(nullptr);
         context = device ? ::alcCreateContext(device, nullptr) : nullptr;
         if (!context || !::alcMakeContextCurrent(context)) return void(fault = "there is no sound device");
@@ -68,8 +70,7 @@ struct Sound::Implementation {
         worker.cancel();
         if (source) ::alDeleteSources(1, &source);
         if (buffer) ::alDeleteBuffers(1, &buffer);
-        ::alcMakeContextCurrent(nullptr);
-        if (context) ::alcDestroyContext(context);
+        if (context) ::alcMakeContextCurrent(nullptr), ::alcDestroyContext(context);
         if (device) ::alcCloseDevice(device);
     }
 };
