@@ -1,6 +1,7 @@
 #include "trace/kernel/camera_rays.h"
 
 #include <algorithm>
+#include <array>
 
 #include "num/vec_math.h"
 #include "scene/leaves.h"
@@ -79,17 +80,31 @@ void CameraRays<T>::make(const PixelBatch<T>& batch, Workspace<T>& workspace, Ra
         }
         if (!batch.footprints) continue;
         const Real side = batch.footprints->sides[i];
-        const CameraRay<Real> beside[2] = {ray(x + side, y, across, below, eye), ray(x, y + side, across, below, eye)};
+        // How rays change along an axis of the picture, by a side, and not beyond the picture, where rays may turn
+        // round.
+        const auto along = [&](int axis) {
+            const Real at = axis ? y : x, last = (axis ? view.height : view.width) - Real(.5);
+            const Real low = std::max(at - side / 2, Real(-.5)), high = std::min(at + side / 2, last);
+            const auto own_ray = [&](Real to) {
+                return axis ? ray(x, to, across, below, eye) : ray(to, y, across, below, eye);
+            };
+            const CameraRay<Real> first = own_ray(low), second = own_ray(high);
+            const Real per = side / (high - low);
+            return std::array{per * (second.start - first.start), per * (second.way - first.way)};
+        };
         if (rays.cone.width) {
-            const DVec3 down(beside[1].start - own.start), turned(beside[1].way - own.way);
-            rays.cone.width[i] = static_cast<T>(length(down)), rays.cone.spread[i] = static_cast<T>(length(turned));
+            const auto [down, turned] = along(1);
+            rays.cone.width[i] = static_cast<T>(length(DVec3(down)));
+            rays.cone.spread[i] = static_cast<T>(length(DVec3(turned)));
         }
         if (!rays.differentials.loose) continue;
-        for (int k = 0; k < 2; ++k)
+        for (int k = 0; k < 2; ++k) {
+            const auto [start, way] = along(k);
             for (int c = 0; c < 3; ++c) {
-                rays.differentials.place[k][c][i] = static_cast<T>(beside[k].start[c] - own.start[c]);
-                rays.differentials.direction[k][c][i] = static_cast<T>(beside[k].way[c] - own.way[c]);
+                rays.differentials.place[k][c][i] = static_cast<T>(start[c]);
+                rays.differentials.direction[k][c][i] = static_cast<T>(way[c]);
             }
+        }
         rays.differentials.loose[i] = 0;
     }
 }

@@ -189,6 +189,19 @@ TEST_CASE("checks and bricks are known by themselves, not by their colours alone
     }
 }
 
+TEST_CASE("patterns are averaged at the edges of pictures, too, where rays of panoramas turn round") {
+    const Scene scene = parse_scene(
+        "camera { position <0, 0, 1>  look_at <0, 5, 1>  sky <0, 0, 1>  angle 90  panoramic }\n"
+        "light { position <-7, -9, 12>  color <.9, .9, .9> }\n"
+        "plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0>\n"
+        "        material { rgb checker { <.9, .9, .9>, <.1, .1, .1>  scale .07  rotate <0, 0, 25> } } }",
+        "panorama");
+    const View view = view_of(scene, 64, 48);
+    const std::vector<double> ours = whole(scene, view, Sampling{}), exact = whole(scene, view, {.grid = 16});
+    CHECK(rms(ours, exact) < 3);
+    CHECK(rms(cut_out(ours, 64, {0, 47, 64, 1}), cut_out(exact, 64, {0, 47, 64, 1})) < 6);
+}
+
 TEST_CASE("averages depend neither on threads, crops, lanes nor passes") {
     for (const Scene& scene : {read_scene("article"), random_scene(17, {.camera_inside = true})}) {
         const View view = view_of(scene, 75, 61);
