@@ -294,14 +294,25 @@ void LensPixels::trace_nets(std::span<const NetPart> parts, const TraceLensRays&
     for (const NetPart& part : parts) {
         const LensPixel& pixel = pixels[static_cast<std::size_t>(part.pixel)];
         const double x = left + part.pixel % columns - .5, y = top + part.pixel / columns - .5;
-        const auto add = [&](const LensRay& ray, int moment, NetSums& sums, std::uint32_t i) {
-            const std::uint64_t eighth = std::uint64_t(i) * eighths / part.last;
-            rays.add(ray, moment, sums.light[eighth].data());
-            sums.weights[eighth] += ray.weight;
+        double rest = 1;  // the share of rays that meet no target
+        for (const Target& target : pixel.targets) rest -= target.share;
+        std::vector<std::pair<AimedRay, std::uint32_t>> found;  // with the numbers of their points
+        // Adds what was found, so weighted that it counts in the pixel by this share: also in layers, which are
+        // averaged over all rays.
+        const auto add_found = [&](NetSums& sums, double share) {
+            double all = 0;
+            for (const auto& [own, i] : found) all += own.ray.weight;
+            for (auto& [own, i] : found) {
+                if (!pixel.targets.empty()) own.ray.weight *= share * (part.last - part.first) / all;
+                const std::uint64_t eighth = std::uint64_t(i) * eighths / part.last;
+                rays.add(own.ray, own.moment, sums.light[eighth].data());
+                sums.weights[eighth] += own.ray.weight;
+            }
+            found.clear();
         };
         const auto add_own = [&](const LensRay& ray, double time, std::uint32_t i) {
             const int moment = static_cast<int>(time * moments);
-            if (!meets(pixel, pixel.targets.size(), ray, moment)) add(ray, moment, part.sums->own, i);
+            if (!meets(pixel, pixel.targets.size(), ray, moment)) found.push_back({{ray, moment}, i});
         };
         const ScrambledNet net(part.seed);
         for (std::uint32_t i = part.first; i < part.last; ++i) {
@@ -322,12 +333,14 @@ void LensPixels::trace_nets(std::span<const NetPart> parts, const TraceLensRays&
                 add_own(through(u, v, s, t), 0, i);
             }
         }
+        add_found(part.sums->own, rest);
         for (std::size_t k = 0; k < pixel.targets.size(); ++k) {
             const ScrambledNet other(ScrambledNet::mix(part.seed + 8 + static_cast<std::uint32_t>(k)));
             for (std::uint32_t i = part.first; i < part.last; ++i) {
-                const auto [ray, moment] = aimed(part.pixel, k, other.point<5>(i));
-                if (ray.weight > 0) add(ray, moment, part.sums->targets[k], i);
+                const AimedRay ray = aimed(part.pixel, k, other.point<5>(i));
+                if (ray.ray.weight > 0) found.push_back({ray, i});
             }
+            add_found(part.sums->targets[k], pixel.targets[k].share);
         }
         rays.flush_if_many();
     }
