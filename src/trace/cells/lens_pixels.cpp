@@ -176,7 +176,8 @@ void LensPixels::find_targets() {
     }
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         pixels[i].sums.targets.resize(pixels[i].targets.size());
-        for (std::size_t k = 0; k < pixels[i].targets.size(); ++k) measure_share(static_cast<int>(i), k);
+        for (std::size_t k = 0; k < pixels[i].targets.size(); ++k)
+            pixels[i].targets[k].share = share_of(static_cast<int>(i), k, 0);
     }
 }
 
@@ -219,9 +220,9 @@ LensPixels::AimedRay LensPixels::aimed(int number, std::size_t target, const std
 
 /// Finds the share of a target by many places in the pixel, without tracing. The part of a round lens that sees a ball
 /// out of focus from a place is what two discs share; else many places on the lens are tried too.
-void LensPixels::measure_share(int pixel, std::size_t target) {
+double LensPixels::share_of(int pixel, std::size_t target, std::uint32_t seed) const {
     constexpr double root = 1.1347241384015194;  // of x^6 = x + 1 (the sequence R5 of M. Roberts, 2018)
-    Target& own = pixels[static_cast<std::size_t>(pixel)].targets[target];
+    const Target& own = pixels[static_cast<std::size_t>(pixel)].targets[target];
     const auto balls =
         std::span(bright->spots()[static_cast<std::size_t>(own.spot)].seen)
             .subspan(static_cast<std::size_t>(own.first), static_cast<std::size_t>(own.last - own.first));
@@ -236,13 +237,15 @@ void LensPixels::measure_share(int pixel, std::size_t target) {
     };
     const int points = discs ? 2048 : 4096;
     std::array<double, 5> point{.5, .5, .5, .5, .5};
+    for (double& at : point)
+        if (seed > 0) seed = ScrambledNet::mix(seed), at = seed * 0x1p-32;
     double sum = 0;
     for (int i = 0; i < points; ++i) {
         double step = 1;
         for (double& at : point) step /= root, at += step, at -= std::floor(at);
         sum += share_at(point);
     }
-    own.share = sum / points;
+    return sum / points;
 }
 
 std::uint32_t LensPixels::seed_of(int pixel) const {
@@ -294,14 +297,25 @@ void LensPixels::trace_nets(std::span<const NetPart> parts, const TraceLensRays&
     for (const NetPart& part : parts) {
         const LensPixel& pixel = pixels[static_cast<std::size_t>(part.pixel)];
         const double x = left + part.pixel % columns - .5, y = top + part.pixel / columns - .5;
-        const auto add = [&](const LensRay& ray, int moment, NetSums& sums, std::uint32_t i) {
-            const std::uint64_t eighth = std::uint64_t(i) * eighths / part.last;
-            rays.add(ray, moment, sums.light[eighth].data());
-            sums.weights[eighth] += ray.weight;
+        double rest = 1;  // the share of rays that meet no target
+        for (const Target& target : pixel.targets) rest -= target.share;
+        std::vector<std::pair<AimedRay, std::uint32_t>> found;  // with the numbers of their points
+        // Adds what was found, so weighted that it counts in the pixel by this share: also in layers, which are
+        // averaged over all rays.
+        const auto add_found = [&](NetSums& sums, double share) {
+            double all = 0;
+            for (const auto& [own, i] : found) all += own.ray.weight;
+            for (auto& [own, i] : found) {
+                if (!pixel.targets.empty()) own.ray.weight *= share * (part.last - part.first) / all;
+                const std::uint64_t eighth = std::uint64_t(i) * eighths / part.last;
+                rays.add(own.ray, own.moment, sums.light[eighth].data());
+                sums.weights[eighth] += own.ray.weight;
+            }
+            found.clear();
         };
         const auto add_own = [&](const LensRay& ray, double time, std::uint32_t i) {
             const int moment = static_cast<int>(time * moments);
-            if (!meets(pixel, pixel.targets.size(), ray, moment)) add(ray, moment, part.sums->own, i);
+            if (!meets(pixel, pixel.targets.size(), ray, moment)) found.push_back({{ray, moment}, i});
         };
         const ScrambledNet net(part.seed);
         for (std::uint32_t i = part.first; i < part.last; ++i) {
@@ -322,12 +336,14 @@ void LensPixels::trace_nets(std::span<const NetPart> parts, const TraceLensRays&
                 add_own(through(u, v, s, t), 0, i);
             }
         }
+        add_found(part.sums->own, rest);
         for (std::size_t k = 0; k < pixel.targets.size(); ++k) {
             const ScrambledNet other(ScrambledNet::mix(part.seed + 8 + static_cast<std::uint32_t>(k)));
             for (std::uint32_t i = part.first; i < part.last; ++i) {
-                const auto [ray, moment] = aimed(part.pixel, k, other.point<5>(i));
-                if (ray.weight > 0) add(ray, moment, part.sums->targets[k], i);
+                const AimedRay ray = aimed(part.pixel, k, other.point<5>(i));
+                if (ray.ray.weight > 0) found.push_back({ray, i});
             }
+            add_found(part.sums->targets[k], pixel.targets[k].share);
         }
         rays.flush_if_many();
     }
@@ -452,8 +468,14 @@ MeasuredError LensPixels::measured(double chance, const TraceLensRays& trace) co
     trace_nets(parts, trace, true);
     MeasuredError error{.checked = chosen.size()};
     for (std::size_t k = 0; k < chosen.size(); ++k) {
-        const LensLight first = light_of(pixels[chosen[k]], sums[k][0]),
-                        second = light_of(pixels[chosen[k]], sums[k][1]);
+        // The shares of the pixel are not exact: checks have others, so that the estimate contains their errors.
+        LensPixel pixel = pixels[static_cast<std::size_t>(chosen[k])];
+        const auto checked = [&](std::uint32_t half) {
+            for (std::size_t t = 0; t < pixel.targets.size(); ++t)
+                pixel.targets[t].share = share_of(chosen[k], t, seed_of(chosen[k]) + 2 + half);
+            return light_of(pixel, sums[k][half]);
+        };
+        const LensLight first = checked(0), second = checked(1);
         double product = 0;
         for (std::size_t c = 0; c < 3; ++c) {
             const double own = means[std::size_t(3) * chosen[k] + c];

@@ -101,7 +101,8 @@ class LensPixels {
         int moment;
     };
     void find_targets();
-    void measure_share(int pixel, std::size_t target);
+    /// Returns the share of a target. With another seed it is wrong by something else.
+    double share_of(int pixel, std::size_t target, std::uint32_t seed) const;
     /// Returns whether a ray of a pixel meets one of its first targets.
     bool meets(const LensPixel& pixel, std::size_t targets, const LensRay& ray, int moment) const;
     /// Returns the ray to a target of a pixel that belongs to a point of the unit cube. Its weight is 0 if it misses.

@@ -10,6 +10,7 @@
 
 #include "num/thread_pool.h"
 #include "num/vec_math.h"
+#include "tests/referee/dice.h"
 #include "tests/referee/random_scene.h"
 #include "tests/unit/sanitized.h"
 #include "text/parse.h"
@@ -307,6 +308,30 @@ TEST_CASE("unions that are split count as one body, and copies of their material
     for (const int x : {22, 38}) {
         CHECK(all.at("CryptoBody00.R")[10 * 60 + std::size_t(x)] == 2);
         CHECK(all.at("CryptoMaterial00.R")[10 * 60 + std::size_t(x)] == 2);
+    }
+}
+
+TEST_CASE("small bright balls out of focus have their light and what they cover in layers as well") {
+    for (int seed = 0; seed < (sanitized() ? 1 : 6); ++seed) {
+        CAPTURE(seed);
+        Dice dice(seed);
+        Scene scene = scene_of(
+            "camera { position <0,0,0> look_at <0,1,0> up <0,0,-1> fov 4 aperture .1 focus 5 }\n"
+            "global_settings { ambient_light <1,1,1> }  background { color <.1,0,0> }\n"
+            "sphere { <0,20,0>, .1  material { rgb <1,1,1>  ambient 1  diffuse 0  specular 0  reflection 0 } }");
+        const double radius = dice.in(.01, .08), disc = .3;
+        scene.materials[0].ambient = 4 * disc * disc / (radius * radius);
+        scene.primitives[0].shape = Sphere{{dice.in(-.3, .3), 20, dice.in(-.3, .3)}, radius};
+        const View view = view_of(scene, 24, 24);
+        const Sampling sampling{.error = 1. / 510};
+        const Planes parts = planes(scene, view, sampling, {.body = true, .light = true});
+        const std::vector<double> light = plain(scene, view, sampling);
+        for (std::size_t c = 0; c < 3; ++c) check_near(parts.at(rgb[c]), light, c, 1e-4);
+        double most = 0;
+        const std::vector<float>& covered = parts.at("CryptoBody00.G");
+        for (std::size_t i = 0; i < covered.size(); ++i)
+            most = std::max(most, std::abs(covered[i] - light[3 * i + 1] / scene.materials[0].ambient));
+        CHECK(most < 1e-6);
     }
 }
 

@@ -204,6 +204,7 @@ TEST_CASE("small bright balls out of focus become discs that have all their ligh
         CHECK(sum * pixel * pixel == doctest::Approx(light * std::numbers::pi * radius * radius).epsilon(.01));
         if (pentagon) continue;  // whose closed form is its light alone
         CHECK(510 * std::sqrt(squares) < 1.5);
+        CHECK(8 * sampled.error() > std::sqrt(squares));
         wrong += squares, said += sampled.error() * sampled.error();
     }
     CHECK(said > wrong / 3);
