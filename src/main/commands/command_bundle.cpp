@@ -228,7 +228,8 @@ int bundle_command(const BundleOptions& options) try {
     require_own(target);
     const std::vector<fs::path> own_libraries = libraries();
     if (own_libraries.empty())  // the program is all in one file
-        throw UsageError("on Windows there are no bundles: a .zip of strahl.exe, OpenAL32.dll, the scene and its files does");
+        throw UsageError(
+            "on Windows there are no bundles: a .zip of strahl.exe, OpenAL32.dll, the scene and its files does");
     const os::Interrupt interrupt;
     os::NewFolder folder = new_folder(target);
     Collection bundle(folder.path(), interrupt);
