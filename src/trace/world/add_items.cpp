@@ -208,7 +208,7 @@ void SharedMeshes<T>::add(const Scene& scene, ThreadPool& pool, int lanes) {
         if (!is_new) continue;
         Scene alone;
         alone.materials.emplace_back();
-        alone.primitives.push_back({mesh, 0});
+        alone.primitives.emplace_back().shape = mesh;
         const Placement place = placement(extent_of(alone), mesh.bounds().centre());
         own->second = {place, std::make_unique<BuiltWorld<T>>(alone, place, pool, nullptr, nullptr, false, lanes)};
     }
