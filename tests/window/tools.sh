@@ -77,11 +77,11 @@ await 'the last of 2 bodies'
 xdotool key Delete
 await '2 bodies removed'
 await 'the changed text is shown'
+await 'finished'
 
 echo "-- with Shift a ball is dragged onto the floor under the pointer; then moved by a number"
 point 332 136
 await 'chosen: body 1, sphere, line 4'
-await 'finished'
 xdotool mousemove --window "$id" 332 136 keydown Shift_L mousedown 1 mousemove_relative 10 80 mousemove_relative 10 80 \
     mouseup 1 keyup Shift_L
 await 'the changed text is shown'
