@@ -438,8 +438,9 @@ std::optional<FlatPart> CapsuleTree::flat_part(const Tube& tube, const RayBundle
     part.share = polygons.size() == 1 ? largest : area_of_union(polygons);
     glm::dvec2 from = part.places[0];
     for (const int k : {1, 2}) {
-        const auto distance = [&](const auto& end) { return std::hypot(end[0].x - from.x, end[0].y - from.y); };
-        const auto& [end, middle] = *std::ranges::max_element(ends, {}, distance);
+        // Not by std::hypot, whose last bit is another one in each system's library.
+        const auto squared = [&](const auto& end) { return glm::dot(end[0] - from, end[0] - from); };
+        const auto& [end, middle] = *std::ranges::max_element(ends, {}, squared);
         constexpr double inside = .6;  // of the way to the corner: arcs of rings bend by up to .125 of their width
         part.places[k] = middle + inside * (end - middle), from = end;
     }
