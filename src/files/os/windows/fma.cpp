@@ -1,20 +1,22 @@
 // fma() and fmaf() that round once, as their names promise and Linux's do: mingw-w64's round twice. Kernels without
 // packs, or for processors without these instructions, call them.
-#include <immintrin.h>
+#include <type_traits>
 
 namespace {
 
-[[gnu::target("fma")]] double fused(double a, double b, double c) {
-    return _mm_cvtsd_f64(_mm_fmadd_sd(_mm_set_sd(a), _mm_set_sd(b), _mm_set_sd(c)));
-}
-[[gnu::target("fma")]] float fused(float a, float b, float c) {
-    return _mm_cvtss_f32(_mm_fmadd_ss(_mm_set_ss(a), _mm_set_ss(b), _mm_set_ss(c)));
+const bool has_instruction = __builtin_cpu_supports("fma");
+
+template <class T>
+[[gnu::target("fma")]] T fused(T a, T b, T c) {
+    if constexpr (std::is_same_v<T, float>)
+        return __builtin_fmaf(a, b, c);
+    else
+        return __builtin_fma(a, b, c);
 }
 
 /// Where the processor lacks the instruction it rounds to 113 bits first, by which one of some 2^59 results is another.
 template <class T>
 T rounded(T a, T b, T c) {
-    static const bool has_instruction = __builtin_cpu_supports("fma");
     return has_instruction ? fused(a, b, c) : static_cast<T>(static_cast<__float128>(a) * b + c);
 }
 
