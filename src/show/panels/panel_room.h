@@ -26,7 +26,7 @@ class PanelRoom {
     /// Returns those that are open, in the order in which they were opened.
     const std::vector<Panel>& opened() const { return order; }
 
-    /// What a panel covered when it was drawn last; nothing before that.
+    /// Returns what a panel covered when it was drawn last; nothing before that.
     CoveredArea& area(Panel panel) { return areas[std::size_t(panel)]; }
     const CoveredArea& area(Panel panel) const { return areas[std::size_t(panel)]; }
 

@@ -14,9 +14,10 @@
 
 namespace strahl {
 
-/// What a square of the view shows of a plane, in a pattern's space. The point i sides right of its middle and j below,
-/// from -1/2 to 1/2, is middle + (i across + j down) / (1 + i shrink[0] + j shrink[1]): a parallelogram where all of it
-/// is as far away, and else a quadrilateral whose further parts are larger. Means are over the square of the view.
+/// Describes what a square of the view shows of a plane, in a pattern's space. The point i sides right of its middle
+/// and j below, from -1/2 to 1/2, is middle + (i across + j down) / (1 + i shrink[0] + j shrink[1]): a parallelogram
+/// where all of it is as far away, and else a quadrilateral whose further parts are larger. Means are over the square
+/// of the view.
 template <class S>
 struct SeenArea {
     Vec3<S> middle, across, down;

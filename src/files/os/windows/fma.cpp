@@ -14,7 +14,8 @@ template <class T>
         return __builtin_fma(a, b, c);
 }
 
-/// Where the processor lacks the instruction it rounds to 113 bits first, by which one of some 2^59 results is another.
+/// Returns a * b + c, rounded once. Where the processor lacks the instruction, rounds to 113 bits first: one of some
+/// 2^59 results is another number then.
 template <class T>
 T rounded(T a, T b, T c) {
     return has_instruction ? fused(a, b, c) : static_cast<T>(static_cast<__float128>(a) * b + c);
