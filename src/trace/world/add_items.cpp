@@ -187,14 +187,11 @@ void WorldArrays<T>::place_meshes(const Scene& scene, const Placement& placement
         const glm::dmat4 in = glm::inverse(out);
         const glm::dmat3 turn(in);
         const double side = glm::determinant(turn) < 0 ? -1 : 1;
-        PlacedMesh<T>& mesh = placed_meshes.emplace_back(
-            own->built->world(), map_of(in), map_of(out), map_of(glm::dmat4(side * glm::transpose(turn))),
-            static_cast<std::int32_t>(item->surface),
-            static_cast<std::int32_t>(std::get<Mesh>(body.shape).data->triangles.size()));
+        placed_meshes.emplace_back(own->built->world(), map_of(in), map_of(out),
+                                   map_of(glm::dmat4(side * glm::transpose(turn))),
+                                   static_cast<std::int32_t>(item->surface),
+                                   static_cast<std::int32_t>(std::get<Mesh>(body.shape).data->triangles.size()));
         ++item;
-        // Rays that start on it are rounded in this world, and once more on the way into its own.
-        const double size = std::max({length(DVec3(in[0])), length(DVec3(in[1])), length(DVec3(in[2]))});
-        mesh.mesh.rounding += static_cast<T>(4 * size * rounding(reach));
     }
     world.meshes = placed_meshes.data();
 }
