@@ -24,7 +24,7 @@ void draw_help(const KeyMap& keys, const std::string& typed) {
     int columns = 1, lines = 1;
     float scale = .1f;  // at least, in windows where nobody can read it
     for (const int count : {1, 2, 3, 4}) {
-        const int high = (static_cast<int>(all.size()) + count - 1) / count;
+        const int high = (static_cast<int>(all.size()) + 2 * (count - 1)) / count;  // all but the last may lack a line
         const float fits = std::min(inner.x / (static_cast<float>(count) * (name + meaning)),
                                     inner.y / (static_cast<float>(high + 2) * line));
         if (std::min(fits, 1.f) > scale) scale = std::min(fits, 1.f), columns = count, lines = high;
@@ -45,11 +45,14 @@ void draw_help(const KeyMap& keys, const std::string& typed) {
     const ImVec4 accent{.55f, .8f, 1, 1}, quiet{1, 1, 1, .6f}, plain{1, 1, 1, 1};
     put(0, 0, quiet, typed.empty() ? "Type to search; Esc or a click closes this" : "Search: " + typed + "_");
     if (rows.empty()) put(0, 2, plain, "Nothing has this word");
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const int at = static_cast<int>(i);
+    int at = 0;
+    for (const HelpRow& row : rows) {
+        const bool heading = row.meaning.empty();
+        if (heading && at % lines == lines - 1) ++at;  // no column ends with a heading
         const float x = static_cast<float>(at / lines) * (name + meaning), y = static_cast<float>(at % lines + 2);
-        put(x, y, rows[i].meaning.empty() ? quiet : accent, rows[i].keys);
-        if (!rows[i].meaning.empty()) put(x + name, y, plain, rows[i].meaning);
+        put(x, y, heading ? quiet : accent, row.keys);
+        if (!heading) put(x + name, y, plain, row.meaning);
+        ++at;
     }
     ImGui::SetWindowFontScale(1);
     ImGui::End();
