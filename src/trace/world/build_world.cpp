@@ -415,6 +415,31 @@ std::vector<int> BuiltWorld<T>::materials() const {
     return all;
 }
 
+template <class T>
+double BuiltWorld<T>::reach() const {
+    return arrays->reach;
+}
+
+template <class T>
+bool BuiltWorld<T>::lacks_items(const Scene& scene) const {
+    ItemCounts declared;
+    for (const Primitive& primitive : scene.primitives) count_items<T>(primitive, declared);
+    int form = 0;
+    bool lacks = false;
+    world().groups.each([&](const auto& group) { lacks |= group.count != declared.items[form++]; });
+    return lacks;
+}
+
+std::vector<int> primitives_of_surfaces(const Scene& scene) {
+    std::vector<int> all;
+    ItemCounts counts;
+    for (const Primitive& primitive : scene.primitives) {
+        count_items<float>(primitive, counts);
+        all.resize(static_cast<std::size_t>(counts.surfaces), static_cast<int>(&primitive - scene.primitives.data()));
+    }
+    return all;
+}
+
 std::int64_t surfaces_of(const Scene& scene) {
     ItemCounts counts;
     for (const Primitive& primitive : scene.primitives) count_items<float>(primitive, counts);
