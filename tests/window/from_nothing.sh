@@ -44,17 +44,6 @@ add() {
     point "$2" "$3"
     await 'chosen'
 }
-# type_at X Y TEXT: types it into a field, after a click with Ctrl, at once: the window keeps the order of events.
-type_at() {
-    xdotool mousemove --window "$id" "$1" "$2" keydown Control_L click 1 keyup Control_L
-    xdotool type --delay 1 -- "$3"
-    xdotool key Return
-}
-# change X Y TEXT: types it into a field for a number of the text.
-change() {
-    type_at "$@"
-    await 'the changed text is shown'
-}
 # color Y RED GREEN BLUE: types a colour.
 color() {
     change 754 "$1" "$2"
