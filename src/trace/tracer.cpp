@@ -436,7 +436,7 @@ class TracerOf : public AnyTracer {
     std::shared_ptr<const CapsuleTree> capsules;  // of it, made when first needed
     std::optional<KeptWorld> kept;
     MovingHierarchy moving, moving_moments;
-    SharedMeshes<T> meshes;  // of the worlds of moments
+    SharedMeshes<T> meshes;  // which the worlds of a shutter's moments share
     const std::shared_ptr<Images> images = std::make_shared<Images>();
     Kernel<T> kernel, proving;  // none of float proves
     BrightSpots spots;          // of the moments of a shutter, or through a lens

@@ -91,7 +91,7 @@ constexpr std::array<FormTraits, sizeof...(F)> traits_of(FormList<F...>) {
 /// The items of a form as plain numbers, one item after the other, so that code which moves them is compiled once.
 template <class T>
 struct FormItems {
-    std::shared_ptr<T[]> numbers, columns;  // perhaps those of another moment
+    std::shared_ptr<T[]> numbers, columns;  // shared with the world of another moment where they are equal
     ItemBox* boxes = nullptr;               // boxes of all items, until the items are in order
     int count = 0, in_hierarchy = 0;
     bool copied = false;  // are some in the hierarchy several times?
