@@ -9,11 +9,6 @@ set -uo pipefail
 source "$(dirname -- "$0")/window.sh"
 own_display 640x400 "import convert" "$@"
 
-# drag X Y DX DY: drags from there, in two steps.
-drag() {
-    xdotool mousemove --window "$id" "$1" "$2" mousedown 1
-    xdotool mousemove_relative -- "$3" "$4" mousemove_relative -- "$3" "$4" mouseup 1
-}
 # has_color COLOR: puts the place in the middle of the upper edge of this colour, left of the panel, into x and y.
 has_color() {
     local found width

@@ -103,8 +103,13 @@ shows_other() { becomes differs "$1" || fault "the window still shows $1"; }
 # still FILE ARGUMENT...: renders what the window should show.
 still() { "$strahl" render scene.rt -o "$1" --precision float --quiet "${@:2}" || fault "render $*"; }
 
-# point X Y: clicks there.
-point() { xdotool mousemove --window "$id" "$1" "$2" click 1; }
+# point X Y [BUTTON]: clicks there with this button, or the left one.
+point() { xdotool mousemove --window "$id" "$1" "$2" click "${3-1}"; }
+# drag X Y DX DY: drags from there, in two steps.
+drag() {
+    xdotool mousemove --window "$id" "$1" "$2" mousedown 1
+    xdotool mousemove_relative -- "$3" "$4" mousemove_relative -- "$3" "$4" mouseup 1
+}
 # type_at X Y TEXT: types it into a field, after a click with Ctrl, at once: the window keeps the order of events.
 type_at() {
     xdotool mousemove --window "$id" "$1" "$2" keydown Control_L click 1 keyup Control_L
