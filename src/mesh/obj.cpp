@@ -213,7 +213,7 @@ void ObjReader::read_corner(std::string_view word, const Words& words) {
     face.normals.push_back(other(index[2], mesh.normals.size(), normals, "normal"));
 }
 
-/// An index as one from 0. Indices count from 1, or back from the last that was given, which is -1.
+/// Returns an index that counts from 0. In the file indices count from 1, or back from the newest element, which is -1.
 std::int32_t ObjReader::resolved(std::int64_t index, std::size_t all, std::size_t so_far, const char* noun,
                                  const Words& words) const {
     if (index > 0 && static_cast<std::uint64_t>(index) <= all) return static_cast<std::int32_t>(index - 1);

@@ -15,7 +15,7 @@ namespace strahl {
 /// A sentence about parts of a file that are not read as they stand: `did`, the number of `noun`s, `rest`.
 struct Loss {
     const char *did, *noun, *rest;
-    bool operator==(const Loss&) const = default;  // they are the same constants
+    bool operator==(const Loss&) const = default;  // compares pointers: each sentence is one constant
 };
 
 /// Counts losses for warnings, as in "skipped 3 faces of fewer than three corners (first in line 12)".

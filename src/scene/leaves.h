@@ -98,7 +98,7 @@ void for_each_leaf_within(const Primitive& composite, const Visit& visit, const 
          {glm::dmat4(1), similarity(composite.transformations), composite.transformations, composite.transformations});
 }
 
-/// The ways of all leaves.
+/// Returns the ways of a composite's leaves, in the order declared.
 inline std::vector<LeafWay> ways_of(const Primitive& composite) {
     std::vector<LeafWay> ways;
     for_each_leaf_within(

@@ -20,7 +20,7 @@ void each_motion(const Primitive& primitive, const Visit& visit) {
     each_part(primitive, [&](const Primitive& part) { each_motion(part, visit); });
 }
 
-/// Sets `now`, a copy of `moving`, to a time: steps(transformations, moving ones) sets the former.
+/// Moves a body and its parts. `now` is a copy of `moving`; steps(now, moving) sets its transformations by those.
 template <class Steps>
 void move(Primitive& now, const Primitive& moving, const Steps& steps) {
     steps(now.transformations, moving.transformations);

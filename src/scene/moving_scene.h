@@ -53,7 +53,7 @@ Camera own_camera_at(const Scene& scene, double time, const std::vector<Track>* 
 /// The flythrough of a scene; if it does not loop it lasts until the last key of motions and tracks. If only something
 /// else moves: a flythrough without keys, on which the camera is free. Nothing if nothing moves.
 std::optional<Flythrough> flight_of(const Scene& scene);
-/// The same for the scene in `file`. Throws UsageError if nothing moves, which `option` needs.
+/// Returns flight_of(scene). Throws UsageError if nothing moves: `option` needs a scene that moves, and `file` is none.
 Flythrough flight_for(const char* option, const Scene& scene, const std::string& file);
 
 }  // namespace strahl

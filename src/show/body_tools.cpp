@@ -31,7 +31,7 @@ void BodyTools::loaded(const Loaded& scene) {
     else
         reload(scene.text);
     handles.let_go();
-    if (!on_its_way) awaited = {};
+    if (!on_its_way) awaited.reset();
     good = scene.text;
     bodies.take_lines(scene.lines, scene.text);
     if (bodies.edited.changed()) return show_anew();  // there may be other bodies than in the file
@@ -202,9 +202,10 @@ std::optional<ChangedBody> BodyTools::changed_body() const {
     return ChangedBody{session.scene, bodies.number(), body.context, text.substr(begin, body.block_end - begin)};
 }
 
-/// Shows a text in which there may be more bodies and lights, or fewer.
-void BodyTools::show_anew() {
-    handles.let_go(), awaited.scene = true;
+/// Shows a text in which there may be more bodies and lights, or fewer. `next` is what to choose then.
+void BodyTools::show_anew(std::optional<NextChoice> next, bool undone) {
+    handles.let_go();
+    awaited = {std::move(next), undone, awaited ? awaited->later : std::nullopt};
     file.show(bodies.edited.text());
     pace.redraw(3);
 }
@@ -213,8 +214,7 @@ bool BodyTools::undo(bool back) {
     if (bodies.edited.next_step(back, session.edits) <= session.next_step(back)) return false;
     const auto what = bodies.edited.undo(back, session.edits);
     notes.note((back ? "undone: " : "redone: ") + what.value_or(""));
-    awaited.next.reset(), awaited.undone = true;
-    show_anew();
+    show_anew({}, true);
     return true;
 }
 
@@ -240,7 +240,7 @@ bool BodyTools::end_adding() {
 
 /// Adds what the user has chosen from the list at a point of the view's picture.
 void BodyTools::add(const View& view, const glm::dvec2& point) {
-    if (awaited.scene) return;
+    if (awaited) return;
     const NewBlock& block = *std::exchange(to_add, nullptr);
     const bool light = block.what == TopBlock::light;
     const StandingPlace place = standing_place(scene_seen(view), view, point.x, point.y, hidden());
@@ -248,18 +248,17 @@ void BodyTools::add(const View& view, const glm::dvec2& point) {
     bodies.edited.change(
         with_new_block(bodies.edited.text(), block, count, place.point, place.normal, place.size, place.decimals),
         {session.edits, std::string(block.name) + " added"});
-    awaited.next = {block.what, {count}, place.point};
     if (light && !marks) marks.emplace();
     notes.announce(std::string(block.name) + " added: drag its handles; " + notes.key(Action::write_path) +
                    " writes it into the file");
-    show_anew();
+    show_anew(NextChoice{block.what, {count}, place.point});
 }
 
 /// Brings the point of the view's picture into focus. A camera without a lens gets one, by which what is twice as far
 /// is blurred over about a thirtieth of the picture's width. Where the text is read only, the window's camera alone
 /// gets it.
 void BodyTools::focus_on(const View& view, const glm::dvec2& point) {
-    if (awaited.scene) return;
+    if (awaited) return;
     to_focus = false;
     const StandingPlace place = standing_place(scene_seen(view), view, point.x, point.y, hidden());
     DVec3 sharp;
@@ -312,7 +311,7 @@ bool BodyTools::step_back() {
 /// Copies or removes what is chosen. False if nothing is chosen.
 bool BodyTools::change_block(bool copies) {
     if (!bodies.any()) return false;
-    if (awaited.scene) return awaited.later = copies, true;
+    if (awaited) return awaited->later = copies, true;
     if (bodies.block()) return notes.note("every scene has a camera and a background"), true;
     if (bodies.read_only()) return note_editor(), true;
     const bool light = bodies.light().has_value();
@@ -328,12 +327,10 @@ bool BodyTools::change_block(bool copies) {
         text = std::move(newer);
     }
     bodies.edited.change(text, {session.edits, name + (copies ? " copied" : " removed")});
-    awaited.next.reset();
     for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] += static_cast<int>(i) + 1;
-    if (copies) awaited.next = {what, std::move(numbers)};
     notes.announce(copies ? name + " copied; the copy is in the same place: drag its handles"
                           : name + " removed; " + notes.key(Action::undo) + " brings it back");
-    show_anew();
+    show_anew(copies ? std::optional(NextChoice{what, std::move(numbers)}) : std::nullopt);
     return true;
 }
 
@@ -354,7 +351,7 @@ void BodyTools::change_handles(std::optional<HandleMode> mode) {
 }
 
 void BodyTools::approach(const View& view) {
-    if (!bodies.choice() || awaited.scene)
+    if (!bodies.choice() || awaited)
         return notes.note("click a body first; " + notes.key(Action::approach) + " then moves the camera to it");
     const Box box = bounds_of(scene_seen(view), bodies.bodies());
     if (!std::isfinite(length(box.high - box.low))) return notes.note("this body has no end");
@@ -385,8 +382,8 @@ void BodyTools::open_text(const Message& message) {
 void BodyTools::take_shown() {
     auto shown = file.take_shown();
     if (!shown) return;
-    const bool newest = shown->text == bodies.edited.text();
-    if (shown->scene) {
+    const bool newest = shown->text == bodies.edited.text(), right = shown->scene != nullptr;
+    if (right) {
         // One that was read before the path was written would bring the old path back; the next one follows.
         if (shown->scene->flythrough == session.scene->flythrough) {
             const bool other_bodies = shown->scene->primitives.size() != session.scene->primitives.size() ||
@@ -394,21 +391,22 @@ void BodyTools::take_shown() {
             session.replace(std::move(shown->scene), false);
             good = shown->text;
             bodies.take_lines(std::move(shown->lines), good);
-            if (other_bodies && !awaited.next) bodies.close();
+            if (other_bodies && !(awaited && awaited->next)) bodies.close();
         }
     } else if (newest) {
         notes.fail(shown->fault.substr(0, shown->fault.find('\n')));
         bodies.edited.change(good, {session.edits, "change with an error", true});
-        handles.let_go(), awaited.next.reset();
+        handles.let_go();
     }
+    Awaited due;
     if (newest) {
         to_log.emplace_back("the changed text is shown");
-        if (std::exchange(awaited.undone, false)) bodies.find_point(*session.scene);
-        awaited.scene = false;
-        if (const auto chosen = std::exchange(awaited.next, std::nullopt)) choose(*chosen), log_choice();
+        due = std::exchange(awaited, std::nullopt).value_or(Awaited());
+        if (due.undone) bodies.find_point(*session.scene);
+        if (due.next && right) choose(*due.next), log_choice();
     }
-    if (!awaited.scene) bodies.look(*session.scene);
-    if (!awaited.scene && awaited.later) change_block(*std::exchange(awaited.later, std::nullopt));
+    if (!awaited) bodies.look(*session.scene);
+    if (due.later) change_block(*due.later);
     pace.redraw();
 }
 
@@ -417,17 +415,17 @@ void BodyTools::follow(const View& view, double scale) {
     drag_on(view);
     if (marks) marks = light_marks(scene_seen(view), view);
     handles.hide();
-    if ((bodies.choice() || bodies.light()) && !bodies.read_only() && !awaited.scene)
+    if ((bodies.choice() || bodies.light()) && !bodies.read_only() && !awaited)
         handles.place(scene_seen(view), view, scale);
     if (!bodies.choice())
         silhouette.drop();
-    else if (!pace.moving() && !awaited.scene)
+    else if (!pace.moving() && !awaited)
         silhouette.want(session.scene, bodies.bodies(), view);
     if (silhouette.take()) pace.redraw();
 }
 
 void BodyTools::hold(const glm::dvec2& point, double reach) {
-    if (!points_at(point, reach) || awaited.scene) return;
+    if (!points_at(point, reach) || awaited) return;
     if (const std::string why = handles.hold(point); !why.empty()) notes.note(why);
 }
 

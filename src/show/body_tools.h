@@ -112,20 +112,19 @@ class BodyTools {
         std::vector<int> numbers;
         std::optional<DVec3> added_at{};  // where it was added
     };
-    /// Says what follows once the scene of a text with other bodies is read; until then nothing is changed.
+    /// Says what follows once the scene of a text with other bodies is read.
     struct Awaited {
-        bool scene = false;              // is the scene being read again?
-        bool undone = false;             // what was chosen may be elsewhere then
-        std::optional<NextChoice> next;  // what to choose once the change is shown
-        std::optional<bool> later;       // what is chosen is copied (true) or removed then
+        std::optional<NextChoice> next{};  // what to choose
+        bool undone = false;               // finds the point chosen again, which may be elsewhere
+        std::optional<bool> later{};       // copies (true) or removes what is chosen
     };
     const Scene& scene_seen(const View& view) { return moment.at(session.scene, view); }
-    bool changing() const { return awaited.scene || handles.held(); }
+    bool changing() const { return awaited || handles.held(); }
     bool follow_track(const BodyInput::NewTrack& track);
     void reload(const std::string& text);
     void note_editor();
     void show();
-    void show_anew();
+    void show_anew(std::optional<NextChoice> next = {}, bool undone = false);
     void add(const View& view, const glm::dvec2& point);
     void focus_on(const View& view, const glm::dvec2& point);
     void choose(const NextChoice& chosen);
@@ -148,8 +147,8 @@ class BodyTools {
     std::optional<PlacedBodies> placed;  // the bodies that numbers move, as they were before
     DVec3 placed_about{0};               // the point about which these turn them
     SceneMoment moment;
-    std::string good;  // the last text that was shown
-    Awaited awaited;
+    std::string good;                  // the last text that was shown
+    std::optional<Awaited> awaited;    // while such a scene is read; until then nothing is changed
     const NewBlock* to_add = nullptr;  // block that the next click adds
     bool to_focus = false;             // the next click chooses what is sharp
     std::optional<LightMarks> marks;   // if lights are shown

@@ -53,36 +53,7 @@ Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::unique_ptr<Reload
       session(scene_to_show(first), o.depth),
       screen(window_title(first.path, keys.keys), window_size(o, *session.scene), !o.size, o.full_screen, !o.benchmark),
       panels(pace, o.play, o.scene.empty()),
-      input(screen, session, panels, pace, keys.keys, o.play,
-            {.perform = [this](Command command) { perform(command); },
-             .draw = [this] { draw(); },
-             .browse =
-                 [this](int key) {
-                     if (leaving.asking()) {
-                         const Leaving::Decision given = Leaving::answer_of(key);
-                         return answer(given), given != Leaving::Decision::none;
-                     }
-                     if (key != GLFW_KEY_ESCAPE || file.waiting()) return chooser.key(key);
-                     return perform({Action::gallery}), true;
-                 },
-             .turn_wheel = [this](double n, bool speed) { notes.tell(session.turn_wheel(n, speed, pace.now())); },
-             .drop =
-                 [this](std::string path) {
-                     const bool sound = !panels.gallery && std::filesystem::path(path).extension() == ".ogg";
-                     sound ? take_sound(path) : chooser.open(std::move(path));
-                 },
-             .click = [this](double x, double y, bool adds) { click(x, y, adds); },
-             .points_at = [this](double x, double y) { return points_at(x, y); },
-             .hold = [this](double x, double y) { bodies.hold(in_picture(x, y), screen.pixels_to_reach()); },
-             .pull =
-                 [this](Hold what, double x, double y, Snap snap) {
-                     if (what == Hold::divider)
-                         side.pull(screen.area(), x);
-                     else
-                         bodies.pull(in_picture(x, y), snap);
-                 },
-             .let_go =
-                 [this] { bodies.let_go(session.view(std::max(screen.width(), 1), std::max(screen.height(), 1))); }}),
+      input(screen, session, panels, pace, keys.keys, o.play, handlers()),
       picture(o.threads, notes, pace, glfwPostEmptyEvent),
       recordings(options, notes, pace, glfwPostEmptyEvent),
       file(first, error_is_final(o), std::move(reload), notes, pace, glfwPostEmptyEvent),
@@ -100,6 +71,34 @@ Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::unique_ptr<Reload
     for (const std::string& warning : first.warnings) notes.announce(warning);
     if (first.scene) bodies.loaded(first), side.loaded(first), chooser.opened(first.path);
     if (!file.waiting()) playback.start_scene();
+}
+
+/// Says what events of the window do.
+InputHandlers Viewer::handlers() {
+    InputHandlers all;
+    all.perform = [this](Command command) { perform(command); };
+    all.draw = [this] { draw(); };
+    all.browse = [this](int key) {
+        if (leaving.asking()) {
+            const Leaving::Decision given = Leaving::answer_of(key);
+            return answer(given), given != Leaving::Decision::none;
+        }
+        if (key != GLFW_KEY_ESCAPE || file.waiting()) return chooser.key(key);
+        return perform({Action::gallery}), true;
+    };
+    all.turn_wheel = [this](double n, bool speed) { notes.tell(session.turn_wheel(n, speed, pace.now())); };
+    all.drop = [this](std::string path) {
+        const bool sound = !panels.gallery && std::filesystem::path(path).extension() == ".ogg";
+        sound ? take_sound(path) : chooser.open(std::move(path));
+    };
+    all.click = [this](double x, double y, bool adds) { click(x, y, adds); };
+    all.points_at = [this](double x, double y) { return points_at(x, y); };
+    all.hold = [this](double x, double y) { bodies.hold(in_picture(x, y), screen.pixels_to_reach()); };
+    all.pull = [this](Hold what, double x, double y, Snap snap) {
+        what == Hold::divider ? side.pull(screen.area(), x) : bodies.pull(in_picture(x, y), snap);
+    };
+    all.let_go = [this] { bodies.let_go(session.view(std::max(screen.width(), 1), std::max(screen.height(), 1))); };
+    return all;
 }
 
 void Viewer::perform(Command command) {

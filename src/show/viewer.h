@@ -41,6 +41,7 @@ class Viewer {
     int run(const std::atomic<bool>& interrupted);
 
   private:
+    InputHandlers handlers();
     void perform(Command command);
     void back();
     void write();

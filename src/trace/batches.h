@@ -88,8 +88,8 @@ class Batches {
             for (int c = 0; c < 3; ++c) rgb[3 * i + c] = finite<To>(workspace.sums[i].rgb[c]);
     }
 
-    /// Traces rays of a lens. Those of a batch that was stopped get no values. Layers, if any, are those of the pixels
-    /// of a tile, unless it is null.
+    /// Traces rays of a lens. Those of a batch that was stopped get no values. With `layered`, the tile that the rays
+    /// belong to, fills its layers as well.
     void trace_lens(std::span<const LensRay> rays, std::span<LensLight> light, const Lattice* layered) {
         workspace.lens_x.resize(scattered_pixels), workspace.lens_y.resize(scattered_pixels);
         for (std::size_t done = 0; done < rays.size() && !limits.stopped(); done += scattered_pixels) {

@@ -21,10 +21,10 @@
 #include "trace/lights/light_buffer.h"
 #include "trace/proof/slack.h"
 #include "trace/scene_in_time.h"
+#include "trace/world/build_world.h"
 #include "trace/world/light_bound.h"
 #include "trace/world/mip_maps.h"
 #include "trace/world/split_unions.h"
-#include "trace/world/world_arrays.h"
 
 namespace strahl {
 
@@ -79,15 +79,12 @@ class TracerOf : public AnyTracer {
 
     void prepare(const View& view, ThreadPool& pool) override {
         const bool moved = in_time.set(view.time, view.tracks, pool);
-        if (moved) extent = extent_of(scene());
+        if (moved) extent = extent_of(scene()), capsules.reset();
         const Placement wanted = placement(extent, view.camera.position);
-        if (built && wanted == placed && !moved && (proves == view.prove || std::is_same_v<T, float>)) return;
-        light_buffers.reset(), traced_pixels = 0;
-        known.reset(), moments.clear();
-        if (moved) capsules.reset();
-        built.reset(), slack.reset(), bound.reset();
-        placed = wanted, proves = view.prove;
-        built = build(pool, &moving, nullptr);
+        const bool serves = kept && (kept->proves == view.prove || std::is_same_v<T, float>);
+        if (serves && wanted == kept->placed && !moved) return;
+        kept.reset();  // before the next one takes memory
+        kept.emplace(wanted, view.prove, build(wanted, view.prove, pool, &moving, nullptr));
     }
 
     Counts trace(const Job& job, const TracedPixels& pixels) override {
@@ -114,6 +111,22 @@ class TracerOf : public AnyTracer {
         Eye<T> eye;
         std::optional<CameraRays<T>> rays;
         ProvingLimits<T> limits;
+    };
+
+    /// A world, and what was made for it when that was first needed.
+    struct KeptWorld {
+        KeptWorld(const Placement& placed, bool proves, std::shared_ptr<const BuiltWorld<T>> built)
+            : placed(placed), proves(proves), built(std::move(built)) {}
+        const Placement placed;
+        const bool proves;  // is it one for proofs?
+        const std::shared_ptr<const BuiltWorld<T>> built;
+        std::optional<Slack<T>> slack;  // of its bodies
+        std::optional<KnownEye> known;
+        std::optional<Bound> bound;     // of the scene's light, for as many generations as were last asked for
+        std::deque<ReadyView> moments;  // of a shutter and, last, the time of the view
+        View moments_of;                // the view whose moments these are
+        std::unique_ptr<LightBuffers<T>> light_buffers;  // made when they are worth it
+        std::int64_t traced_pixels = 0;
     };
 
     /// Traces a piece of a picture in the thread whose number is given.
@@ -154,7 +167,7 @@ class TracerOf : public AnyTracer {
         const double few = 8. * job.pool.size(), all = double(lattice.columns) * lattice.rows;
         while (side > lattice_tile && all < few * side * side) side /= 2;
         const auto trace = [&](Batches<T>& batches, const Lattice& tile, int thread) {
-            batches.trace_filled(tile, filled, thin, placed.scale, lattice_cells[thread]);
+            batches.trace_filled(tile, filled, thin, kept->placed.scale, lattice_cells[thread]);
         };
         return each_tile(job, lattice, side, filled.contrast, trace, filled.side);
     }
@@ -208,7 +221,7 @@ class TracerOf : public AnyTracer {
                 i, pass.finest, job,
                 [&](int x, int y, std::span<const Point> points, double side, CellSample* samples) {
                     const Counts before = batches.counts;
-                    batches.trace_points(x, y, placed.scale, points, side, samples);
+                    batches.trace_points(x, y, kept->placed.scale, points, side, samples);
                     if (side > 0) batches.counts = before;  // a check is no part of the picture
                 },
                 [&](int moment, std::span<const LensRay> rays, std::span<LensLight> light, bool check) {
@@ -246,55 +259,56 @@ class TracerOf : public AnyTracer {
             workspaces.push_back(std::make_unique<Workspace<T>>());
 
         // Kept with the world: to look at thousands of materials takes longer than to trace some pixels.
-        if (!bound || bound->depth != job.view.depth) bound = bound_for(scene(), job.view.depth);
-        if (!known || known->camera != job.view.camera) known = eye_of_camera(job.view.camera, *built);
+        KeptWorld& own = *kept;
+        if (!own.bound || own.bound->depth != job.view.depth) own.bound = bound_for(scene(), job.view.depth);
+        if (!own.known || own.known->camera != job.view.camera) own.known = eye_of_camera(job.view.camera, *own.built);
         ReadyView now;
-        make_ready(now, job.view, built, *known, *bound, way == RayPlaces::nets);
+        make_ready(now, job.view, own.built, *own.known, *own.bound, way == RayPlaces::nets);
         World<T>& world = now.world;
-        traced_pixels += std::int64_t(tiles) * lattice_tile * lattice_tile;
-        if (!light_buffers && LightBuffers<T>::pay(world, traced_pixels, job.view.prove))
-            light_buffers = std::make_unique<LightBuffers<T>>(world, pool, job.view.prove);
-        if (light_buffers) world.light_buffers = light_buffers->buffers();
+        own.traced_pixels += std::int64_t(tiles) * lattice_tile * lattice_tile;
+        if (!own.light_buffers && LightBuffers<T>::pay(world, own.traced_pixels, job.view.prove))
+            own.light_buffers = std::make_unique<LightBuffers<T>>(world, pool, job.view.prove);
+        if (own.light_buffers) world.light_buffers = own.light_buffers->buffers();
         if (means) world.patterns.mip_maps = images->mip_maps();
         world.patterns.quick = side > 0;
         const bool filters =
             side > 0 ? world.patterns.has_quick_means : means && (world.patterns.list || world.patterns.sky);
         now.limits.noticed = static_cast<T>(noticed);
-        if (job.view.prove) now.limits.slack = slack_for(now.view, world, bound->gain);
+        if (job.view.prove) now.limits.slack = slack_for(now.view, world, own.bound->gain);
         const bool in_time_too = way != RayPlaces::single && job.view.moments;
         if (in_time_too) prepare_moments(job);
         const auto set_limits = [&](ReadyView& ready) {
             ready.limits.queue = std::min(job.queue, batch_rays), ready.limits.stop = job.stop;
         };
         set_limits(now);
-        std::ranges::for_each(moments, set_limits);
+        std::ranges::for_each(own.moments, set_limits);
         const std::shared_ptr<const LayerTables> tables = job.view.layers.any() ? layer_tables() : nullptr;
         std::atomic<int> next{0};
         std::vector<Counts> counts(pool.size());
         const auto take = [&](int thread) {
             Workspace<T>& workspace = *workspaces[thread];
             const auto eye_in = [&](const ReadyView& ready) {
-                Eye<T> own = ready.eye;
+                Eye<T> eye = ready.eye;
                 int list = 0;
                 for (const int body : ready.bodies) list = push(workspace.mediums, list, body);
-                own.medium = static_cast<T>(list);
-                return own;
+                eye.medium = static_cast<T>(list);
+                return eye;
             };
-            const Eye<T> own = eye_in(now);
+            const Eye<T> eye = eye_in(now);
             const bool prove = job.view.prove;
             std::optional<LayerTile> layered;
             if (tables) layered.emplace(job.view.layers, tables);
             LayerTile* const layers = layered ? &*layered : nullptr;
-            Batches<T> batches(world, prove ? proving : kernel, own, now.limits, workspace, prove, filters, side,
-                               placed, layers);
+            Batches<T> batches(world, prove ? proving : kernel, eye, now.limits, workspace, prove, filters, side,
+                               own.placed, layers);
             std::vector<Eye<T>> eyes;
             std::vector<Batches<T>> others;
-            eyes.reserve(moments.size()), others.reserve(moments.size());
+            eyes.reserve(own.moments.size()), others.reserve(own.moments.size());
             if (in_time_too)
-                for (const ReadyView& ready : moments) {
+                for (const ReadyView& ready : own.moments) {
                     eyes.push_back(eye_in(ready));
                     others.emplace_back(ready.world, kernel, eyes.back(), ready.limits, workspace, false, false, 0,
-                                        placed, layers);
+                                        own.placed, layers);
                 }
             batches.moments = others;
             batches.halves = halves_of(job.view);
@@ -315,9 +329,10 @@ class TracerOf : public AnyTracer {
         return sum;
     }
 
-    std::shared_ptr<BuiltWorld<T>> build(ThreadPool& pool, MovingHierarchy* kept, const SharedMeshes<T>* shared) {
-        return std::make_shared<BuiltWorld<T>>(scene(), placed, pool, in_time.moves() ? kept : nullptr, images, proves,
-                                               kernel.lanes, shared);
+    std::shared_ptr<BuiltWorld<T>> build(const Placement& placed, bool proves, ThreadPool& pool,
+                                         MovingHierarchy* hierarchy, const SharedMeshes<T>* shared) {
+        return std::make_shared<BuiltWorld<T>>(scene(), placed, pool, in_time.moves() ? hierarchy : nullptr, images,
+                                               proves, kernel.lanes, shared);
     }
 
     /// Makes a view of the scene as it is now ready, if there are nets with rays all over a lens.
@@ -326,9 +341,9 @@ class TracerOf : public AnyTracer {
         ready.view = view, ready.view.camera.position = eye.eye;
         ready.built = std::move(world), ready.bodies = eye.bodies;
         for (const double most : light.brightest) ready.brightest.push_back(upper<T>(most));
-        ready.eye = eye_of<T>(ready.view, placed);
+        ready.eye = eye_of<T>(ready.view, kept->placed);
         if ((nets && has_lens(view.camera)) || !in_perspective(view.camera))
-            ready.rays.emplace(scene(), ready.view, *ready.built, placed);
+            ready.rays.emplace(scene(), ready.view, *ready.built, kept->placed);
         if (ready.rays) ready.eye.rays = &*ready.rays;
         ready.world = ready.built->world(), ready.world.eye = ready.eye.position;
         ready.limits = {{.depth = view.depth,
@@ -342,37 +357,37 @@ class TracerOf : public AnyTracer {
     /// the next is shared.
     void prepare_moments(const Job& job) {
         const View& view = job.view;
-        if (!moments.empty() && moments_of == view) return;
-        moments.clear(), spots.begin(view.moments->size());
+        if (!kept->moments.empty() && kept->moments_of == view) return;
+        kept->moments.clear(), spots.begin(view.moments->size());
         // The system may promise more than it has, and end the program when the worlds fill it.
         constexpr double bytes_of_surface = 220;  // in a world: of a triangle, measured
         const double bytes_of_world = in_time.moves() ? bytes_of_surface * double(surfaces_apart(scene())) : 0;
-        std::shared_ptr<const BuiltWorld<T>> world = built;
-        Bound light = *bound;
+        std::shared_ptr<const BuiltWorld<T>> world = kept->built;
+        Bound light = *kept->bound;
         const auto add = [&](const Shot& moment) {
             using Changed = SceneInTime::Changed;
             const Changed changed = in_time.change(moment.time, view.tracks, job.pool);
             if (changed == Changed::places_of_lights)
-                world = std::make_shared<const BuiltWorld<T>>(world, scene(), placed);
+                world = std::make_shared<const BuiltWorld<T>>(world, scene(), kept->placed);
             if (changed == Changed::more) {
                 if (bytes_of_world > os::available_memory()) throw std::bad_alloc();
                 meshes.add(scene(), job.pool, kernel.lanes);
-                const std::shared_ptr<BuiltWorld<T>> own = build(job.pool, &moving_moments, &meshes);
+                const auto own = build(kept->placed, kept->proves, job.pool, &moving_moments, &meshes);
                 own->share(*world);
                 world = own;
             }
             if (changed != Changed::nothing) light = bound_for(scene(), view.depth);
             View own = view;
             own.camera = moment.camera, own.time = moment.time;
-            make_ready(moments.emplace_back(), own, world, eye_of_camera(own.camera, *world), light, true);
+            make_ready(kept->moments.emplace_back(), own, world, eye_of_camera(own.camera, *world), light, true);
             spots.add(scene(), own);
         };
         for (const Shot& moment : *view.moments)
             if (!job.stopped()) add(moment);
         in_time.set(view.time, view.tracks, job.pool);
-        if (job.stopped()) return moments.clear();
-        make_ready(moments.emplace_back(), view, built, *known, *bound, true);
-        moments_of = spots_of = view;
+        if (job.stopped()) return kept->moments.clear();
+        make_ready(kept->moments.emplace_back(), view, kept->built, *kept->known, *kept->bound, true);
+        kept->moments_of = spots_of = view;
     }
 
     KnownEye eye_of_camera(const Camera& camera, const BuiltWorld<T>& world) const {
@@ -388,16 +403,18 @@ class TracerOf : public AnyTracer {
     Slack<T> slack_for(const View& view, const World<T>& world, double gain) {
         Slack<T> all;
         if constexpr (!std::is_same_v<T, float>) {
+            std::optional<Slack<T>>& slack = kept->slack;
             if (!slack) {
-                slack = slack_of<T>(scene(), placed);
-                if (lacks_items(world)) slack->share = slack->turn = slack->plane = slack->culled = HUGE_VAL;
+                slack = slack_of<T>(scene(), kept->placed);
+                if (kept->built->lacks_items(scene()))
+                    slack->share = slack->turn = slack->plane = slack->culled = HUGE_VAL;
             }
             all = *slack;
-            add_eye(all, view, placed);
+            add_eye(all, view, kept->placed);
         }
         all.medium = !world.nested || knows_medium(scene(), view.camera.position);
         all.gain = static_cast<T>(gain);
-        all.reach = world.rounding / static_cast<T>(WorldArrays<T>::rounding(1));
+        all.reach = static_cast<T>(kept->built->reach());
         return all;
     }
 
@@ -406,46 +423,24 @@ class TracerOf : public AnyTracer {
         const auto declared_as = [](const std::vector<int>& all, std::size_t i) {
             return i < all.size() ? all[i] : static_cast<int>(i);
         };
-        ItemCounts counts;
-        for (std::size_t i = 0; i < scene().primitives.size(); ++i) {
-            count_items<T>(scene().primitives[i], counts);
-            tables->bodies.resize(static_cast<std::size_t>(counts.surfaces), declared_as(declared.bodies, i));
-        }
-        for (const int material : built->materials())
+        for (const int primitive : primitives_of_surfaces(scene()))
+            tables->bodies.push_back(declared_as(declared.bodies, static_cast<std::size_t>(primitive)));
+        for (const int material : kept->built->materials())
             tables->materials.push_back(declared_as(declared.materials, static_cast<std::size_t>(material)));
         for (std::size_t i = 0; i < scene().lights.size(); ++i)
             tables->lights.insert(tables->lights.end(), points_of(scene().lights[i]), static_cast<int>(i));
         return tables;
     }
 
-    /// Returns whether bodies were left out whose numbers in T are those of another, which may differ in the scene.
-    bool lacks_items(const World<T>& world) const {
-        ItemCounts declared;
-        for (const Primitive& primitive : scene().primitives) count_items<T>(primitive, declared);
-        int form = 0;
-        bool lacks = false;
-        world.groups.each([&](const auto& group) { lacks |= group.count != declared.items[form++]; });
-        return lacks;
-    }
-
-    Extent extent;
+    Extent extent;                                // of the scene as it is now
+    std::shared_ptr<const CapsuleTree> capsules;  // of it, made when first needed
+    std::optional<KeptWorld> kept;
     MovingHierarchy moving, moving_moments;
-    SharedMeshes<T> meshes;  // of the worlds of moments
+    SharedMeshes<T> meshes;  // which the worlds of a shutter's moments share
     const std::shared_ptr<Images> images = std::make_shared<Images>();
-    Kernel<T> kernel, proving;      // none of float proves
-    std::optional<Slack<T>> slack;  // of the world's bodies; made when proofs first need it
-    std::optional<KnownEye> known;
-    std::optional<Bound> bound;  // of the scene's light, for as many generations as were last asked for
-    Placement placed;
-    bool proves = false;  // is the world one for proofs?
-    std::shared_ptr<const BuiltWorld<T>> built;
-    std::deque<ReadyView> moments;  // of a shutter and, last, the time of the view
-    View moments_of;                // the view whose moments these are
-    BrightSpots spots;              // of these moments, or through a lens
+    Kernel<T> kernel, proving;  // none of float proves
+    BrightSpots spots;          // of the moments of a shutter, or through a lens
     View spots_of;
-    std::unique_ptr<LightBuffers<T>> light_buffers;  // made when they are worth it
-    std::int64_t traced_pixels = 0;                  // in this world
-    std::shared_ptr<const CapsuleTree> capsules;     // made when first needed
     std::vector<std::unique_ptr<Workspace<T>>> workspaces;
     std::vector<LatticeCells> lattice_cells;  // one for each thread
 };

@@ -11,21 +11,21 @@ own_display 800x400 "import compare convert povray" "$@"
 export TMPDIR=$work/temporary
 mkdir "$TMPDIR"
 
-# part X: part.png is a part of the window's picture from this column on.
+# part X: part.png is a part of the window's picture, shot.png, from this column on.
 part() {
-    import -window "$id" shot.png
     convert shot.png -crop "40x100+$1+0" +repage part.png
 }
-# black X: waits until that part is black but for some pixels on edges.
-black() {
-    local i bright
-    for ((i = 0; i < 60; ++i)); do
-        part "$1"
-        bright=$(convert part.png -threshold 12% -format '%[fx:mean*w*h]' info:)
-        ((${bright%.*} < 40)) && return
-        sleep 0.25
-    done
-    fault "at $1 $bright pixels are not black"
+# is_black X: is that part black but for some pixels on edges?
+is_black() {
+    part "$1"
+    bright=$(convert part.png -threshold 12% -format '%[fx:mean*w*h]' info:)
+    ((${bright%.*} < 40))
+}
+black() { becomes is_black "$1" || fault "at $1 $bright pixels are not black"; }
+# is_divided: does the window differ from first.png in the line, and in some pixels on edges?
+is_divided() {
+    different=$(compare -metric AE -fuzz 10% shot.png first.png null: 2>&1)
+    ((different > 150 && different < 600))
 }
 
 echo "-- POV-Ray's picture at the right, and the difference"
@@ -40,13 +40,7 @@ await 'at the right: POV-Ray'
 await 'smooth edges follow'
 await 'second picture: POV-Ray, '
 [[ ${line#*POV-Ray, } == [0-9]' pixels'* ]] || fault "the pictures differ: $line"
-for ((i = 0; i < 20; ++i)); do
-    import -window "$id" shot.png
-    different=$(compare -metric AE -fuzz 10% shot.png first.png null: 2>&1)
-    ((different > 150 && different < 600)) && break # the line, and some pixels on edges
-    sleep 0.25
-done
-((different > 150 && different < 600)) || fault "$different pixels differ from Strahl's picture"
+becomes is_divided || fault "$different pixels differ from Strahl's picture"
 xdotool key shift+g
 await '16 times the difference'
 black 100
@@ -57,6 +51,7 @@ black 30
 xdotool mousemove --window "$id" 20 60 mousedown 1 mousemove_relative 90 0 mouseup 1 key c
 await 'camera copied'
 await 'look_at <0, 0, 0>'
+import -window "$id" shot.png
 part 30
 cmp -s <(convert part.png rgb:-) <(convert first.png -crop 40x100+30+0 +repage rgb:-) ||
     fault "left of the divider is not Strahl's picture"

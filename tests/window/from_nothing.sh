@@ -33,10 +33,6 @@ shot_gallery() {
     await 'the gallery shows all its pictures'
     import -window "$id" "$1.png"
 }
-# point X Y [BUTTON]: clicks there with this button, or the left one.
-point() {
-    xdotool mousemove --window "$id" "$1" "$2" click "${3-1}"
-}
 # add ROW X Y: adds what this row of the list has where the view is clicked.
 add() {
     xdotool key ctrl+a
@@ -44,27 +40,16 @@ add() {
     point "$2" "$3"
     await 'chosen'
 }
-# type_at X Y TEXT: types it into a field, after a click with Ctrl, at once: the window keeps the order of events.
-type_at() {
-    xdotool mousemove --window "$id" "$1" "$2" keydown Control_L click 1 keyup Control_L
-    xdotool type --delay 1 -- "$3"
-    xdotool key Return
-}
-# change X Y TEXT: types it into a field for a number of the text.
-change() {
-    type_at "$@"
-    await 'the changed text is shown'
-}
 # color Y RED GREEN BLUE: types a colour.
 color() {
     change 754 "$1" "$2"
     change 808 "$1" "$3"
     change 861 "$1" "$4"
 }
-# drag X Y DX DY: drags from there, in two steps and by round distances.
-drag() {
-    xdotool mousemove --window "$id" "$1" "$2" mousedown 1 keydown Control_L
-    xdotool mousemove_relative -- "$3" "$4" mousemove_relative -- "$3" "$4" mouseup 1
+# drag_round X Y DX DY: drags by round distances.
+drag_round() {
+    xdotool keydown Control_L
+    drag "$@"
     xdotool keyup Control_L
     await 'the changed text is shown'
 }
@@ -98,7 +83,7 @@ await 'finished'
 echo "-- a ball: added, made larger, lifted by its arrow, and red"
 add 0 430 470
 change 820 124 1.2
-drag 429 358 0 -29
+drag_round 429 358 0 -29
 color 202 .85 .12 .1
 change 820 228 .25
 shot 2

@@ -166,16 +166,11 @@ await 'makes no more stills'
 quit
 
 echo "-- size and place are remembered"
-# placed: waits until the window has the size and place of this test.
-placed() {
-    local i geometry
-    for ((i = 0; i < 200; ++i)); do
-        geometry=$(xdotool getwindowgeometry --shell "$id" | tr '\n' ' ')
-        [[ $geometry == *'X=30 Y=40 WIDTH=200 HEIGHT=160 '* ]] && return
-        sleep 0.05
-    done
-    fault "the window is not where it was: $geometry"
+is_placed() {
+    geometry=$(xdotool getwindowgeometry --shell "$id" | tr '\n' ' ')
+    [[ $geometry == *'X=30 Y=40 WIDTH=200 HEIGHT=160 '* ]]
 }
+placed() { becomes is_placed || fault "the window is not where it was: $geometry"; }
 start scene.rt --depth 2
 xdotool windowsize "$id" 200 160 windowmove "$id" 30 40
 placed

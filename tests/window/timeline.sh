@@ -22,20 +22,14 @@ cmp first.rt scene.rt~ || fault "the copy is not the file as it was"
 [[ $(diff first.rt scene.rt | grep -c '^<') == 0 ]] || fault "more than a block was added: $(diff first.rt scene.rt)"
 cp scene.rt second.rt
 
-# find COLOR LINE: waits for this colour in the lower part of the window, and puts the first ('1') or the rightmost
-# place ('$') that has it into x and y.
-find() {
-    local i
-    x=
-    for ((i = 0; i < 60; ++i)); do
-        import -window "$id" shot.png
-        read -r x y < <(convert shot.png -crop 640x170+0+230 +repage txt:- |
-            sed -n "s/^\([0-9]*\),\([0-9]*\):.*#$1.*/\1 \2/p" | if [[ $2 == 1 ]]; then cat; else sort -n; fi | sed -n "$2p")
-        [[ -n ${x-} ]] && y=$((y + 230)) && return
-        sleep 0.1
-    done
-    fault "nothing on the timeline has the colour $1"
+# has_color COLOR LINE: puts the first ('1') or the rightmost place ('$') in the lower part of the window that has this
+# colour into x and y.
+has_color() {
+    read -r x y < <(convert shot.png -crop 640x170+0+230 +repage txt:- |
+        sed -n "s/^\([0-9]*\),\([0-9]*\):.*#$1.*/\1 \2/p" | if [[ $2 == 1 ]]; then cat; else sort -n; fi | sed -n "$2p")
+    [[ -n $x ]] && y=$((y + 230))
 }
+find() { becomes has_color "$1" "$2" || fault "nothing on the timeline has the colour $1"; }
 # find_key: puts the place of the second key's right corner into x and y.
 find_key() {
     xdotool key Home

@@ -72,44 +72,62 @@ await() {
     return 1
 }
 
-different_pixels() { compare -metric AE "$1" "$2" null: 2>&1; }
-
-# shows FILE: after a while (notes disappear after some seconds) the window shows exactly this picture.
-shows() {
+# becomes COMMAND...: makes pictures of the window, each shot.png, until the command succeeds with one of them. Fails
+# after 15 seconds: notes have disappeared by then.
+becomes() {
     local i
     for ((i = 0; i < 60; ++i)); do
         import -window "$id" shot.png
-        [[ $(different_pixels shot.png "$1") == 0 ]] && return
+        "$@" && return
         sleep 0.25
     done
-    fault "the window does not show $1: $(different_pixels shot.png "$1") pixels differ"
+    return 1
+}
+
+different_pixels() { compare -metric AE "$1" "$2" null: 2>&1; }
+# differs FILE: puts into $different how many pixels of shot.png differ from this picture. Fails if none does.
+differs() {
+    different=$(different_pixels shot.png "$1")
+    [[ $different != 0 ]]
+}
+is_same() { ! differs "$1"; }
+
+# shows FILE: after a while the window shows exactly this picture.
+shows() {
+    becomes is_same "$1" && return
+    fault "the window does not show $1: $different pixels differ"
     [[ -n ${STRAHL_KEEP-} ]] && cp shot.png "$1" "$STRAHL_KEEP"
 }
-shows_other() {
-    local i
-    for ((i = 0; i < 60; ++i)); do
-        import -window "$id" shot.png
-        [[ $(different_pixels shot.png "$1") != 0 ]] && return
-        sleep 0.25
-    done
-    fault "the window still shows $1"
-}
+shows_other() { becomes differs "$1" || fault "the window still shows $1"; }
 
 # still FILE ARGUMENT...: renders what the window should show.
 still() { "$strahl" render scene.rt -o "$1" --precision float --quiet "${@:2}" || fault "render $*"; }
 
-# point X Y: clicks there.
-point() { xdotool mousemove --window "$id" "$1" "$2" click 1; }
-# change X Y TEXT: types it into a field for a number of the text.
-change() {
+# point X Y [BUTTON]: clicks there with this button, or the left one.
+point() { xdotool mousemove --window "$id" "$1" "$2" click "${3-1}"; }
+# drag X Y DX DY: drags from there, in two steps.
+drag() {
+    xdotool mousemove --window "$id" "$1" "$2" mousedown 1
+    xdotool mousemove_relative -- "$3" "$4" mousemove_relative -- "$3" "$4" mouseup 1
+}
+# type_at X Y TEXT: types it into a field, after a click with Ctrl, at once: the window keeps the order of events.
+type_at() {
     xdotool mousemove --window "$id" "$1" "$2" keydown Control_L click 1 keyup Control_L
     xdotool type --delay 1 -- "$3"
     xdotool key Return
+}
+# change X Y TEXT: types it into a field for a number of the text.
+change() {
+    type_at "$@"
     await 'the changed text is shown'
 }
 # writes PATTERN: F2 writes a file with a line that matches.
 writes() {
     xdotool key F2
+    written "$1"
+}
+# written PATTERN: a file with a line that matches is written.
+written() {
     await 'written into'
     grep -qE -e "$1" scene.rt || fault "no line has '$1': $(<scene.rt)"
 }

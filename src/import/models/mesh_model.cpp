@@ -103,7 +103,7 @@ std::vector<std::pair<MtlMaterial, std::string>> read_libraries(const MeshLook& 
     return list;
 }
 
-/// Sets the materials of the look's names; the last is that of what has none.
+/// Adds a material for each name that the look has, and last the one for what has no name.
 void add_materials(const MeshLook& look, const ReadPixels& read_pixels, Model& model) {
     namespace fs = std::filesystem;
     const auto libraries = read_libraries(look, model);

@@ -49,7 +49,7 @@ void reflect_as_glass(Material& material);
 
 /// Returns the linear light of an sRGB-encoded value from 0 to 1 (IEC 61966-2-1).
 double linear_light(double encoded);
-/// Returns that of each channel, at most 1e9, the brightest that a scene can have.
+/// Returns the linear light of a colour's channels: at most 1e9, as a scene cannot have brighter ones.
 Color linear_light(const Color& encoded);
 
 }  // namespace strahl

@@ -13,7 +13,7 @@
 namespace strahl {
 namespace {
 
-/// "1, 4 and 7 of 16".
+/// Returns numbers in words: "1, 4 and 7 of 16".
 std::string in_words(const std::set<int>& parts, int all) {
     std::string words;
     for (auto part = parts.begin(); part != parts.end(); ++part) {

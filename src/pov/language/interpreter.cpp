@@ -32,7 +32,6 @@ Interpreter::Interpreter(std::string text, InterpreterOptions options, SceneLaye
     state->names.find("frame_number", state->frame_number);
     state->names.find("image_width", state->image_width), state->names.find("image_height", state->image_height);
     state->files.push_back(std::make_unique<TextFile>(o.file, std::move(text), state->names));
-    state->paths.push_back(o.file);
     state->push_file(0, {});
 }
 
@@ -269,7 +268,7 @@ std::shared_ptr<const FunctionThing> Interpreter::read_function(std::array<int, 
 std::string Interpreter::find_file(const std::string& name, const std::vector<std::string>& extensions, bool must) {
     return state->find(name, extensions, must);
 }
-const std::vector<std::string>& Interpreter::files() const { return state->paths; }
+const std::vector<std::string>& Interpreter::files() const { return state->search.paths(); }
 
 TextPlace Interpreter::place() {
     state->code();

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "num/lattice_noise.h"
+#include "pov/language/file_search.h"
 #include "pov/language/interpreter.h"
 #include "pov/language/symbols.h"
 #include "pov/language/text_file.h"
@@ -237,11 +238,10 @@ struct Interpreter::State {
 
     NamePool names;
     Symbols symbols;
+    FileSearch search{options.file, options.library};
     std::vector<std::unique_ptr<TextFile>> files;
     std::unordered_map<std::string, std::uint32_t> file_numbers;
     std::map<std::string, std::shared_ptr<std::ostringstream>> kept_files;  // that the scene has written
-    std::unordered_map<std::string, std::string> found_files;               // by their names and extensions
-    std::vector<std::string> paths;                                         // of all files that were read or found
     std::vector<Reading> readings;
     std::vector<Control> controls;
     std::vector<OpenBlock> blocks;

@@ -11,9 +11,9 @@ namespace strahl::pov {
 struct Symbol {
     NamedValue value;
     Symbol* outer = nullptr;   // the entry of the same name below it
-    Symbol* target = nullptr;  // of a parameter that is another identifier: that one
-    NamedValue element;        // of a parameter that is an element of an array: the array, as `thing`
-    std::size_t index = 0;     // and the element's number
+    Symbol* target = nullptr;  // where a macro was called with an identifier for this parameter: that identifier
+    NamedValue element;        // where it was called with an element of an array: the array, as `thing`,
+    std::size_t index = 0;     // and the number of the element
     std::uint32_t name = 0;
     int table = 0;
     int users = 1;  // its table, and the parameters that refer to it

@@ -73,8 +73,8 @@ struct StringThing : Thing {
 /// The value of an identifier or of an element of an array.
 struct NamedValue {
     ValueKind kind = ValueKind::none;
-    std::array<double, 5> number{};      // of kinds number to color
-    std::shared_ptr<const Thing> thing;  // of all other kinds
+    std::array<double, 5> number{};      // the components, of the kinds from number to color
+    std::shared_ptr<const Thing> thing;  // the value, of all other kinds
 };
 
 /// An array. Its elements may be arrays themselves.

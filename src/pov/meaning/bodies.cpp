@@ -607,7 +607,7 @@ std::optional<SceneMaker::Part> SceneMaker::build_parts(const ObjectThing& objec
             part.reset();
         }
         if (!part && !unites && !(object.kind == ObjectKind::subtract && !first && each->thin)) {
-            // Without that part more would be seen of the others.
+            // An intersection without this part would be larger, and a difference without its first part another body.
             if (!each->thin) notes.left_out(object.place, "a body that a part is missing of");
             return std::nullopt;
         }
@@ -631,7 +631,7 @@ std::optional<SceneMaker::Part> SceneMaker::build_parts(const ObjectThing& objec
     if (object.kind == ObjectKind::unite && !within.merges) keep_surfaces(whole, around, turns, object.place);
     if (within.shared->number)
         whole.material = *within.shared->number;
-    else  // no part uses it; it is that of the first leaf, but for patterns
+    else  // all parts have materials of their own: the composite gets that of the first one, without its patterns
         whole.material = materials.within(materials.without_patterns(first_leaf(whole).material), within.space,
                                           within.hollow && !contents.fogs.empty());
     if (const char* const fault = fault_of(whole.shape)) {

@@ -51,15 +51,17 @@ bool holds_more(const Blend& blend, int& left) {
 }
 
 /// Returns a texture for a pattern of textures: their pigments in the pattern, with the finish and the normal of the
-/// one that it shows most. That is the same if they differ in their pigments only.
-std::shared_ptr<const LayerValues> without_blend(const LayerValues& layer, const NoteTaker& notes) {
+/// one that it shows most. That is the same if they differ in their pigments only; approximated(place, text) is called
+/// for what is not the same.
+std::shared_ptr<const LayerValues> without_blend(const LayerValues& layer, const NoteTaker& notes,
+                                                 const auto& approximated) {
     const std::shared_ptr<const LayerValues> itself(std::shared_ptr<void>(), &layer);
     if (layer.blend.ignored == word("material_map"))
         notes.left_out(layer.place, "all textures of a material_map but the first");
     if (const FilterColor& own = layer.pigment.color; !layer.pigment.blend && own.filter + own.transmit < 0)
-        notes.approximated(layer.place, "filter and transmit below 0: such a surface takes no light from behind it");
+        approximated(layer.place, "filter and transmit below 0: such a surface takes no light from behind it");
     if (int left = 4096; holds_more(layer.blend, left)) {
-        notes.approximated(layer.blend.place, "a pattern of thousands of textures is not shown");
+        approximated(layer.blend.place, "a pattern of thousands of textures is not shown");
         return itself;
     }
     if (!layer.blend || !layer.blend.map || layer.blend.map->entries.empty()) return itself;
@@ -72,20 +74,32 @@ std::shared_ptr<const LayerValues> without_blend(const LayerValues& layer, const
         const auto* const texture = dynamic_cast<const TextureThing*>(entry.thing.get());
         if (!texture) return itself;
         if (texture->layers.size() > 1)
-            notes.approximated(layer.blend.place, "of layers in a pattern of textures the uppermost is shown");
-        parts.push_back(without_blend(texture->layers.back(), notes));
+            approximated(layer.blend.place, "of layers in a pattern of textures the uppermost is shown");
+        parts.push_back(without_blend(texture->layers.back(), notes, approximated));
         entry.thing = std::make_shared<PigmentThing>(parts.back()->pigment);
         const double before = i > 0 ? pigments->entries[i - 1].at : 0;
         const double own = (i + 1 < pigments->entries.size() ? pigments->entries[i + 1].at : 1) - before;
         if (own > width) width = own, most = i;
     }
     if (!std::ranges::all_of(parts, [&](const auto& part) { return same_finish(*part, *parts[most]); }))
-        notes.approximated(layer.blend.place, "the finish of a pattern of textures is that of one of them");
+        approximated(layer.blend.place, "the finish of a pattern of textures is that of one of them");
     auto own = std::make_shared<LayerValues>(*parts[most]);
     append(own->normal.blend.steps, layer.blend.steps);
     own->pigment.blend = layer.blend;
     own->pigment.blend.map = std::move(pigments);
     return own;
+}
+
+/// Calls tell(is_negative, text) for each number of a finish that may be below 0, where POV-Ray takes away light or
+/// lights more, and scene text cannot.
+void each_negative(const FinishThing& finish, const Color& ambient_light, const auto& tell) {
+    const auto negative = [](const Color& c) { return std::min({c.x, c.y, c.z}) < 0; };
+    tell(negative(finish.ambient + finish.emission / max(ambient_light, Color(1e-9))),
+         "ambient light or emission below 0 is 0");
+    tell((finish.diffuse > 0 || finish.diffuse_behind > 0) && finish.brilliance < 0, "brilliance below 0 is 0");
+    tell(negative(finish.reflection.least) || negative(finish.reflection.most), "reflection below 0 is 0");
+    tell(finish.phong > 0 && finish.phong_size < 0, "phong_size below 0 is 0");
+    tell(finish.specular > 0 && finish.roughness < 0, "roughness below 0 is 1e-9");
 }
 
 /// A texture that patterns of textures show: its layers, the lowest first, in the space of the outermost pattern.
@@ -346,33 +360,13 @@ int MaterialMaker::apart(int number) {
     return materials.number(own);
 }
 
-/// Tells which numbers of a finish are below 0, where POV-Ray takes away light or lights more, and scene text cannot.
-void MaterialMaker::tell_negative(const FinishThing& finish) const {
-    const auto approximated = [&](double least, const char* text) {
-        if (least < 0) notes.approximated(finish.place, text);
-    };
-    const auto least_of = [](const Color& c) { return std::min({c.x, c.y, c.z}); };
-    approximated(least_of(finish.ambient + finish.emission / max(contents.ambient_light, Color(1e-9))),
-                 "ambient light or emission below 0 is 0");
-    approximated(finish.diffuse > 0 || finish.diffuse_behind > 0 ? finish.brilliance : 0, "brilliance below 0 is 0");
-    approximated(std::min(least_of(finish.reflection.least), least_of(finish.reflection.most)),
-                 "reflection below 0 is 0");
-    approximated(finish.phong > 0 ? finish.phong_size : 0, "phong_size below 0 is 0");
-    approximated(finish.specular > 0 ? finish.roughness : 0, "roughness below 0 is 1e-9");
-}
-
-/// Sets what a finish says apart from ambient and diffuse light.
-void MaterialMaker::set_finish(Material& material, const FinishThing& finish, const MaterialUse& use) {
-    const auto approximated = [&](bool applies, const char* text) {
-        if (applies && !use.shadow_only) notes.approximated(finish.place, text);
-    };
+/// Sets what a finish says apart from ambient and diffuse light. Returns whether the article's terms say all of it.
+bool MaterialMaker::set_finish(Material& material, const FinishThing& finish, bool shadow_only) const {
     if (finish.phong > 0) {
         material.specular = coefficient(finish.phong), material.pow = coefficient(finish.phong_size);
-        approximated(finish.specular > 0, "of 'phong' and 'specular' only 'phong' is shown");
     } else if (finish.specular > 0) {
         // (n . h)^e and (r . l)^(e/4) are the same near the middle of a highlight.
         material.specular = coefficient(finish.specular), material.pow = coefficient(.25 / finish.roughness);
-        approximated(true, "'specular' is a highlight of Phong's");
     }
     const bool shines = material.specular > 0;
     const ReflectionValues& reflection = finish.reflection;
@@ -380,20 +374,16 @@ void MaterialMaker::set_finish(Material& material, const FinishThing& finish, co
     // At a right angle to the surface there is the least reflection; its mean over all directions is nearer to that.
     const Color reflected = fresnel ? reflection.least + (reflection.most - reflection.least) * .2 : reflection.most;
     material.reflection = share(mean(reflected));
-    approximated(mean(reflected) > 1, "reflection above 1 is 1");
-    approximated(fresnel, "reflection that depends on the angle is the same at all angles");
-    approximated(material.reflection > 0 && !is_grey(reflected), "coloured reflection is grey");
-    approximated(material.reflection > 0 && reflection.exponent != 1, "'exponent' of a reflection is ignored");
-    approximated(finish.metallic != 0 && shines, "highlights of metal have the colour of the light");
-    approximated(reflection.metallic != 0 && material.reflection > 0, "reflection of metal is grey");
-    approximated(finish.brilliance != 1 && finish.diffuse > 0, "'brilliance' is ignored");
-    approximated(finish.diffuse_behind > 0, "light from behind does not shine through");
-    approximated(finish.conserve_energy && material.refraction > 0, "'conserve_energy' changes nothing");
-    if (use.shadow_only) return;
-    tell_negative(finish);
+    if (shadow_only) return true;
     if (finish.crand != 0) notes.left_out(finish.place, "'crand'");
-    if (finish.irid > 0) notes.approximated(finish.place, "'irid' has no effect");
     if (finish.subsurface) notes.left_out(finish.place, "'subsurface'");
+    bool differs =
+        finish.specular > 0 || mean(reflected) > 1 || fresnel || finish.irid > 0 || finish.diffuse_behind > 0 ||
+        (finish.metallic != 0 && shines) || (finish.brilliance != 1 && finish.diffuse > 0) ||
+        (finish.conserve_energy && material.refraction > 0) ||
+        (material.reflection > 0 && (!is_grey(reflected) || reflection.exponent != 1 || reflection.metallic != 0));
+    each_negative(finish, contents.ambient_light, [&](bool is_negative, const char*) { differs |= is_negative; });
+    return !differs;
 }
 
 /// Sets the terms of a layer's finish.
@@ -435,7 +425,7 @@ void MaterialMaker::set_layer(Material& layer, const FinishThing& finish) {
         approximated(reflection.exponent != 1, "'exponent' of a reflection is ignored");
     }
     layer.behind = coefficient(finish.diffuse_behind);
-    if (as_text) tell_negative(finish);
+    if (as_text) each_negative(finish, contents.ambient_light, approximated);
     if (finish.crand != 0) notes.left_out(finish.place, "'crand'");
     layer.irid = coefficient(finish.irid), layer.film = coefficient(finish.film);
     if (finish.irid > 0) approximated(finish.swirls, "the film of 'irid' is even");
@@ -461,7 +451,8 @@ Material MaterialMaker::layer_of(const LayerValues& values, const Steps& way, co
 Material MaterialMaker::layers_of(std::span<const LayerValues> layers, const Steps& way, const UvMapping& uv) {
     Material whole;
     for (const LayerValues& each : layers) {
-        const auto shown = without_blend(each, notes);
+        const auto approximated = [&](TextPlace place, const char* text) { notes.approximated(place, text); };
+        const auto shown = without_blend(each, notes, approximated);
         Material layer = layer_of(*shown, way, uv);
         layer.bump = pigments.bump_of(shown->normal, way, uv);
         if (&each == &layers.front())
@@ -594,12 +585,9 @@ Material MaterialMaker::material_of(const TextureThing& texture, const InteriorT
     if (texture.inside) return two_sided_material_of(texture, interior, use, way);
     if (use.shadow_only)
         return interior && interior->fades() ? layered_material_of(texture, interior, use, way)
-                                             : plain_material_of(texture, interior, use, way);
-    bool differs = false;
-    notes.only_asked = &differs;
-    Material plain = plain_material_of(texture, interior, use, way);
-    notes.only_asked = nullptr;
-    if (!differs && !use.both_sides && texture.corners.empty()) return plain;
+                                             : *plain_material_of(texture, interior, use, way);
+    const std::optional<Material> plain = plain_material_of(texture, interior, use, way);
+    if (plain && !use.both_sides && texture.corners.empty()) return *plain;
     Material layered = layered_material_of(texture, interior, use, way);
     share_bumps(layered);
     layered.both_sides = use.both_sides ? 1 : 0;
@@ -607,8 +595,17 @@ Material MaterialMaker::material_of(const TextureThing& texture, const InteriorT
     return layered;
 }
 
-Material MaterialMaker::plain_material_of(const TextureThing& texture, const InteriorThing* interior,
-                                          const MaterialUse& use, const Steps& way) {
+/// Returns the material by the article's terms alone, or nothing if they do not say all. For a body that only casts a
+/// shadow they always do, well enough.
+std::optional<Material> MaterialMaker::plain_material_of(const TextureThing& texture, const InteriorThing* interior,
+                                                         const MaterialUse& use, const Steps& way) {
+    bool differs = false;
+    const auto approximated = [&](TextPlace place, const char* text) {
+        if (use.shadow_only)
+            notes.approximated(place, text);
+        else
+            differs = true;
+    };
     struct Layer {
         std::shared_ptr<const LayerValues> values;
         Look look;
@@ -617,11 +614,10 @@ Material MaterialMaker::plain_material_of(const TextureThing& texture, const Int
     };
     std::vector<Layer> layers;
     for (const LayerValues& own : texture.layers) {
-        Layer layer{.values = without_blend(own, notes), .look = {}};
+        Layer layer{.values = without_blend(own, notes, approximated), .look = {}};
         layer.look = pigments.look_of(layer.values->pigment, way, use.uv);
-        if (layer.look.varies)
-            notes.approximated(layer.values->place, "transparency that varies in a pattern is its mean");
-        if (notes.only_asked && *notes.only_asked) return {};
+        if (layer.look.varies) approximated(layer.values->place, "transparency that varies in a pattern is its mean");
+        if (differs) return {};
         layers.push_back(std::move(layer));
     }
     Color through(1);  // the light that all layers let through
@@ -644,13 +640,10 @@ Material MaterialMaker::plain_material_of(const TextureThing& texture, const Int
     }
     const Layer& shown = layers[best];
     const FinishThing& finish = shown.values->finish;
-    if (count > 1 && !use.shadow_only)
-        notes.approximated(shown.values->place, "of the layers of a texture the one that scatters most light is shown");
-    if (layers.size() > 1 && !use.shadow_only && std::ranges::any_of(layers, [](const Layer& layer) {
-            return layer.values->normal.blend && layer.values->normal.amount != 0;
-        }))
-        notes.approximated(shown.values->place, "only the uppermost layer has bumps");
-    if (notes.only_asked && *notes.only_asked) return {};
+    const auto bends = [](const Layer& layer) {
+        return layer.values->normal.blend && layer.values->normal.amount != 0;
+    };
+    if (!use.shadow_only && (count > 1 || (layers.size() > 1 && std::ranges::any_of(layers, bends)))) return {};
 
     const Pigment pigment = shown.look.opaque();
     Material material{.rgb = pigment, .reflection = 0, .diffuse = 0, .ambient = 0, .specular = 0, .pow = 40};
@@ -660,8 +653,7 @@ Material MaterialMaker::plain_material_of(const TextureThing& texture, const Int
     const Color ambient = finish.ambient + finish.emission / max_of(contents.ambient_light);
     material.diffuse = coefficient(finish.diffuse * shown.opacity * above);
     material.ambient = coefficient(mean(ambient) * shown.opacity * above);
-    if (!is_grey(ambient) && !use.shadow_only)
-        notes.approximated(finish.place, "coloured ambient light of a body is grey");
+    differs = !is_grey(ambient);
     material.bump = pigments.bump_of(layers.back().values->normal, way, use.uv);
     const double lost = finish.refraction.value_or(1);
     through = through * lost;
@@ -676,31 +668,27 @@ Material MaterialMaker::plain_material_of(const TextureThing& texture, const Int
     for (const Layer& layer : layers)
         if (mean(layer.values->finish.reflection.most) > mean(highlights.reflection.most))
             highlights.reflection = layer.values->finish.reflection;
-    set_finish(material, highlights, use);
+    differs |= !set_finish(material, highlights, use.shadow_only);
 
     if (material.refraction > 0) {
         const bool unlit = material.diffuse == 0 && material.ambient == 0;
         if (unlit && !use.no_shadow) material.rgb = Pigment(coefficients(through / material.refraction));
         if (use.shadow_only) return material;
-        const TextPlace place = shown.values->place;
-        constexpr int deep = 20;  // enough for rays through nine clear bodies
-        if ((!interior || interior->ior == 1) && contents.max_trace_level < deep)
-            notes.approximated(place, "a ray through a clear body counts for max_trace_level; in POV-Ray it does not");
+        constexpr int deep = 20;  // enough for rays through nine clear bodies, which count for max_trace_level
+        differs |= (!interior || interior->ior == 1) && contents.max_trace_level < deep;
         const Color shadow = material.rgb.color * material.refraction;
         bool coloured = false, shaded = false;
         for (int c = 0; c < 3; ++c) {
             coloured |= std::fabs(through[c] - material.refraction) > 1e-6;
             shaded |= std::fabs(shadow[c] - through[c]) > 1e-6;
         }
-        if (coloured) notes.approximated(place, "light that is seen through a body keeps its colour");
-        if (shaded && !use.no_shadow && lit())
-            notes.approximated(place, "the shadow of a transparent body has the body's colour");
-        if (material.ior != 1 && std::fabs(material.reflection + material.refraction - lost) > 1e-6)
-            notes.approximated(place, "total reflection is weaker");
-        if (interior && interior->fades()) notes.approximated(interior->place, "light does not fade inside bodies");
+        differs |= coloured || (shaded && !use.no_shadow && lit());
+        differs |= material.ior != 1 && std::fabs(material.reflection + material.refraction - lost) > 1e-6;
+        differs |= interior && interior->fades();
         if (interior && interior->dispersion) notes.left_out(interior->place, "dispersion");
         if (interior && interior->caustics) notes.left_out(interior->place, "caustics");
     }
+    if (differs && !use.shadow_only) return {};
     return material;
 }
 

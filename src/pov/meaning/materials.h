@@ -74,13 +74,12 @@ class MaterialMaker {
     PigmentMaker& pigment_maker() { return pigments; }
 
   private:
-    void tell_negative(const FinishThing& finish) const;
     void set_layer(Material& layer, const FinishThing& finish);
     Material layer_of(const LayerValues& values, const Steps& way, const UvMapping& uv);
     Material layers_of(std::span<const LayerValues> layers, const Steps& way, const UvMapping& uv);
     std::optional<Material> mixed_layers_of(const TextureThing& texture, const Steps& way, const UvMapping& uv);
-    Material plain_material_of(const TextureThing& texture, const InteriorThing* interior, const MaterialUse& use,
-                               const Steps& way);
+    std::optional<Material> plain_material_of(const TextureThing& texture, const InteriorThing* interior,
+                                              const MaterialUse& use, const Steps& way);
     Material two_sided_material_of(const TextureThing& texture, const InteriorThing* interior, const MaterialUse& use,
                                    const Steps& way);
     Material layered_material_of(const TextureThing& texture, const InteriorThing* interior, const MaterialUse& use,
@@ -90,7 +89,7 @@ class MaterialMaker {
     bool lit();
     Material material_of(const TextureThing& texture, const InteriorThing* interior, const MaterialUse& use,
                          const Steps& way);
-    void set_finish(Material& material, const FinishThing& finish, const MaterialUse& use);
+    bool set_finish(Material& material, const FinishThing& finish, bool shadow_only) const;
 
     NoteTaker notes;
     PigmentMaker pigments;

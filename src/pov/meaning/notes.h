@@ -10,12 +10,8 @@ namespace strahl::pov {
 
 struct NoteTaker {
     Interpreter& in;
-    bool* only_asked = nullptr;  // if set, it becomes true in place of a note about what is approximated
     void approximated(TextPlace place, const std::string& text) const {
-        if (only_asked)
-            *only_asked = true;
-        else
-            in.remark(Remark::Kind::approximated, place, text);
+        in.remark(Remark::Kind::approximated, place, text);
     }
     void left_out(TextPlace place, const std::string& text) const { in.remark(Remark::Kind::left_out, place, text); }
 };

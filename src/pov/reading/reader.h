@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "pov/language/interpreter.h"
+#include "pov/reading/pictures.h"
 #include "pov/things/objects.h"
 #include "pov/things/outlines.h"
 #include "scene/kinds/mesh_data.h"
@@ -30,8 +31,7 @@ class PovReader : public SceneLayer {
     PovContents contents;
 
   protected:
-    explicit PovReader(ReadPixels read_pixels) : read_pixels(std::move(read_pixels)) {}
-    const ReadPixels read_pixels;
+    explicit PovReader(ReadPixels read_pixels) : pictures(std::move(read_pixels)) {}
     /// Returns the function that is 1 where a matrix moves points into the body, and 0 elsewhere.
     virtual std::shared_ptr<const FunctionThing> inside_of(Interpreter& in, const ObjectThing& object,
                                                            const glm::dmat4& inverse) = 0;
@@ -67,8 +67,6 @@ class PovReader : public SceneLayer {
     std::shared_ptr<const MapThing> read_map(Interpreter& in, ValueKind level);
     void read_list(Interpreter& in, Blend& blend, ValueKind level);
     static Warp read_warp(Interpreter& in);
-    std::shared_ptr<const ImageThing> read_image(Interpreter& in, bool of_colors);
-    void load(Interpreter& in, ImageThing& image, bool of_colors, std::optional<double> gamma);
     // functions.cpp
     std::shared_ptr<const FunctionThing> read_inside(Interpreter& in);
     // objects.cpp
@@ -110,14 +108,7 @@ class PovReader : public SceneLayer {
     CameraThing default_camera;
     bool utf8 = false;                                                      // `text` is
     std::map<Point2, std::shared_ptr<const LevelSurface>> superellipsoids;  // so far, by their exponents
-    struct LoadedPicture {
-        std::shared_ptr<const FilePixels> pixels;
-        std::string fault;
-        std::shared_ptr<PictureFacts> facts = std::make_shared<PictureFacts>();
-    };
-    std::map<std::string, LoadedPicture> pictures;  // so far, by their paths
-    // Grey .png files by their encoding, -1 if they have none, and that of the scene.
-    std::map<std::tuple<std::string, double, double>, LoadedPicture> grey_pictures;
+    PictureReader pictures;
 };
 
 }  // namespace strahl::pov

@@ -485,8 +485,8 @@ void PovReader::read_height_field(Interpreter& in, ObjectThing& object) {
         if (function) {
             heights = heights_of(*function, size);
         } else {
-            if (path.empty() || !read_pixels) throw FileError("it has no picture");
-            const Pixels pixels = read_pixels(path);
+            if (path.empty() || !pictures.read_pixels) throw FileError("it has no picture");
+            const Pixels pixels = pictures.read_pixels(path);
             size = {pixels.width, pixels.height};
             heights = heights_of(pixels);
         }

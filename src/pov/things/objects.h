@@ -29,7 +29,7 @@ struct LightThing {
     DVec3 point_at{0, 0, 1};
     enum class Sort { point, spot, cylinder } sort = Sort::point;
     bool parallel = false, shadowless = false, circular = false, orient = false, jitter = false;
-    bool area_illumination = false, projected = false;
+    bool area_illumination = false;
     bool dimmed = false;  // by fog
     std::optional<double> radius, falloff, tightness;
     double fade_distance = 0, fade_power = 0;

@@ -26,7 +26,7 @@ std::shared_ptr<const SolidFunction> slope_values(const SolidPattern& values, co
 
 /// Returns what a normal { ... } adds to normals, in the space behind all warps; null if it is not known.
 std::shared_ptr<const SolidFunction> bends_of(const NormalThing& normal, int generator);
-/// Returns the same bends of normals that are turned before by a matrix, and turned back.
+/// Returns what `bends` adds to normals where the space is turned: turns normals by a matrix, and what is added back.
 std::shared_ptr<const SolidFunction> turned_bends(const glm::dmat4& turn, std::shared_ptr<const SolidFunction> bends);
 
 /// Returns the moves from the space around a pattern to where its values are found. With `last` its transformations

@@ -18,11 +18,11 @@ void follow(MotionKey& key, const TrackValues& values);
 /// and rotations are unit quaternions on a curve of the same kind, which goes from each key to the next by less than
 /// half a turn or by half a turn. Numbers that follow tracks are those of `tracks`.
 MotionKey key_at(const Motion& motion, double time, const TrackValues& tracks = {});
-/// The same as transformations, without those that change nothing.
+/// Returns the transformations that a key or motions at a time stand for, without those that change nothing.
 std::vector<Transformation> steps_of(const MotionKey& key);
 std::vector<Transformation> at(const Motion& motion, double time, const TrackValues& tracks = {});
 std::vector<Transformation> at(std::span<const Transformation> steps, double time, const TrackValues& tracks = {});
-/// Replaces the contents of `still` by the same, and reuses its memory.
+/// Replaces the contents of `still` by what `at` returns, and reuses its memory.
 void set_at(std::vector<Transformation>& still, std::span<const Transformation> steps, double time,
             const TrackValues& tracks);
 /// The times of the keys of all motions among them.

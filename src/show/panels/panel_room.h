@@ -21,9 +21,9 @@ class PanelRoom {
     void open(Panel panel);
     void close(Panel panel);
     bool is_open(Panel panel) const;
-    /// Is it open, and does it have room? Those that have none stay open, and are shown again once there is room.
+    /// Is it open, and does it have room? Panels without room stay open, and are shown again once there is room.
     bool shown(Panel panel) const { return fits[std::size_t(panel)]; }
-    /// Returns those that are open, in the order in which they were opened.
+    /// Returns the open panels, in the order in which they were opened.
     const std::vector<Panel>& opened() const { return order; }
 
     /// Returns what a panel covered when it was drawn last; nothing before that.

@@ -44,7 +44,7 @@ struct SecondPicture {
     std::vector<SeenPoint> seen{};  // of layers, pixel by pixel
 };
 
-/// Fills in how this image differs from another one as it is on the screen.
+/// Writes into `result` how much its image differs from another one, as both are on the screen.
 void compare(const ScreenImage& other, SecondPicture& result);
 
 /// Makes it, and calls `publish` with each stage. POV-Ray first traces one ray in each pixel, as strahl crosscheck has

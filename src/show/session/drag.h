@@ -48,8 +48,8 @@ class Drag {
 
     /// Returns what a drag to this point does. `steps`: see Handles::drag.
     Placing placing(const glm::dvec2& to, bool steps) const { return handles.drag(held, from, to, steps); }
-    /// Likewise, but bodies that are moved stand on others: on what is seen at the point, or, along an axis, on what is
-    /// below them. `seen` is the scene in the picture, and `hidden` are bodies that it lacks.
+    /// Returns what a drag does if bodies that are moved stand on others: on what is seen at the point, or, along an
+    /// axis, on what is below them. `seen` is the scene in the picture, and `hidden` are bodies that it lacks.
     Placing placing_on_surface(const glm::dvec2& to, const Scene& seen, std::set<int> hidden) const;
     /// Returns the text that this makes. `steps` rounds angles to whole degrees.
     std::string text(const Placing& placing, bool steps) const;

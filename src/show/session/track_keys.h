@@ -21,7 +21,7 @@ class TrackKeys {
     /// Returns the track of this name, perhaps without keys.
     Track track(const std::string& name) const;
     bool changed() const { return edited.changed(); }
-    /// Returns those that are not written yet; tracks that were removed have no keys.
+    /// Returns the changed tracks that are not written yet; tracks that were removed have no keys.
     std::vector<Track> changes() const;
     std::vector<std::string> unwritten() const { return edited.unwritten(); }
 

@@ -58,9 +58,9 @@ class Screen {
     double pixels_to_reach() const { return 6 * std::max(scale, 1.f); }
     /// The area of the picture in the window.
     ScreenArea area() const;
-    /// Tells panels that the pointer is there, in units of the screen; without it they see it where it is now.
+    /// Where panels see the pointer, in units of the screen; without a value where it is now.
     std::optional<glm::dvec2> pointer;
-    /// Likewise that the left button is down, or not.
+    /// Whether panels see the left button down; without a value as it is now.
     std::optional<bool> left_down;
 
   private:

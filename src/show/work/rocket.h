@@ -46,8 +46,6 @@ struct RocketNews {
 
 class Rocket {
   public:
-    static constexpr int usual_port = 1338;
-
     /// Connects and exchanges greetings, for which it waits 2 seconds. Throws FileError.
     explicit Rocket(int port);
     ~Rocket();

@@ -31,8 +31,8 @@ struct Order {
 
 /// The progress of the picture on the screen.
 struct Refinement {
-    std::uint64_t number = 0;            // of the order; 0 before the first
-    std::shared_ptr<const Scene> scene;  // of the order, like `view`
+    std::uint64_t number = 0;            // that of its order; 0 before the first order
+    std::shared_ptr<const Scene> scene;  // that of its order, as the view is
     View view;
     int level = 0;       // the finest that is complete
     double share = 0;    // of its passes that is done

@@ -75,7 +75,7 @@ std::string transformed_fault(const Kind& shape, const glm::dmat4& m) {
     return fault ? std::string("leave nothing of it: ") + fault : "";
 }
 
-/// The same for transformations that may include motions, which are checked at their keys.
+/// Returns what transformed_fault says of a shape that may also move: at the times of all keys, the first fault.
 template <class Kind>
 std::string moved_fault(const Kind& shape, std::span<const Transformation> steps) {
     const std::vector<double> times = key_times(steps);

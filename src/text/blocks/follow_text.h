@@ -9,11 +9,11 @@
 
 namespace strahl {
 
-/// The text of a scene: `track "NAME" 1.5`, or the number alone if this parameter follows no track.
+/// Returns a number as scene text: `track "NAME" 1.5`, or the number alone if this parameter follows no track.
 std::string text_of(double value, const std::vector<Follow>& follows, std::string_view parameter, int component = 0);
-/// The same of a vector, as in `<track "NAME" 1.5, 0, 0>`.
+/// Returns a vector as scene text, as in `<track "NAME" 1.5, 0, 0>`.
 std::string text_of(const DVec3& value, const std::vector<Follow>& follows, std::string_view parameter);
-/// The text of a motion of one key, as in `translate <track "NAME" 1.5, 0, 0>`.
+/// Returns a motion of one key as scene text, as in `translate <track "NAME" 1.5, 0, 0>`.
 std::string step_text(const struct MotionKey& key);
 
 }  // namespace strahl

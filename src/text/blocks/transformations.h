@@ -16,9 +16,9 @@ inline constexpr std::array<std::string_view, 3> transformation_words{"rotate", 
 /// Reads what follows one of these words. If numbers of it follow tracks, which needs `follows`, it is a motion.
 Transformation read_transformation(BlockReader& reader, std::string_view word, Block& block, bool follows = false);
 
-/// The text of a scene for it, as in "rotate <0, 0, 90>".
+/// Returns what a scene's text says for it, as in "rotate <0, 0, 90>".
 std::string text_of(const Transformation& step);
-/// The same with `new_line` before each key: a space, or a line break and the indentation of lines.
+/// Returns the block of a motion, with `new_line` before each key: a space, or a line break and the indentation.
 std::string text_of(const Motion& motion, const std::string& new_line);
 
 /// The condition number of the linear part of a transformation in Frobenius norms, which is at most three times too

@@ -16,7 +16,7 @@ namespace strahl {
 std::vector<bool> on_edges(Tracer& tracer, const View& view, ThreadPool& pool, std::span<const Pixel> pixels,
                            double radius, double step, const std::atomic<bool>* stop = nullptr);
 
-/// Does so for one pixel.
+/// Returns the same as on_edges for one pixel.
 bool on_edge(Tracer& tracer, const View& view, ThreadPool& pool, Pixel pixel, double radius, double step,
              const std::atomic<bool>* stop = nullptr);
 

@@ -100,7 +100,7 @@ class CompositeBuilder {
             constexpr std::size_t fields = sizeof(Own) / sizeof(T);
             const auto surface = static_cast<T>(next_surface + static_cast<int>(boxes.size()));
             Own item{kernel, surface, static_cast<T>(material)};
-            if constexpr (lists_crossings<Kind>) item.shape.first = arrays.first_piece_of(shape);
+            if constexpr (lists_crossings<Kind>) item.shape.first = arrays.pieces.first_of(shape);
             std::vector<T>& numbers = leaf_numbers[form];
             if (leaf.form < 0) leaf.item = arrays.forms[form].count + static_cast<int>(numbers.size() / fields);
             leaf.form = form;

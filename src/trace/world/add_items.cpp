@@ -49,26 +49,21 @@ bool can_be_shared(const Scene& scene, const Primitive& body) {
 
 }  // namespace
 
-/// Adds the pieces of contours, lumps and sweeps, those that bodies share once. Most worlds have none, and to look at a
-/// million bodies takes one thread a tenth of the time of building.
 template <class T>
-void WorldArrays<T>::add_pieces(const Scene& scene) {
-    if (!has_listed_faces()) return;
+void PieceArrays<T>::add(const Scene& scene) {
     for (const Primitive& primitive : scene.primitives)
         for_each_leaf(primitive, [&](const Primitive& leaf, const glm::dmat4&) {
             const auto add = [&](const auto& data, auto& all) {
-                if (first_pieces.try_emplace(data.get(), T(all.size())).second)
+                if (first.try_emplace(data.get(), T(all.size())).second)
                     all.insert(all.end(), data->pieces.begin(), data->pieces.end());
             };
-            if (const auto* const blob = std::get_if<Blob>(&leaf.shape)) add(blob->data, lump_pieces);
-            if (const auto* const sweep = std::get_if<SphereSweep>(&leaf.shape)) add(sweep->data, sweep_pieces);
+            if (const auto* const blob = std::get_if<Blob>(&leaf.shape)) add(blob->data, lumps);
+            if (const auto* const sweep = std::get_if<SphereSweep>(&leaf.shape)) add(sweep->data, sweeps);
             const ContourData* const own = contours_of(leaf.shape);
-            if (!own || !first_pieces.try_emplace(own, T(contour_pieces.size())).second) return;
+            if (!own || !first.try_emplace(own, T(contours.size())).second) return;
             for (const auto& [ax, ay, cx, cy, hx, hy, ex, ey, dx, dy] : own->pieces)
-                contour_pieces.push_back({T(ax), T(ay), T(cx), T(cy), T(hx), T(hy), T(ex), T(ey), T(dx), T(dy)});
+                contours.push_back({T(ax), T(ay), T(cx), T(cy), T(hx), T(hy), T(ex), T(ey), T(dx), T(dy)});
         });
-    world.contour_pieces = contour_pieces.data(), world.lump_pieces = lump_pieces.data();
-    world.sweep_pieces = sweep_pieces.data();
 }
 
 template <class T>
@@ -102,7 +97,10 @@ void WorldArrays<T>::add_items(const Scene& scene, const Placement& placement, T
         next_box += all.items[form];
     }
     surfaces = static_cast<int>(all.surfaces);
-    add_pieces(scene);
+    // Most worlds have no pieces, and to look at a million bodies takes one thread a tenth of the time of building.
+    if (has_listed_faces()) pieces.add(scene);
+    world.contour_pieces = pieces.contours.data(), world.lump_pieces = pieces.lumps.data();
+    world.sweep_pieces = pieces.sweeps.data();
 
     // Triangles of large meshes are made when all else is: by all threads, while a primitive is made by one.
     struct LargeMesh {
@@ -144,7 +142,7 @@ void WorldArrays<T>::add_items(const Scene& scene, const Placement& placement, T
                 [&](const auto& shape) {
                     const int faces = faces_of(primitive.shape);
                     emit_in<T>(shape, to_world, primitive.transformations,
-                               PutItems<T>{*this, own, box, material, faces, first_piece_of(primitive.shape)}, proves);
+                               PutItems<T>{*this, own, box, material, faces, pieces.first_of(primitive.shape)}, proves);
                 },
                 primitive.shape);
         }

@@ -83,12 +83,10 @@ void WorldArrays<T>::add_sky(const Scene& scene, bool proves) {
         if (pigment.pattern) kernel = kernel_of<T>(*pigment.pattern, glm::dmat4(1), {});
         add_colors(pigment, kernel, scene.settings.assumed_gamma, glm::dmat4(1), {});
     };
-    add(scene.background, patterns.sky);
+    add(scene.background, patterns.sky.emplace());
     for (const Pigment& coat : scene.background_coats) add(coat, patterns.coats.emplace_back());
     if (proves && pattern && !pattern->nests() && scene.background_coats.empty())
-        compare(*pattern, {}, {}, true, patterns.sky);
-    world.patterns.sky = &patterns.sky, world.patterns.stops = patterns.stops.data();
-    world.patterns.coats = patterns.coats.data(), world.patterns.coat_count = static_cast<int>(patterns.coats.size());
+        compare(*pattern, {}, {}, true, *patterns.sky);
 }
 template <class T>
 void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement, bool proves) {
@@ -150,9 +148,6 @@ void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement
         throw FileError(
             "this scene has patterns in more bodies than can be told apart in this precision; trace it with "
             "--precision double");
-    world.patterns.list = list.data();
-    if (any_bent) world.patterns.bends = bends.data();
-    world.patterns.stops = stops.data();
 }
 
 template void WorldArrays<float>::add_image(const std::shared_ptr<const Pixels>&, double, bool, ImageKernel<float>&);

@@ -108,6 +108,29 @@ LightKernel<T> light_kernel(const Light& light, const Placement& placement) {
     return kernel;
 }
 
+template <class T>
+FogKernel<T> fog_kernel(const Fog& fog, const Placement& placement) {
+    const long double per = 1 / (fog.distance * placement.scale);
+    FogKernel<T> own{true, static_cast<T>(std::min<long double>(per, std::numeric_limits<T>::max())),
+                     cast<T>(fog.color)};
+    own.swirls = fog.turbulence != DVec3(0);
+    own.even = !(fog.altitude > 0) && fog.transmit == 0 && fog.filter == 0 && !own.swirls;
+    own.turbulence = fog.turbulence, own.place = placement.origin, own.unit = 1 / placement.scale;
+    own.octaves = static_cast<int>(fog.octaves), own.generator = static_cast<int>(fog.generator);
+    own.omega = static_cast<float>(fog.omega), own.lambda = static_cast<float>(fog.lambda), own.depth = fog.depth;
+    own.least = static_cast<T>(fog.transmit);
+    own.tint = cast<T>(Color(1 - fog.filter) + fog.filter * fog.color);
+    own.base = -1;  // below all heights
+    if (fog.altitude > 0 && length(fog.up) > 0) {
+        const DVec3 up = normalize(fog.up);
+        // Lower fog is not seen, and heights in its units would overflow.
+        const double altitude = std::max(fog.altitude, 1e-6 / placement.scale);
+        own.rise = cast<T>(up / (altitude * placement.scale));
+        own.base = static_cast<T>((dot_product(up, placement.origin) - fog.offset) / altitude);
+    }
+    return own;
+}
+
 /// Is the eye in an opaque body, in which there is no fog unless it is hollow?
 bool encloses_eye(const Scene& scene, const Primitive& body) {
     const Material& own = scene.materials[static_cast<std::size_t>(body.material)];
@@ -151,8 +174,15 @@ void WorldArrays<T>::add_materials(const Scene& scene) {
     }
 }
 
+/// Lists the transparent bodies if rays have to know which they are in: if these may overlap, and with fog.
 template <class T>
 void WorldArrays<T>::list_transparent(const Scene& scene) {
+    const auto encloses = [&](const Primitive& body) { return encloses_eye(scene, body); };
+    const auto shares = [](const Material& m) { return m.transmits() && (m.bends() || m.interior > 0); };
+    world.nested = (world.fog.any && std::ranges::any_of(scene.primitives, encloses)) ||
+                   (world.transparent && (world.fog.any || transparent_bodies_overlap(scene) ||
+                                          std::ranges::any_of(scene.materials, shares)));
+    if (!world.nested) return;
     ItemCounts before;
     std::unordered_map<int, std::int32_t> shared;  // the first surfaces of interiors
     const bool any_hollow = std::ranges::any_of(scene.materials, &Material::hollow);
@@ -294,65 +324,28 @@ void WorldArrays<T>::share(const WorldArrays& other) {
 }
 
 template <class T>
-WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, ThreadPool& pool, MovingHierarchy* moving,
-                            std::shared_ptr<Images> kept, bool proves, int lanes, const SharedMeshes<T>* meshes)
-    : moving(moving), images(std::move(kept)), lanes(lanes), meshes(meshes) {
-    add_materials(scene);
-    add_finishes(scene, placement);
-    add_patterns(scene, placement, proves);
-    if (scene.finished()) {
-        world.finishes.list = finishes.list.data(), world.finishes.layers = finishes.layers.data();
-        world.finishes.shares = finishes.shares.data(), world.finishes.bends = finishes.bends.data();
-        world.patterns.stops = patterns.stops.data();
-    }
-    world.patterns.nested = patterns.nested.data();
+void WorldArrays<T>::point_at_patterns() {
+    world.patterns.list = patterns.list.data(), world.patterns.bends = patterns.bends.data();
+    world.patterns.stops = patterns.stops.data(), world.patterns.nested = patterns.nested.data();
+    if (patterns.sky) world.patterns.sky = &*patterns.sky;
+    world.patterns.coats = patterns.coats.data(), world.patterns.coat_count = static_cast<int>(patterns.coats.size());
+    world.finishes.list = finishes.list.data(), world.finishes.layers = finishes.layers.data();
+    world.finishes.shares = finishes.shares.data(), world.finishes.bends = finishes.bends.data();
     const auto averaged = [](const PatternKernel<T>& pattern) { return has_quick_mean(pattern.form); };
     world.patterns.has_quick_means =
         std::ranges::any_of(patterns.list, averaged) || std::ranges::any_of(patterns.nested, averaged) ||
         std::ranges::any_of(finishes.layers, averaged, &LayerKernel<T>::pattern) ||
-        std::ranges::any_of(finishes.shares, averaged) || (world.patterns.sky && averaged(*world.patterns.sky));
-    add_lights(scene, placement);
-    if (scene.fog) {
-        const long double per = 1 / (scene.fog->distance * placement.scale);
-        world.fog = {true, static_cast<T>(std::min<long double>(per, std::numeric_limits<T>::max())),
-                     cast<T>(scene.fog->color)};
-        const Fog& fog = *scene.fog;
-        FogKernel<T>& own = world.fog;
-        own.swirls = fog.turbulence != DVec3(0);
-        own.even = !(fog.altitude > 0) && fog.transmit == 0 && fog.filter == 0 && !own.swirls;
-        own.turbulence = fog.turbulence, own.place = placement.origin, own.unit = 1 / placement.scale;
-        own.octaves = static_cast<int>(fog.octaves), own.generator = static_cast<int>(fog.generator);
-        own.omega = static_cast<float>(fog.omega), own.lambda = static_cast<float>(fog.lambda), own.depth = fog.depth;
-        world.fog.least = static_cast<T>(fog.transmit);
-        world.fog.tint = cast<T>(Color(1 - fog.filter) + fog.filter * fog.color);
-        if (fog.altitude > 0 && length(fog.up) > 0) {
-            const DVec3 up = normalize(fog.up);
-            // Lower fog is not seen, and heights in its units would overflow.
-            const double altitude = std::max(fog.altitude, 1e-6 / placement.scale);
-            world.fog.rise = cast<T>(up / (altitude * placement.scale));
-            world.fog.base = static_cast<T>((dot_product(up, placement.origin) - fog.offset) / altitude);
-        } else {
-            world.fog.base = -1;  // below all heights
-        }
-    }
-    // With fog rays have to know whether they are in a transparent body.
-    const bool hides_fog = world.fog.any && std::ranges::any_of(scene.primitives, [&](const Primitive& body) {
-                               return encloses_eye(scene, body);
-                           });
-    const auto shares = [](const Material& m) { return m.transmits() && (m.bends() || m.interior > 0); };
-    world.nested = hides_fog || (world.transparent && (world.fog.any || transparent_bodies_overlap(scene) ||
-                                                       std::ranges::any_of(scene.materials, shares)));
-    world.background = cast<T>(scene.background.color);
-    world.materials = materials.data();
-    if (world.nested) list_transparent(scene);
+        std::ranges::any_of(finishes.shares, averaged) || (patterns.sky && averaged(*patterns.sky));
+}
 
-    add_items(scene, placement, pool, proves);
+template <class T>
+void WorldArrays<T>::set_distances(const Settings& settings, const Placement& placement, bool proves) {
     world.rounding = static_cast<T>(rounding(reach));
-    if (!proves && scene.settings.passed_over > 0) {
+    if (!proves && settings.passed_over > 0) {
         world.around_lights = 64 * std::numeric_limits<T>::epsilon();
         world.shadow_rays = ShadowRays::past_near;
     }
-    const double passed_over = scene.settings.passed_over * placement.scale;
+    const double passed_over = settings.passed_over * placement.scale;
     // Leaves it out where rounding is as large: there rays would meet the surface again that they start on.
     if (!proves && passed_over > 1024 * std::numeric_limits<T>::epsilon() * reach) {
         world.passed_over = static_cast<T>(passed_over);
@@ -360,10 +353,28 @@ WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, Thre
         if (world.finishes.list && world.transparent) world.shadow_rays = ShadowRays::followed_where_dimmed;
     }
     if (world.finishes.follows) world.shadow_rays = ShadowRays::followed;
-    if (!proves && scene.settings.farthest > 0)
-        world.farthest = static_cast<T>(scene.settings.farthest * placement.scale);
+    if (!proves && settings.farthest > 0) world.farthest = static_cast<T>(settings.farthest * placement.scale);
+}
+
+template <class T>
+WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, ThreadPool& pool, MovingHierarchy* moving,
+                            std::shared_ptr<Images> kept, bool proves, int lanes, const SharedMeshes<T>* meshes)
+    : moving(moving), images(std::move(kept)), lanes(lanes), meshes(meshes) {
+    // Each step needs what those before it have made.
+    add_materials(scene);
+    add_finishes(scene, placement);          // of these materials
+    add_patterns(scene, placement, proves);  // with more materials: one for each space that a pattern is in
+    point_at_patterns();
+    add_lights(scene, placement);  // in the groups that finishes name
+    if (scene.fog) world.fog = fog_kernel<T>(*scene.fog, placement);
+    world.background = cast<T>(scene.background.color);
+    world.materials = materials.data();
+    list_transparent(scene);
+
+    add_items(scene, placement, pool, proves);         // which have the numbers of materials
+    set_distances(scene.settings, placement, proves);  // in proportion to how far the items reach
     arrange_items(pool, proves);
-    add_composites(scene, placement, pool, proves);
+    add_composites(scene, placement, pool, proves);  // whose leaves follow the items of their forms
     world.sort_bins = sort_bins.data();
     world.bins = references[0].bin = static_cast<int>(sort_bins.size());
     fill_groups();
@@ -412,6 +423,31 @@ std::vector<int> BuiltWorld<T>::materials() const {
     std::vector<int> all(arrays->materials.size() - copies.size());
     std::iota(all.begin(), all.end(), 0);
     all.insert(all.end(), copies.begin(), copies.end());
+    return all;
+}
+
+template <class T>
+double BuiltWorld<T>::reach() const {
+    return arrays->reach;
+}
+
+template <class T>
+bool BuiltWorld<T>::lacks_items(const Scene& scene) const {
+    ItemCounts declared;
+    for (const Primitive& primitive : scene.primitives) count_items<T>(primitive, declared);
+    int form = 0;
+    bool lacks = false;
+    world().groups.each([&](const auto& group) { lacks |= group.count != declared.items[form++]; });
+    return lacks;
+}
+
+std::vector<int> primitives_of_surfaces(const Scene& scene) {
+    std::vector<int> all;
+    ItemCounts counts;
+    for (const Primitive& primitive : scene.primitives) {
+        count_items<float>(primitive, counts);
+        all.resize(static_cast<std::size_t>(counts.surfaces), static_cast<int>(&primitive - scene.primitives.data()));
+    }
     return all;
 }
 

@@ -35,6 +35,8 @@ Placement placement(const Extent& extent, const DVec3& camera);
 
 /// Returns how many surfaces the bodies have in all.
 std::int64_t surfaces_of(const Scene& scene);
+/// Returns the number of the primitive that each surface is of.
+std::vector<int> primitives_of_surfaces(const Scene& scene);
 /// Throws FileError if these are more than T can number.
 template <class T>
 void check_capacity(std::int64_t surfaces);
@@ -64,6 +66,11 @@ class BuiltWorld {
     std::vector<int> bodies_around(const DVec3& point) const;
     /// Returns the material of the scene that each material of the world is or is a copy of.
     std::vector<int> materials() const;
+    /// Returns the largest coordinate of a bounded body.
+    double reach() const;
+    /// Returns whether bodies of the world's scene were left out whose numbers in T are those of another one, from
+    /// which they may differ in the scene.
+    bool lacks_items(const Scene& scene) const;
 
   private:
     const std::shared_ptr<const BuiltWorld> bodies;  // the world that this one differs from in its lights, or null

@@ -17,9 +17,9 @@ ExtendedTransform::ExtendedTransform(std::span<const Transformation> steps, cons
     for (const Transformation& step : steps) std::visit([&](const auto& own) { add(own); }, step);
 }
 
-/// Turns by less than an eighth of a turn and by quarters, which are exact. An angle, its sine and cosine have two
-/// roundings each and the sum three more, of two of a vector's components. Roundings of the matrix count once more
-/// where a point goes through it.
+/// Turns by quarters, which are exact, and by what is left, less than an eighth of a turn. That counts as 16 roundings:
+/// two each of the angle, its sine and its cosine, for each of two components, and three of their sum; and once more
+/// where a point goes through the matrix.
 void ExtendedTransform::turn_by(int from, int to, double degrees) {
     int quarters = 0;
     const Extended rest = std::remquo(Extended(degrees), Extended(90), &quarters) * degree;

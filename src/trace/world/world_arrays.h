@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <memory>
+#include <optional>
 #include <type_traits>
 #include <unordered_map>
 #include <vector>
@@ -90,7 +91,7 @@ constexpr std::array<FormTraits, sizeof...(F)> traits_of(FormList<F...>) {
 /// The items of a form as plain numbers, one item after the other, so that code which moves them is compiled once.
 template <class T>
 struct FormItems {
-    std::shared_ptr<T[]> numbers, columns;  // perhaps those of another moment
+    std::shared_ptr<T[]> numbers, columns;  // shared with the world of another moment where they are equal
     ItemBox* boxes = nullptr;               // boxes of all items, until the items are in order
     int count = 0, in_hierarchy = 0;
     bool copied = false;  // are some in the hierarchy several times?
@@ -117,12 +118,31 @@ struct CompositeArrays {
     std::vector<Hierarchy> mesh_hierarchies;  // of meshes that are leaves
     std::vector<std::int32_t> face_keys, leaf_faces;
 };
+/// The pieces of contours, blobs and sweeps, those that bodies share once.
+template <class T>
+struct PieceArrays {
+    std::vector<ContourPiece<T>> contours;
+    std::vector<LumpPiece> lumps;
+    std::vector<SweepPiece> sweeps;
+    std::unordered_map<const void*, T> first;  // number of the first piece, by the data of a body
+    /// Adds the pieces of a scene's bodies.
+    void add(const Scene& scene);
+    /// Returns the number of the first piece of a body, or 0 if its kind has none.
+    T first_of(const Shape& shape) const {
+        return std::visit(
+            [&]<class Kind>(const Kind& kind) {
+                if constexpr (has_pieces<Kind>) return first.at(kind.data.get());
+                return T(0);
+            },
+            shape);
+    }
+};
 template <class T>
 struct PatternArrays {
     std::vector<PatternKernel<T>> list;
     std::vector<BendKernel<T>> bends;
     std::vector<ColorStopKernel<T>> stops;
-    PatternKernel<T> sky;
+    std::optional<PatternKernel<T>> sky;
     std::vector<PatternKernel<T>> nested, coats;
     std::vector<std::shared_ptr<const MeshData>> meshes;  // meshes that have uv coordinates
     // The material of each leaf of the scene, and the first leaf of each primitive; empty in worlds without patterns.
@@ -169,10 +189,7 @@ struct WorldArrays {
     std::vector<LightKernel<T>> lights;
     FewBodiesArrays<T> few;
     CompositeArrays<T> composites;
-    std::vector<ContourPiece<T>> contour_pieces;  // of all contours, blobs and sweeps, and where those of each begin
-    std::vector<LumpPiece> lump_pieces;
-    std::vector<SweepPiece> sweep_pieces;
-    std::unordered_map<const void*, T> first_pieces;
+    PieceArrays<T> pieces;
     PatternArrays<T> patterns;
     std::vector<std::int32_t> copied_materials;  // what materials beyond those of the scene are copies of
     MediumArrays<T> media;
@@ -197,16 +214,6 @@ struct WorldArrays {
     /// Returns by how much coordinates may be off, the largest of them being `furthest`.
     static double rounding(double furthest) { return 32 * culling_unit<T> * furthest; }
     // add_items.cpp
-    void add_pieces(const Scene& scene);
-    /// Returns the number of the first piece of a body with contours, of a blob or of a sweep.
-    T first_piece_of(const Shape& shape) const {
-        return std::visit(
-            [&]<class Kind>(const Kind& kind) {
-                if constexpr (has_pieces<Kind>) return first_pieces.at(kind.data.get());
-                return T(0);
-            },
-            shape);
-    }
     void add_items(const Scene& scene, const Placement& placement, ThreadPool& pool, bool proves);
     /// Notes where the meshes are that other worlds have.
     void place_meshes(const Scene& scene, const Placement& placement);
@@ -248,6 +255,10 @@ struct WorldArrays {
                     const Placement& placement, const PlacesKernel& places);
     void add_finishes(const Scene& scene, const Placement& placement);
     // build_world.cpp
+    /// Lets the world point at patterns and finishes, when no more are added.
+    void point_at_patterns();
+    /// Sets which distances count as rounding errors, and what is too near or too far to be there.
+    void set_distances(const Settings& settings, const Placement& placement, bool proves);
     void add_lights(const Scene& scene, const Placement& placement);
     void add_materials(const Scene& scene);
     void list_transparent(const Scene& scene);

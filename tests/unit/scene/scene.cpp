@@ -1,14 +1,18 @@
-// Transformations, cameras and flythroughs as values.
+// Transformations, cameras, flythroughs and materials as values.
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <set>
 #include <string>
+#include <tuple>
+#include <type_traits>
 #include <vector>
 
 #include "num/vec_math.h"
 #include "scene/camera.h"
+#include "scene/material.h"
 #include "scene/motion/transformation.h"
 #include "scene/tangent.h"
 
@@ -322,4 +326,23 @@ TEST_CASE("extreme times and distances give finite cameras") {
                 CHECK(std::fabs(camera.position.x) <= 2 * huge);
             }
         }
+}
+
+TEST_CASE("a material with a term of a finish is not plain, unless the term counts with others only") {
+    const std::set<std::string> plain{"rgb",       "reflection", "refraction", "diffuse",    "ambient",
+                                      "specular",  "pow",        "ior",        "normal",     "bump",
+                                      "roughness", "falloff",    "film",       "fade_power", "fade_color"};
+    const auto look = [&]<class V>(const Field<Material, V>& field) {
+        Material own;
+        if constexpr (std::is_same_v<V, double>)
+            own.*field.member += .5;
+        else if constexpr (!std::is_base_of_v<Relief, V>)
+            own.*field.member = V(Color(.25));
+        INFO(std::string(field.name));
+        CHECK(own.plain() == plain.contains(field.name));
+    };
+    std::apply([&](const auto&... field) { (look(field), ...); }, Material::fields);
+    Material coated;
+    coated.coats.emplace_back();
+    CHECK_FALSE(coated.plain());
 }
