@@ -180,6 +180,13 @@ TEST_CASE("POV-Ray: textures that differ in their finishes are mixed by their sh
     CHECK(of("checker texture { A } texture { A pigment { rgb z } }").coats.empty());
     CHECK(of("checker texture { A } texture { A pigment { rgbt <0, 0, 1, .5> } }").coats.size() == 1);
     CHECK(of("average texture_map { [1 A] [1 A] }").coats.empty());
+    // One that stands in several places of maps counts once, also where turbulence moves it.
+    const std::string inner =
+        "#declare C = texture { pigment { granite } normal { bumps } } #declare N = texture { bozo "
+        "texture_map { [0 C] [.3 B] [.6 C] [.9 B] } turbulence 1 scale 1.5 } ";
+    const Scene turned = whole(
+        a + b + inner + "sphere { 0, 1 texture { gradient y texture_map { [0 A] [.2 N] [.5 N] [.8 N] [1 A] } } }");
+    CHECK(material(turned).coats.size() == 2);
     const Scene corners = whole(a + b +
                                 "mesh2 { vertex_vectors { 4, 0, x, y, x + y } texture_list { 3, texture { A } texture "
                                 "{ B } texture { B } } face_indices { 2, <0, 1, 2>, 0, 1, 2, <1, 2, 3>, 1, 2, 1 } }");
@@ -370,6 +377,10 @@ TEST_CASE("POV-Ray: lights") {
     CHECK(light("0 rgb 1 spotlight point_at y falloff 30 radius 20 tightness 2").spot == Spot{{0, 1, 0}, 20, 30, 2});
     CHECK(light("0 rgb 1 spotlight point_at y falloff 30 radius 40").spot == Spot{{0, 1, 0}, 40, 40, 0});
     CHECK(light("0 rgb 1 spotlight").spot == Spot{{0, 0, 1}, 30, 45, 0});
+    CHECK(light("0 rgb 1 spotlight radius -330 falloff 400").spot == Spot{{0, 0, 1}, 30, 40, 0});
+    CHECK(light("0 rgb 1 spotlight radius 200 falloff 1").spot == Spot{{0, 0, 1}, 90, 90, 0});
+    CHECK(light("0 rgb 1 spotlight radius 91 falloff 130").spot == Spot{{0, 0, 1}, 90, 90, 0});
+    CHECK(notes_of("light_source { 0 rgb 1 spotlight radius 30 falloff 91 }") != "");
     CHECK(light("2*y rgb 1 parallel point_at x").direction == DVec3(1, -2, 0));
     CHECK(!light("2*y rgb 1 parallel point_at x").from);
     const auto from = [](const std::string& bodies) {
