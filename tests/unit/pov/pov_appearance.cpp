@@ -280,12 +280,33 @@ TEST_CASE("POV-Ray: lights on surfaces that cast shadows are told of") {
         !told(light + "} " + floor + "sphere { <70.5, 1, 3>, 1 } " + box + "}"));  // it shines on nothing that is seen
     CHECK(told("light_source { <70, 9, 0> rgb 1 } difference { sphere { <70, 9, 0>, 2 } sphere { <70, 7, 0>, 2 } } " +
                floor));
+    const std::string still = "box { <70, 0, 0>, <71, 2, 3> }";  // the light is on its face, or a hair inside of it
+    CHECK(!told(light + "} " + floor + still));
+    CHECK(told(light + "translate -1e-14*z } " + floor + still));
+    CHECK(!told(light + "translate 1e-14*z } " + floor + still));
     CHECK(!told(light + "} " + floor + box + "no_shadow }"));
     CHECK(!told(light + "shadowless } " + floor + box + "}"));
     CHECK(!told(light + "parallel point_at 0 } " + floor + box + "}"));
     CHECK(!told(light + "translate 1e-5*z } " + floor + box + "}"));
     CHECK(!told("light_source { 9*y rgb 1 } difference { sphere { 9*y, 2 } sphere { 9*y, 1 } } " + floor));
     CHECK(!told("light_source { <50, 31, 20> rgb 1 } box { <49, 29, 19>, <51, 31, 21> }"));  // around the eye
+}
+
+TEST_CASE("POV-Ray: opaque meshes with patterns have its planes of single precision") {
+    const std::string mesh =
+        "mesh { triangle { <9.1, 0, 0>, <9.3, 1, .7>, <9, .2, 1> } "
+        "triangle { <9.3, 1, .7>, <9, .2, 1>, <9.2, 2, 2> } ";
+    const auto data = [&](const std::string& look) { return *shape<Mesh>(whole(mesh + look)).data; };
+    const MeshData plain = data("}"), planes = data("pigment { granite } }");
+    CHECK((plain.points.size() == 4 && planes.points.size() == 6));
+    for (std::size_t i = 0; i < 2; ++i)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto corner = [&](const MeshData& of) { return of.points[std::size_t(of.triangles[i][k])]; };
+            CHECK(length(corner(planes) - corner(plain)) < 2e-6);
+            CHECK(corner(planes) != corner(plain));
+        }
+    // Light would go through clear meshes with sides that no two triangles share.
+    CHECK(data("pigment { granite color_map { [0 rgbt .5] [1 rgb 1] } } }") == data("pigment { rgbt .5 } }"));
 }
 
 TEST_CASE("POV-Ray: lights of cylinders and lights behind surfaces") {
