@@ -12,6 +12,21 @@ echo '#include "radius.inc" camera { location -5*z look_at 0 } light_source { <-
     >"two words.pov"
 expect 0 "| two words.pov " crosscheck "two words.pov" --size 32x24 --library "in cluded"
 
+# Random meshes, whose bumps and fine patterns show where the planes of triangles are to 1e-7.
+seed=$RANDOM
+cat >planes.pov <<TEXT
+camera { location <50, 55, -20> look_at <50, 42, 0> } light_source { <20, 90, -50> 1 } sky_sphere { pigment { granite } }
+#declare R = seed($seed);
+#macro P() <40 + 20*rand(R), 36 + 12*rand(R), 8*rand(R)> #end
+#macro N() <rand(R) - .5, 2, rand(R) - .5> #end
+#declare Look = texture { pigment { granite scale .05 } normal { bumps .3 scale .02 } finish { reflection .6 } }
+mesh { #for (I, 1, 20) triangle { P(), P(), P() } smooth_triangle { P(), N(), P(), N(), P(), N() } #end texture { Look } }
+mesh2 { vertex_vectors { 30, #for (I, 1, 30) P() #end }
+        face_indices { 10, #for (I, 0, 9) <3*I, 3*I + 1, 3*I + 2> #end } texture { Look } rotate 9*y scale 1.1 }
+TEXT
+said=$("$strahl" crosscheck planes.pov --size 64x48 2>&1)
+awk -F'|' '$2 ~ /planes/ { found = $5 < 9 } END { exit !found }' <<<"$said" || fault "seed $seed: $said" # of 3072 pixels
+
 echo 'camera { location -5*z look_at 0 } light_source { <-5,5,-5> 1 } sphere { clock*x, 1 + clock_on/2 }' >clock.pov
 expect 0 "| clock.pov " crosscheck clock.pov --size 32x24
 expect 0 "| clock.pov " crosscheck clock.pov --size 32x24 --clock .3

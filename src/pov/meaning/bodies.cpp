@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "num/vec_math.h"
+#include "pov/meaning/mesh_planes.h"
 #include "pov/meaning/open_mesh.h"
 #include "pov/meaning/scene_maker.h"
 #include "pov/things/prisms.h"
@@ -673,11 +674,25 @@ std::optional<SceneMaker::Part> SceneMaker::clipped(const ObjectThing& object, c
                 false};
 }
 
+/// Gives an opaque mesh the planes of POV-Ray's meshes, if its material shows where they are.
+void SceneMaker::set_single_planes(Primitive& body, TextPlace place) {
+    auto* const mesh = std::get_if<Mesh>(&body.shape);
+    const Material& own = materials[body.material];
+    if (!mesh || !own.patterned() || own.transmits() || in.options().as_text) return;
+    const auto [known, is_new] = single_planes.try_emplace(mesh->data);
+    if (is_new) {
+        in.count_bytes(3 * sizeof(DVec3) * mesh->data->triangles.size(), place);
+        known->second = std::make_shared<const MeshData>(in_single_planes(*mesh->data));
+    }
+    mesh->data = known->second;
+}
+
 void SceneMaker::push(Part part, const ObjectThing& object, const Around& around) {
     std::vector<Transformation>& own = part.primitive.transformations;
     own.insert(own.end(), around.moves.begin(), around.moves.end());
     Looks flags = around;
     take_over(object, around, flags);
+    if (object.word == word("mesh") || object.word == word("mesh2")) set_single_planes(part.primitive, object.place);
     if (in.options().as_text && ends_in_sight(part.primitive, scene.camera.position))
         notes.approximated(object.place, "a body is seen further away than 1e7");
     shown.push_back({flags.no_shadow, flags.no_image, flags.no_reflection, object.place});

@@ -71,10 +71,12 @@ void SceneMaker::add_light(const ObjectThing& object, const Around& around) {
         }
     } else if (own.sort != LightThing::Sort::point && target != light.position) {
         Spot spot{.look_at = target};
-        spot.radius = std::fabs(own.radius.value_or(30)), spot.falloff = std::fabs(own.falloff.value_or(45));
+        // Angles count by their cosines: a radius of 90 degrees or more leaves no cone, only what is before the light.
+        const auto off_axis = [](double degrees) { return std::fabs(std::remainder(degrees, 360)); };
+        spot.radius = off_axis(own.radius.value_or(30)), spot.falloff = off_axis(own.falloff.value_or(45));
         spot.tightness = tightness;
-        approximated(std::max(spot.radius, spot.falloff) > 90, "a spotlight shines at most 90 degrees off its axis");
-        spot.radius = std::clamp(spot.radius, 0., 90.);
+        approximated(spot.radius < 90 && spot.falloff > 90, "a spotlight shines at most 90 degrees off its axis");
+        spot.radius = std::min(spot.radius, 90.);
         spot.falloff = std::clamp(spot.falloff, spot.radius, 90.);  // light ends at a radius beyond the falloff
         light.spot = spot;
     }

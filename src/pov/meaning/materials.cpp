@@ -102,8 +102,11 @@ void each_negative(const FinishThing& finish, const Color& ambient_light, const 
     tell(finish.specular > 0 && finish.roughness < 0, "roughness below 0 is 1e-9");
 }
 
-/// A texture that patterns of textures show: its layers, the lowest first, in the space of the outermost pattern.
-using Shown = std::vector<LayerValues>;
+/// A texture that patterns of textures show.
+struct Shown {
+    std::vector<LayerValues> layers;  // the lowest first, in the space of the outermost pattern
+    std::vector<const void*> path;    // the patterns around it, and itself: it may stand in their maps several times
+};
 
 /// Moves a pigment or a normal from the space of a pattern that shows it into the space around this.
 template <class T>
@@ -134,8 +137,9 @@ bool collect(const TextureThing& texture, std::vector<const Blend*>& around, std
     const Blend* const blend = blend_of(texture);
     if (all.size() == most || around.size() > deepest) return false;
     if (!blend) {
-        all.push_back(texture.layers);
-        for (LayerValues& layer : all.back())
+        all.push_back({texture.layers, {around.begin(), around.end()}});
+        all.back().path.push_back(&texture);
+        for (LayerValues& layer : all.back().layers)
             for (std::size_t i = around.size(); i-- > 0;) move_out(layer, *around[i]);
         return true;
     }
@@ -471,19 +475,24 @@ std::optional<Material> MaterialMaker::mixed_layers_of(const TextureThing& textu
     const Blend* const blend = blend_of(texture);
     std::vector<const Blend*> around;
     std::vector<Shown> textures;
-    for (const auto& corner : texture.corners) textures.push_back(corner->layers);
+    for (const auto& corner : texture.corners) textures.push_back({corner->layers, {corner.get()}});
     if (textures.empty() && (!blend || texture.layers.size() > 1 || !collect(texture, around, textures)))
         return std::nullopt;
-    const bool simple = texture.corners.empty() && std::ranges::all_of(textures, [&](const Shown& layers) {
-                            return layers.size() == 1 && same_finish(layers[0], textures[0][0]) &&
-                                   !pigments.look_of(layers[0].pigment, way, uv).clear().clear();
+    const bool simple = texture.corners.empty() && std::ranges::all_of(textures, [&](const Shown& own) {
+                            return own.layers.size() == 1 && same_finish(own.layers[0], textures[0].layers[0]) &&
+                                   !pigments.look_of(own.layers[0].pigment, way, uv).clear().clear();
                         });
     if (simple) return std::nullopt;
     std::vector<Material> stacks;
     std::vector<std::size_t> numbers;
     std::size_t layers = 0;
     for (const Shown& each : textures) {
-        Material own = layers_of(each, way, uv);
+        const auto before = std::ranges::find(textures, each.path, &Shown::path);
+        if (&*before != &each) {
+            numbers.push_back(numbers[std::size_t(before - textures.begin())]);
+            continue;
+        }
+        Material own = layers_of(each.layers, way, uv);
         const auto known = texture.shares.empty() ? std::ranges::find(stacks, own) : stacks.end();
         numbers.push_back(std::size_t(known - stacks.begin()));
         if (known != stacks.end()) continue;

@@ -89,6 +89,7 @@ class SceneMaker {
     static UvMapping uv_of(const ObjectThing& object, const Around& around, bool mapped, const Steps& folded);
     int cells_of(const ObjectThing& object, const Around& around);
     int material_of(const ObjectThing& object, const Around& around, bool mapped, const Steps& folded);
+    void set_single_planes(Primitive& body, TextPlace place);
     void push(Part part, const ObjectThing& object, const Around& around);
     void count_surfaces(const ObjectThing& object);
     void tell_notes(const ObjectThing& object) const;
@@ -131,6 +132,7 @@ class SceneMaker {
     int objects_counted = 0;
     // Meshes and blobs by their data, of which all uses share one.
     std::map<std::shared_ptr<const void>, Shape> mirrored_shapes;
+    std::map<std::shared_ptr<const MeshData>, std::shared_ptr<const MeshData>> single_planes;  // by those given
 };
 
 }  // namespace strahl::pov

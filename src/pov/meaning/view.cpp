@@ -278,13 +278,19 @@ void SceneMaker::set_planes() {
 }
 
 /// Tells of lights that lie on a surface of a body that casts shadows: once it has done so, rounding decides for each
-/// of POV-Ray's next shadow rays whether they meet that surface. Boxes that are not moved are found without rounding.
+/// of POV-Ray's next shadow rays whether they meet that surface. Faces of boxes that are not moved, on which a light
+/// lies exactly, are found without rounding.
 /// Bodies around the eye, such as rooms, are taken to cast no shadows that are seen.
 void SceneMaker::tell_of_lights_on_surfaces(SeenPlaces& sight) const {
     constexpr double close = 1e-9;  // as a share of the light's coordinates
     const auto is_in = [](const DVec3& p, const Box& box, double hair) {
         bool in = true;
         for (int c = 0; c < 3; ++c) in &= box.low[c] - hair <= p[c] && p[c] <= box.high[c] + hair;
+        return in;
+    };
+    const auto is_within = [](const DVec3& p, const Box& box) {
+        bool in = true;
+        for (int c = 0; c < 3; ++c) in &= box.low[c] < p[c] && p[c] < box.high[c];
         return in;
     };
     std::vector<Box> boxes(scene.primitives.size());
@@ -297,7 +303,8 @@ void SceneMaker::tell_of_lights_on_surfaces(SeenPlaces& sight) const {
         for (std::size_t k = 0; k < boxes.size(); ++k) {
             const Primitive& body = scene.primitives[k];
             if (!is_in(at, boxes[k], hair) || is_in(scene.camera.position, boxes[k], 0)) continue;
-            if (std::holds_alternative<Cuboid>(body.shape) && body.transformations.empty()) continue;
+            const bool exact = std::holds_alternative<Cuboid>(body.shape) && body.transformations.empty();
+            if (exact && !is_within(at, boxes[k])) continue;
             bool around = false;
             for (const DVec3& step : {DVec3(hair, 0, 0), DVec3(0, hair, 0), DVec3(0, 0, hair)})
                 around |= contains(body, at + step) != contains(body, at - step);

@@ -180,6 +180,13 @@ TEST_CASE("POV-Ray: textures that differ in their finishes are mixed by their sh
     CHECK(of("checker texture { A } texture { A pigment { rgb z } }").coats.empty());
     CHECK(of("checker texture { A } texture { A pigment { rgbt <0, 0, 1, .5> } }").coats.size() == 1);
     CHECK(of("average texture_map { [1 A] [1 A] }").coats.empty());
+    // One that stands in several places of maps counts once, also where turbulence moves it.
+    const std::string inner =
+        "#declare C = texture { pigment { granite } normal { bumps } } #declare N = texture { bozo "
+        "texture_map { [0 C] [.3 B] [.6 C] [.9 B] } turbulence 1 scale 1.5 } ";
+    const Scene turned = whole(
+        a + b + inner + "sphere { 0, 1 texture { gradient y texture_map { [0 A] [.2 N] [.5 N] [.8 N] [1 A] } } }");
+    CHECK(material(turned).coats.size() == 2);
     const Scene corners = whole(a + b +
                                 "mesh2 { vertex_vectors { 4, 0, x, y, x + y } texture_list { 3, texture { A } texture "
                                 "{ B } texture { B } } face_indices { 2, <0, 1, 2>, 0, 1, 2, <1, 2, 3>, 1, 2, 1 } }");
@@ -273,12 +280,33 @@ TEST_CASE("POV-Ray: lights on surfaces that cast shadows are told of") {
         !told(light + "} " + floor + "sphere { <70.5, 1, 3>, 1 } " + box + "}"));  // it shines on nothing that is seen
     CHECK(told("light_source { <70, 9, 0> rgb 1 } difference { sphere { <70, 9, 0>, 2 } sphere { <70, 7, 0>, 2 } } " +
                floor));
+    const std::string still = "box { <70, 0, 0>, <71, 2, 3> }";  // the light is on its face, or a hair inside of it
+    CHECK(!told(light + "} " + floor + still));
+    CHECK(told(light + "translate -1e-14*z } " + floor + still));
+    CHECK(!told(light + "translate 1e-14*z } " + floor + still));
     CHECK(!told(light + "} " + floor + box + "no_shadow }"));
     CHECK(!told(light + "shadowless } " + floor + box + "}"));
     CHECK(!told(light + "parallel point_at 0 } " + floor + box + "}"));
     CHECK(!told(light + "translate 1e-5*z } " + floor + box + "}"));
     CHECK(!told("light_source { 9*y rgb 1 } difference { sphere { 9*y, 2 } sphere { 9*y, 1 } } " + floor));
     CHECK(!told("light_source { <50, 31, 20> rgb 1 } box { <49, 29, 19>, <51, 31, 21> }"));  // around the eye
+}
+
+TEST_CASE("POV-Ray: opaque meshes with patterns have its planes of single precision") {
+    const std::string mesh =
+        "mesh { triangle { <9.1, 0, 0>, <9.3, 1, .7>, <9, .2, 1> } "
+        "triangle { <9.3, 1, .7>, <9, .2, 1>, <9.2, 2, 2> } ";
+    const auto data = [&](const std::string& look) { return *shape<Mesh>(whole(mesh + look)).data; };
+    const MeshData plain = data("}"), planes = data("pigment { granite } }");
+    CHECK((plain.points.size() == 4 && planes.points.size() == 6));
+    for (std::size_t i = 0; i < 2; ++i)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto corner = [&](const MeshData& of) { return of.points[std::size_t(of.triangles[i][k])]; };
+            CHECK(length(corner(planes) - corner(plain)) < 2e-6);
+            CHECK(corner(planes) != corner(plain));
+        }
+    // Light would go through clear meshes with sides that no two triangles share.
+    CHECK(data("pigment { granite color_map { [0 rgbt .5] [1 rgb 1] } } }") == data("pigment { rgbt .5 } }"));
 }
 
 TEST_CASE("POV-Ray: lights of cylinders and lights behind surfaces") {
@@ -370,6 +398,10 @@ TEST_CASE("POV-Ray: lights") {
     CHECK(light("0 rgb 1 spotlight point_at y falloff 30 radius 20 tightness 2").spot == Spot{{0, 1, 0}, 20, 30, 2});
     CHECK(light("0 rgb 1 spotlight point_at y falloff 30 radius 40").spot == Spot{{0, 1, 0}, 40, 40, 0});
     CHECK(light("0 rgb 1 spotlight").spot == Spot{{0, 0, 1}, 30, 45, 0});
+    CHECK(light("0 rgb 1 spotlight radius -330 falloff 400").spot == Spot{{0, 0, 1}, 30, 40, 0});
+    CHECK(light("0 rgb 1 spotlight radius 200 falloff 1").spot == Spot{{0, 0, 1}, 90, 90, 0});
+    CHECK(light("0 rgb 1 spotlight radius 91 falloff 130").spot == Spot{{0, 0, 1}, 90, 90, 0});
+    CHECK(notes_of("light_source { 0 rgb 1 spotlight radius 30 falloff 91 }") != "");
     CHECK(light("2*y rgb 1 parallel point_at x").direction == DVec3(1, -2, 0));
     CHECK(!light("2*y rgb 1 parallel point_at x").from);
     const auto from = [](const std::string& bodies) {
