@@ -93,6 +93,8 @@ void SceneMaker::add_light(const ObjectThing& object, const Around& around) {
     approximated(light.area && !grid && own.orient, "an area_light that turns to the bodies stays as it is");
     if (light.area && grid) {
         light.circular = round, light.orient = round && own.orient;
+        // The mirror image of the grid that POV-Ray turns is not the one that is turned here.
+        approximated(light.orient && mirrored, "'orient': the points are off by a thousandth of the light's size");
         light.adaptive = std::clamp(own.adaptive, 0, 100);
         light.jitter = own.jitter;
         if (own.jitter)

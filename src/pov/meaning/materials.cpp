@@ -103,7 +103,7 @@ void each_negative(const FinishThing& finish, const Color& ambient_light, const 
 }
 
 /// A texture that patterns of textures show.
-struct Shown {
+struct ShownTexture {
     std::vector<LayerValues> layers;  // the lowest first, in the space of the outermost pattern
     std::vector<const void*> path;    // the patterns around it, and itself: it may stand in their maps several times
 };
@@ -132,7 +132,7 @@ void move_out(LayerValues& layer, const Blend& around) {
 
 /// Collects the textures that patterns of textures show, those within each other in the order of their maps. Returns
 /// false if there are too many.
-bool collect(const TextureThing& texture, std::vector<const Blend*>& around, std::vector<Shown>& all) {
+bool collect(const TextureThing& texture, std::vector<const Blend*>& around, std::vector<ShownTexture>& all) {
     constexpr std::size_t most = 64, deepest = 4;
     const Blend* const blend = blend_of(texture);
     if (all.size() == most || around.size() > deepest) return false;
@@ -474,11 +474,11 @@ std::optional<Material> MaterialMaker::mixed_layers_of(const TextureThing& textu
                                                        const UvMapping& uv) {
     const Blend* const blend = blend_of(texture);
     std::vector<const Blend*> around;
-    std::vector<Shown> textures;
+    std::vector<ShownTexture> textures;
     for (const auto& corner : texture.corners) textures.push_back({corner->layers, {corner.get()}});
     if (textures.empty() && (!blend || texture.layers.size() > 1 || !collect(texture, around, textures)))
         return std::nullopt;
-    const bool simple = texture.corners.empty() && std::ranges::all_of(textures, [&](const Shown& own) {
+    const bool simple = texture.corners.empty() && std::ranges::all_of(textures, [&](const ShownTexture& own) {
                             return own.layers.size() == 1 && same_finish(own.layers[0], textures[0].layers[0]) &&
                                    !pigments.look_of(own.layers[0].pigment, way, uv).clear().clear();
                         });
@@ -486,8 +486,8 @@ std::optional<Material> MaterialMaker::mixed_layers_of(const TextureThing& textu
     std::vector<Material> stacks;
     std::vector<std::size_t> numbers;
     std::size_t layers = 0;
-    for (const Shown& each : textures) {
-        const auto before = std::ranges::find(textures, each.path, &Shown::path);
+    for (const ShownTexture& each : textures) {
+        const auto before = std::ranges::find(textures, each.path, &ShownTexture::path);
         if (&*before != &each) {
             numbers.push_back(numbers[std::size_t(before - textures.begin())]);
             continue;

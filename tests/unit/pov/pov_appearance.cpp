@@ -427,6 +427,9 @@ TEST_CASE("POV-Ray: lights") {
     CHECK(
         (notes("3, 3 adaptive 1 jitter") == "" && notes("4, 4 adaptive 1 jitter") == "" && notes("9, 9 jitter") == ""));
     CHECK((notes("5, 5 adaptive 1 jitter") == "" && soft("5, 5 adaptive 1 jitter").adaptive == 1));
+    CHECK(notes("3, 3 circular orient") == "");
+    const std::string turning = "light_source { 2*y rgb 1 area_light x, z, 3, 3 circular orient } ";
+    CHECK(opened("camera { } " + turning, false).notes.size() == 1);  // left-handed
     CHECK(length(soft("5, 1").area->v) < 1e-5);
     CHECK((soft("1, 5").area->u == DVec3(0, 0, 1) && soft("1, 5").area->columns == 5));
     CHECK(!soft("1, 1").area);
