@@ -53,24 +53,24 @@ void look_at_layers(const Shading<S, P>& shading, const Hit<S>& hit, const int* 
     note_colors(shading, filtering, color_of(layers), hit.pixel, pick(from.weight), pick.lanes);
 }
 
-/// Adds the light of all lights to `sum`.
+/// Adds the light of all lights to `sum`. For each one `hit.active` is narrowed to the lanes on which it shines.
 template <class S, class P>
-void add_lights(const Shading<S, P>& shading, const Hit<S>& hit, const int* numbers, const LayeredHit<S>& layers,
+void add_lights(const Shading<S, P>& shading, Hit<S>& hit, const int* numbers, const LayeredHit<S>& layers,
                 HitNotes<S, P>& notes, Vec3<S>& sum) {
     using T = Element<S>;
     const auto& world = shading.world;
     const Vec3<S>& flat = flat_normal(shading, hit, notes);
     const Vec3<S> reflected = reflect(hit), nothing = splat<S>(Vec3<T>(0));
     const Mask<S> both = world.finishes.behind ? FinishCalls<S>::lit_behind(world, numbers) : first_lanes<S>(0);
-    Hit<S> own_hit = hit;
+    const Mask<S> active = hit.active;
     for (int i = 0; i < world.light_count; ++i) {
         const LightKernel<T>& light = world.lights[i];
         if (notes_layers(shading)) note_light_before(shading, sum);
-        if (world.finishes.groups) own_hit.active = hit.active & FinishCalls<S>::lit_by(world, numbers, light.group);
-        const LightAt<S> at = light_at(shading, own_hit, light, flat, both);
-        const auto own = P::light_of(shading, own_hit, light, at, flat, notes.own);
-        if (none(P::lit(at.faces, own_hit, own))) continue;
-        const Vec3<S> share = share_at(shading, own_hit, i, at, flat, reflected);
+        if (world.finishes.groups) hit.active = active & FinishCalls<S>::lit_by(world, numbers, light.group);
+        const LightAt<S> at = light_at(shading, hit, light, flat, both);
+        const auto own = P::light_of(shading, hit, light, at, flat, notes.own);
+        if (none(P::lit(at.faces, hit, own))) continue;
+        const Vec3<S> share = share_at(shading, hit, i, at, flat, reflected);
         if (notes_sights(shading)) note_light(shading, hit, notes, i, share, S(dot(reflected, at.way.l)), at.faces);
         Vec3<S> arriving;
         for (int c = 0; c < 3; ++c) arriving[c] = at.strength * share[c] * S(light.color[c]);
@@ -80,8 +80,9 @@ void add_lights(const Shading<S, P>& shading, const Hit<S>& hit, const int* numb
         Vec3<S> lighted = sum;
         FinishCalls<S>::scatter(world, numbers, layers, lit, arriving, lighted);
         sum = select(at.faces, lighted, sum);
-        P::lit_layers(shading, own_hit, numbers, layers, i, at, lit, share, own, notes.own);
+        P::lit_layers(shading, hit, numbers, layers, i, at, lit, share, own, notes.own);
     }
+    hit.active = active;
 }
 
 /// Queues rays that go on from hits, with what they carry.
@@ -192,14 +193,16 @@ template <class S, class P>
     P::layers(shading, hit, numbers, layers, notes.own);
     Onward<S> on;
     carry_on(shading, hit, from, pick, bend == 0, notes.carried, on);
-    Hit<S> lit = hit;
+    const Mask<S> active = hit.active;
     if (any(on.lanes)) {
-        Hit<S> sending = hit;
-        sending.active = on.lanes, sending.weight = on.weight;
-        lit.active = hit.active & !scatter_layers(shading, sending, numbers, layers, t, notes);
+        const S weight = hit.weight;
+        hit.active = on.lanes, hit.weight = on.weight;
+        const Mask<S> dim = scatter_layers(shading, hit, numbers, layers, t, notes);
+        hit.active = active & !dim, hit.weight = weight;
     }
     Vec3<S> light = layers.ambient;
-    add_lights(shading, lit, numbers, layers, notes, light);
+    add_lights(shading, hit, numbers, layers, notes, light);
+    hit.active = active;
     const Vec3<S> sum = light;
     light = select(hit.active, scale(hit.weight, light), splat<S>(Vec3<Element<S>>(0)));
     if (world.fog.any) {
