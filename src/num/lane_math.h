@@ -46,7 +46,7 @@ STRAHL_INLINE S power_of_uniform(S x, Element<S> p) {
     return result;
 }
 
-/// Does so for exponents that may be below 0; then it returns 1e9 at most.
+/// Returns x^p for the same p in all lanes, which may be below 0: then it returns 1e9 at most.
 template <class S>
 STRAHL_INLINE S signed_power(const S& x, Element<S> p) {
     return p < 0 ? S(1) / max(power_of_uniform(x, -p), S(1e-9f)) : power_of_uniform(x, p);

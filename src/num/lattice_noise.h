@@ -24,7 +24,7 @@ struct NoiseLanes {
     void (*noise)(const DVec3* points, int count, int generator, double* values);
     void (*vector_turbulence)(const DVec3* points, int count, int octaves, float omega, float lambda, DVec3* ways);
 };
-/// The same, one point after the other.
+/// Computes these noises one point after the other.
 extern const NoiseLanes noise_by_points;
 
 /// Noise from 0 to 1 at a point; `generator` is 1, 2 or 3.

@@ -106,7 +106,7 @@ STRAHL_INLINE R gather_items(const I* items, const int* index) {
     }
     return of_fields<R, S>([&](std::size_t f) __attribute__((always_inline)) { return load_lanes<S>(lanes[f]); });
 }
-/// Does so for items of floats, and converts them.
+/// Gathers items of floats as gather_items does, and converts them to the type of the lanes.
 template <template <class> class R, class S>
 STRAHL_INLINE R<S> gather_floats(const R<float>* items, const int* index) {
     using F = std::conditional_t<width<S> == 1, float, Pack<float>>;

@@ -80,7 +80,7 @@ bool lies_in(const std::string& path, const std::string& folder) {
     return !error && !other_error && begins(real, root);
 }
 
-FileSearch::Result FileSearch::find(const std::string& name, const std::vector<std::string>& extensions) {
+FileSearch::FoundFile FileSearch::find(const std::string& name, const std::vector<std::string>& extensions) {
     std::string key = name;
     for (const std::string& extension : extensions) key += '\n' + extension;
     if (const auto known = found.find(key); known != found.end()) return {.path = known->second};
@@ -105,7 +105,7 @@ FileSearch::Result FileSearch::find(const std::string& name, const std::vector<s
         // The fonts of POV-Ray's package are links to another folder.
         return std::ranges::any_of(standard_library(), [&](const fs::path& folder) { return begins(path, folder); });
     };
-    const auto accepted = [&](const fs::path& path, const std::string& warning) -> Result {
+    const auto accepted = [&](const fs::path& path, const std::string& warning) -> FoundFile {
         if (std::error_code ignored; !allowed(path))
             return {{},
                     strahl::quoted(name) +

@@ -13,11 +13,11 @@ class FileSearch {
     FileSearch(const std::string& scene, std::vector<std::string> library) : library(std::move(library)), all{scene} {}
 
     /// The path of a file, or why there is none; and in both cases perhaps a warning.
-    struct Result {
+    struct FoundFile {
         std::string path{}, fault{}, warning{};
     };
     /// Finds a file, with one of these extensions added to its name if need be.
-    Result find(const std::string& name, const std::vector<std::string>& extensions);
+    FoundFile find(const std::string& name, const std::vector<std::string>& extensions);
     /// Returns the paths of the scene and of all files that were found, in this order.
     const std::vector<std::string>& paths() const { return all; }
 

@@ -36,7 +36,7 @@ std::string Interpreter::State::load(const std::string& path) {
 
 std::string Interpreter::State::find(const std::string& name, const std::vector<std::string>& extensions, bool must) {
     const auto before = static_cast<std::ptrdiff_t>(search.paths().size());
-    const FileSearch::Result result = search.find(name, extensions);
+    const FileSearch::FoundFile result = search.find(name, extensions);
     if (options.files)
         options.files->insert(options.files->end(), search.paths().begin() + before, search.paths().end());
     if (!result.warning.empty()) warn(last, result.warning);

@@ -240,7 +240,7 @@ template <class V>
                                                     const LineAroundAxis<V>& line, Mask<V> lanes) {
     return cross_turned_here<V>(piece, line, lanes);
 }
-/// Does so by a call for packs: its code is long, and the call costs little.
+/// Returns what cross_turned_here does. Packs call it: its code is long, and the call costs little.
 template <class V>
 STRAHL_INLINE TurnedPlaces<V> cross_turned(const ContourPiece<Element<V>>& piece, const LineAroundAxis<V>& line,
                                            Mask<V> lanes) {

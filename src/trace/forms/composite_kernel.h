@@ -33,7 +33,7 @@ class CompositeWalk {
     STRAHL_INLINE Mask<S> inside_after(const S& t) const {
         return combined([&](int i) { return inside_leaf(i, t); });
     }
-    /// Does so as if leaf `other` were the opposite of what it is, and leaves from `passed` on as just before `t`.
+    /// Returns inside_after(t) with leaf `other` turned inside out, and leaves from `passed` on as just before `t`.
     [[gnu::noinline]] Mask<S> inside_if(const S& t, int other, int passed = most_leaves) const {
         return combined([&](int i) {
             const Mask<S> inside = i < passed ? inside_leaf(i, t) : inside_leaf_before(i, t);
@@ -314,8 +314,8 @@ class CompositeWalk {
         cross_leaf(own, stretch, ends[i]);
         return any(stretch.lanes());
     }
-    /// Does so for rays that may meet it. Faces in the same place share a key, and so are crossed at the same t: planes
-    /// by being one, others by their own equal formulas. A ray that starts on one of them starts on all of these.
+    /// Does what `cross` does, for a leaf that rays may meet. Faces in the same place share a key and are crossed at
+    /// one t: planes are one plane, others have equal formulas. A ray that starts on one of them starts on all.
     [[gnu::noinline]] void cross_leaf(const CompositeLeaf& own, Reach& stretch, LeafEnds<S>& end) {
         if (own.listed) return cross_mesh(own, stretch, end);
         const std::int32_t* const keys =

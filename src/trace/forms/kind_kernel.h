@@ -81,9 +81,9 @@ template <class Form, class S>
                                      all_lanes<S>(), cross_one);
     return span.hit & (span.near <= S(0)) & (span.far > S(0));
 }
-/// Returns those rays, of rays that seem to start in an opaque convex body, that do not: rays get into such a body only
-/// with the eye. If the start is nearer to where the ray leaves than to where it entered, it is on another surface that
-/// lies there but for rounding, outside, and the ray goes away from the body.
+/// Returns which rays only seem to start in an opaque convex body, because of rounding: rays get into such a body only
+/// with the eye. If the start is nearer to where the ray leaves than to where it entered, it is on another surface, in
+/// the same place but for rounding and outside, and the ray goes away from the body.
 template <class Form, class S>
 STRAHL_INLINE Mask<S> FormFunctions<Form, S>::outside(const World<T>& world, int item, const Ray<S>& ray,
                                                       const Span<S>& span, Mask<S> inside) {
@@ -93,7 +93,7 @@ STRAHL_INLINE Mask<S> FormFunctions<Form, S>::outside(const World<T>& world, int
     if (none(leaving)) return leaving;
     return leaving & !holds_eye(world, item, ray);
 }
-/// Does the same for items side by side, which may be transparent.
+/// Returns what `outside` does for items side by side, one in each lane, which may be transparent.
 template <class Form, class S>
 STRAHL_INLINE Mask<S> FormFunctions<Form, S>::outside_each(const World<T>& world, int first, const Ray<S>& ray,
                                                            const Span<S>& span, Mask<S> inside) {

@@ -35,8 +35,8 @@ template <class T>
 bool is_on_leaf(const World<T>& world, int surface) {
     return world.composites.leaf_faces && world.composites.leaf_faces[surface] >= 0;
 }
-/// Returns those of the lanes that have no surface, or one that lets no light through and is not of a composite: of its
-/// surfaces others may be clear.
+/// Returns the lanes without a surface, or with one that lets no light through. Surfaces of a composite are never
+/// among these: others of the same composite may be clear.
 template <class S>
 Mask<S> opaque_lanes(const World<Element<S>>& world, const S& surfaces, Mask<S> lanes) {
     for (unsigned left = bits(lanes); left != 0; left &= left - 1) {
@@ -147,9 +147,9 @@ Vec3<S> faded_visibility(const World<Element<S>>& world, const Ray<S>& ray, cons
     return followed_light(world, ray, distance, active, start, hidden);
 }
 
-/// Does so where light neither fades nor surfaces have two sides: only rays that surfaces dim need be followed, since
-/// what is near behind a clear surface is passed over. Rays that lose all their light may lose it to colours alone,
-/// unless they are in an opaque body, which followed ones do not see.
+/// Returns the light that comes through where it does not fade and no surface has two sides. Follows only rays that
+/// surfaces dim, since what is near behind a clear one is passed over. Rays that lose all light may lose it to colours
+/// alone, unless they are in an opaque body, which followed rays do not see.
 template <class S>
 [[gnu::noinline]] Vec3<S> clear_visibility(const World<Element<S>>& world, const Ray<S>& ray, const S& distance,
                                            Mask<S> active, const Start<S>& start) {

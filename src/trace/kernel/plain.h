@@ -79,7 +79,7 @@ struct Plain {
                                           const S&, const S&, const S&) {
         return {};
     }
-    /// Does so for lights of any kind, see light_at.
+    /// Returns what a policy notes of a light of any kind, see light_at.
     template <class S>
     STRAHL_INLINE static OfLight<S> light_of(const Shading<S, Plain>&, const Hit<S>&, const LightKernel<Element<S>>&,
                                              const LightAt<S>&, const Vec3<S>&, OfHit<S>&) {

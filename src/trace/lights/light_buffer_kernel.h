@@ -29,7 +29,7 @@ struct Darkening {
         }
         return load_lanes<S>(dark) > S(0);
     }
-    /// Returns the same, tested side by side. Rays that seem to start in a body are tested more closely.
+    /// Returns the lanes that items darken, tested side by side; closely where rays seem to start in a body.
     STRAHL_INLINE Mask<S> darkened(Mask<S> lanes, int form, const int* items) const {
         Mask<S> dark = first_lanes<S>(0);
         const auto side_by_side = [&](const auto& group) __attribute__((always_inline)) {

@@ -15,8 +15,8 @@ namespace strahl::inline STRAHL_LEVEL {
 template <class S>
 struct KnownTriangle {
     Vec3<S> e, f, n;
-    S own, width, tall, narrow, tilt;  // tilt: the angle by which the exact normal may be turned
-    Mask<S> clear;                     // it is neither so small nor so narrow that its normal is hardly known
+    S own, width, tall, narrow, tilt;  // error of a corner; |e| + |f|; |n|; |e| |f| / |n|; error of n's direction
+    Mask<S> clear;                     // false where it is so small or so narrow that its normal is hardly known
 
     template <class K>
     STRAHL_INLINE KnownTriangle(const TriangleKernel<K>& triangle, const Slack<Element<S>>& slack) {

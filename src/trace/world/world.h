@@ -248,8 +248,8 @@ struct PatternTables {
 template <class T>
 struct MediumTables {
     const T* iors = nullptr;
-    const std::int32_t* bodies = nullptr;  // the first surface of the body
-    const std::uint8_t* hollow = nullptr;  // there is fog in it; null if that is so in none
+    const std::int32_t* bodies = nullptr;  // the first surface of the body that a surface is of
+    const std::uint8_t* hollow = nullptr;  // 1 where there is fog in the body; null if there is in none
 };
 
 /// Fog of the whole scene. Kernels skip it if there is none.

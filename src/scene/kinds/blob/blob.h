@@ -149,7 +149,7 @@ struct LumpStretches {
     Room<std::int8_t, most> rays;
     int count = 0;
     alignas(64) R shift[width<S>], per[width<S>];  // of the rays: t = (place + shift) per
-    // Crossings of some of them, each row with at most one of each ray.
+    // Crossings of rays with some of these lumps; a row holds at most one crossing of each ray.
     alignas(64) R rows[4 * width<V>][width<S>];
     unsigned crossed[4 * width<V>];
 

@@ -25,7 +25,7 @@ struct JuliaMarch {
     Mask<V> inside{}, turned{};
 
     static constexpr R near = std::is_same_v<R, float> ? R(4e-7) : R(1e-7);  // how exactly a crossing is found
-    static constexpr R itself = R(1e-4);  // up to here rays that start on it cross the surface that they start on
+    static constexpr R itself = R(1e-4);  // of a ray from the surface, crossings up to here are its start
 
     /// Looks at the places where rays begin, or somewhat further in if these are inside.
     template <JuliaRule rule>
@@ -147,7 +147,7 @@ struct JuliaMarch {
         }
         at = select(turned, fma(select(inside, share, share + size), part, at), at);
     }
-    /// Does so for few rays: looks at once at all places where several halvings may look.
+    /// Halves the steps of few rays: looks at once at all places where several halvings may look.
     template <JuliaRule rule>
     STRAHL_INLINE void halve_few(const JuliaNumbers<R>& own, unsigned left, const V& part, V& share, V& size) {
         alignas(64) R shares[width<V>], sizes[width<V>], parts[width<V>];
