@@ -184,7 +184,7 @@ class Batches {
         const auto each_batch = [&](TilePixels spots, const auto& trace) {
             for (std::size_t done = 0; done < spots.size(); done += scattered_pixels) {
                 const int count = static_cast<int>(std::min<std::size_t>(scattered_pixels, spots.size() - done));
-                for (int i = 0; i < count; ++i) aim(tile, spots[done + i].x, spots[done + i].y, i);
+                for (int i = 0; i < count; ++i) aim(tile, spots[done + i].x, spots[done + i].y, 0, 0, i);
                 trace(count, done);
             }
         };
@@ -261,12 +261,10 @@ class Batches {
         return filled.encode(rgb);
     }
 
-    /// Returns a coordinate of a ray through a pixel, beside its middle by `shift`.
-    static T place(int first, int offset, double shift) { return static_cast<T>(first + offset + shift); }
-    /// Makes the middle of a lattice's pixel point i of the next batch.
-    void aim(const Lattice& tile, int x, int y, int i) {
-        workspace.pixels_x[i] = place(tile.x, x * tile.step_x, 0);
-        workspace.pixels_y[i] = place(tile.y, y * tile.step_y, 0);
+    /// Makes a pixel of a lattice pixel i of the next batch.
+    void aim(const Lattice& tile, int x, int y, double shift_x, double shift_y, int i) {
+        workspace.pixels_x[i] = static_cast<T>(tile.x + x * tile.step_x + shift_x);
+        workspace.pixels_y[i] = static_cast<T>(tile.y + y * tile.step_y + shift_y);
     }
 
     /// Traces the first pixels of the workspace, and writes what they saw.
@@ -287,13 +285,10 @@ class Batches {
     }
 
     void trace_spots(const Lattice& tile, double shift_x, double shift_y) {
-        T xs[lattice_tile], ys[lattice_tile];  // computed once for all pixels of a column or row
-        for (int x = 0; x < tile.columns; ++x) xs[x] = place(tile.x, x * tile.step_x, shift_x);
-        for (int y = 0; y < tile.rows; ++y) ys[y] = place(tile.y, y * tile.step_y, shift_y);
         int filled = 0;
         for (const auto [x, y] : z_curve) {
             if (x >= tile.columns || y >= tile.rows) continue;
-            workspace.pixels_x[filled] = xs[x], workspace.pixels_y[filled] = ys[y];
+            aim(tile, x, y, shift_x, shift_y, filled);
             workspace.order[y * tile.columns + x] = filled++;
         }
         trace_batches(filled, nullptr);
