@@ -101,7 +101,8 @@ xdotool mousemove --window "$id" 320 200 click 1
 await 'chosen: light 1, spotlight, line 2'
 xdotool key m m
 await 'circles open and close the cone of light'
-becomes lacks_color 5A8CFF || fault "the handles of before stay" # the handles that were there before have a ring of the other colour as well
+# The handles that were there before have a ring of the other colour as well.
+becomes lacks_color 5A8CFF || fault "the handles of before stay"
 find_color 6EDC50 # the inner circle, which stays within the outer one
 drag "$x" "$y" 0 -60
 writes '^light .* spot { look_at <0, 0, 0>  radius 9  falloff 9 } }$'

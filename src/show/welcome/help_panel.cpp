@@ -24,7 +24,8 @@ void draw_help(const KeyMap& keys, const std::string& typed) {
     int columns = 1, lines = 1;
     float scale = .1f;  // at least, in windows where nobody can read it
     for (const int count : {1, 2, 3, 4}) {
-        const int high = (static_cast<int>(all.size()) + 2 * (count - 1)) / count;  // all but the last may lack a line
+        // Each column but the last may lack a line: a heading that would end it.
+        const int high = (static_cast<int>(all.size()) + 2 * (count - 1)) / count;
         const float fits = std::min(inner.x / (static_cast<float>(count) * (name + meaning)),
                                     inner.y / (static_cast<float>(high + 2) * line));
         if (std::min(fits, 1.f) > scale) scale = std::min(fits, 1.f), columns = count, lines = high;

@@ -58,9 +58,9 @@ class Screen {
     double pixels_to_reach() const { return 6 * std::max(scale, 1.f); }
     /// The area of the picture in the window.
     ScreenArea area() const;
-    /// Where panels see the pointer, in units of the screen; without a value where it is now.
+    /// Tells panels where the pointer is, in units of the screen; without a value they see it where it is now.
     std::optional<glm::dvec2> pointer;
-    /// Whether panels see the left button down; without a value as it is now.
+    /// Tells panels whether the left button is down; without a value they see it as it is now.
     std::optional<bool> left_down;
 
   private:
