@@ -63,9 +63,11 @@ class Batches {
         const int pixels = tile.columns * tile.rows;
         static_assert(sizeof(PixelSum<T>) == 4 * sizeof(T));
         const T* const sums = workspace.sums[0].rgb;
+        const int* const order = workspace.order.data();
         for (int i = 0; i < pixels; ++i)
             for (int c = 0; c < 4; ++c)  // four at once are faster than three; the next pixel covers the last
-                values[3 * i + c] = finite<Out>(sums[4 * workspace.order[i] + c]);
+                values[3 * i + c] = static_cast<Out>(sums[4 * order[i] + c]);
+        for (int i = 0; i < 3 * pixels; ++i) values[i] = finite<Out>(values[i]);
         if (layers) {
             layers->begin(pixels), average_spots(pixels);
             return hand_on(tile, std::span<const Out>(values, 3 * pixels), sink);
@@ -184,7 +186,7 @@ class Batches {
         const auto each_batch = [&](TilePixels spots, const auto& trace) {
             for (std::size_t done = 0; done < spots.size(); done += scattered_pixels) {
                 const int count = static_cast<int>(std::min<std::size_t>(scattered_pixels, spots.size() - done));
-                for (int i = 0; i < count; ++i) aim(tile, spots[done + i].x, spots[done + i].y, 0, 0, i);
+                for (int i = 0; i < count; ++i) aim(tile, spots[done + i].x, spots[done + i].y, i);
                 trace(count, done);
             }
         };
@@ -217,9 +219,9 @@ class Batches {
         const T bound = T(1.001) * (bounds[i] + sum.pruned) + rounding * most;
         return bound >= 0 ? static_cast<double>(bound) : std::numeric_limits<double>::infinity();
     }
-    template <class To>
-    static To finite(T value) {
-        return static_cast<To>(std::min(value, static_cast<T>(std::numeric_limits<To>::max())));
+    template <class To, class From>
+    static To finite(From value) {
+        return static_cast<To>(std::min(value, static_cast<From>(std::numeric_limits<To>::max())));
     }
 
     /// Gives the layers the samples that were just traced.
@@ -228,7 +230,7 @@ class Batches {
         for (int i = 0; i < count; ++i) {
             const T* const from = rows.values + std::size_t(i) * rows.length;
             float* const to = layers->add_sample();
-            std::transform(from, from + rows.length, to, finite<float>);
+            std::transform(from, from + rows.length, to, finite<float, T>);
             if (rows.length <= Rows::distance) continue;
             to[Rows::distance] = static_cast<float>(static_cast<double>(from[Rows::distance]) / placement.scale);
             for (int c = 0; c < 3; ++c)
@@ -262,9 +264,9 @@ class Batches {
     }
 
     /// Makes a pixel of a lattice pixel i of the next batch.
-    void aim(const Lattice& tile, int x, int y, double shift_x, double shift_y, int i) {
-        workspace.pixels_x[i] = static_cast<T>(tile.x + x * tile.step_x + shift_x);
-        workspace.pixels_y[i] = static_cast<T>(tile.y + y * tile.step_y + shift_y);
+    void aim(const Lattice& tile, int x, int y, int i) {
+        workspace.pixels_x[i] = static_cast<T>(tile.x + x * tile.step_x);
+        workspace.pixels_y[i] = static_cast<T>(tile.y + y * tile.step_y);
     }
 
     /// Traces the first pixels of the workspace, and writes what they saw.
@@ -285,11 +287,16 @@ class Batches {
     }
 
     void trace_spots(const Lattice& tile, double shift_x, double shift_y) {
-        int filled = 0;
+        T x_at[lattice_tile], y_at[lattice_tile];
+        for (int i = 0; i < lattice_tile; ++i)
+            x_at[i] = static_cast<T>(tile.x + i * tile.step_x + shift_x),
+            y_at[i] = static_cast<T>(tile.y + i * tile.step_y + shift_y);
+        T *const pixels_x = workspace.pixels_x.data(), *const pixels_y = workspace.pixels_y.data();
+        int *const order = workspace.order.data(), filled = 0;
         for (const auto [x, y] : z_curve) {
             if (x >= tile.columns || y >= tile.rows) continue;
-            aim(tile, x, y, shift_x, shift_y, filled);
-            workspace.order[y * tile.columns + x] = filled++;
+            pixels_x[filled] = x_at[x], pixels_y[filled] = y_at[y];
+            order[y * tile.columns + x] = filled++;
         }
         trace_batches(filled, nullptr);
     }
@@ -321,10 +328,11 @@ class Batches {
                 workspace.batch = std::max(1, count / 2);
             }
         }
-        for (int i = 0; i < pixels; ++i) {
-            counts.dropped = std::max(counts.dropped, double(workspace.sums[i].pruned));
-            counts.past = std::max(counts.past, double(workspace.past[i]));
-        }
+        T dropped = 0, past = 0;
+        for (int i = 0; i < pixels; ++i)
+            dropped = std::max(dropped, workspace.sums[i].pruned), past = std::max(past, workspace.past[i]);
+        counts.dropped = std::max(counts.dropped, double(dropped));
+        counts.past = std::max(counts.past, double(past));
     }
 
     const World<T>& world;

@@ -18,7 +18,7 @@ usage() {
 # begin NAME TARGET PACKAGE...: installs and builds, or takes the programs in the folder STRAHL_BUILD, and enters the
 # empty folder build/NAME. Sets build, strahl, tools (the folder of the benchmarks' programs) and work.
 begin() {
-    build=${STRAHL_BUILD:-}
+    build=${STRAHL_BUILD:+$(readlink -e -- "$STRAHL_BUILD")} || die "no folder '$STRAHL_BUILD' (STRAHL_BUILD)"
     if [[ ! $build ]]; then
         install_packages "$root" "${build_packages[@]}" "${@:3}"
         mkdir -p "$root/build"
