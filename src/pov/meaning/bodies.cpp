@@ -293,8 +293,9 @@ bool SceneMaker::shows_inside(const ObjectThing& object, const Shape& shape, con
     if (object.word == word("prism") && !mesh->open())  // both caps of POV-Ray's face up
         notes.approximated(object.place, "which sides of its faces are inside");
     const bool flat_faces_back = mirrored == object.turned_surface;
-    // These have no inside that could be turned out.
-    if (object.word == word("polygon") || object.word == word("bicubic_patch")) return flat_faces_back != mirrors;
+    // These have no inside that could be turned out; a patch gets its normals where it was moved to.
+    if (object.word == word("polygon")) return flat_faces_back != mirrors;
+    if (object.word == word("bicubic_patch")) return !flat_faces_back;
     const MeshData& data = *mesh->data;
     std::size_t ahead = 0;
     for (std::size_t i = 0; i < data.triangles.size(); ++i) {
@@ -652,11 +653,11 @@ std::optional<SceneMaker::Part> SceneMaker::clipped(const ObjectThing& object, c
     const int material = part.primitive.material;
     tell_of_cuts(part.primitive, object.place);
     // The composite has the body's space, in which the patterns of its texture are.
-    std::vector<Transformation> own, back;
-    if (part.primitive.transformations == transformations_of(object.steps, mirrored)) {
-        own = std::exchange(part.primitive.transformations, {});
-        back = transformations_of(inverse(object.steps), mirrored);
-    }
+    const std::vector<Transformation> own = std::exchange(part.primitive.transformations, {});
+    const bool as_read = own == transformations_of(object.steps, mirrored);  // those of a lone part come before
+    const std::vector<Transformation> back =
+        as_read ? transformations_of(inverse(object.steps), mirrored)
+                : transformations_of(Steps{MatrixStep(glm::inverse(matrix(own)))}, false);
     std::vector<Primitive> solid, hollow;
     solid.push_back(std::move(part.primitive));
     Around bare = around;

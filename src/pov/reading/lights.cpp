@@ -59,10 +59,11 @@ std::shared_ptr<const ObjectThing> PovReader::read_light(Interpreter& in) {
         in.skip();
         switch (code) {
             case word("spotlight"):
-                light.sort = LightThing::Sort::spot;
-                break;
             case word("cylinder"):
-                light.sort = LightThing::Sort::cylinder, light.parallel = true;
+                light.sort = code == word("spotlight") ? LightThing::Sort::spot : LightThing::Sort::cylinder;
+                light.parallel |= light.sort == LightThing::Sort::cylinder;
+                light.radius = light.falloff = light.tightness = std::nullopt;
+                light.shadowless = false;
                 break;
             case word("parallel"):
                 light.parallel = true;
@@ -70,8 +71,8 @@ std::shared_ptr<const ObjectThing> PovReader::read_light(Interpreter& in) {
             case word("point_at"):
                 light.point_at = transform_point(matrix_of(inverse(object->steps)), in.read_vector());
                 break;
-            case word("shadowless"):
-                light.shadowless = true;
+            case word("shadowless"):  // for POV-Ray a sort of its own: the last word of a sort counts
+                light.sort = LightThing::Sort::point, light.shadowless = true;
                 break;
             case word("area_light"): {
                 Area area;

@@ -1,6 +1,7 @@
 #include "pov/things/solids.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string_view>
 #include <utility>
@@ -22,6 +23,11 @@ SolidPattern of_function(std::shared_ptr<const SolidFunction> function) {
 }
 
 namespace {
+
+/// The patterns that bend normals by formulas of their own, and not by the slope of their values: POV-Ray leaves waves
+/// and slope_maps of these out.
+constexpr std::array direct_bends{word("bumps"), word("dents"),    word("ripples"),
+                                  word("waves"), word("wrinkles"), word("quilted")};
 
 /// Returns the values without warps and slopes.
 std::optional<SolidPattern> plain_solid_of(const Blend& blend, bool bends, int generator) {
@@ -55,8 +61,9 @@ std::optional<SolidPattern> solid_of(const Blend& blend, bool bends, int generat
     if (blend.values) return of_function(blend.values);
     std::optional<SolidPattern> solid = plain_solid_of(blend, bends, generator);
     if (!solid) return solid;
-    if (blend.wave == Wave::poly && blend.exponent != 1) solid = of_function(powers_of(*solid, blend.exponent));
-    if (blend.slopes) {
+    const bool directly = bends && std::ranges::find(direct_bends, blend.word) != direct_bends.end();
+    if (blend.wave == Wave::poly && blend.exponent != 1 && !directly) solid = of_function(powers_of(*solid, blend.exponent));
+    if (blend.slopes && !directly) {
         // Turbulence moves a point before the slope there is found.
         SolidPattern raised{.octaves = solid->octaves, .omega = solid->omega, .lambda = solid->lambda, .frequency = 0};
         raised.generator = solid->generator;
