@@ -348,7 +348,7 @@ bool PovReader::read_surface(Interpreter& in, std::uint16_t code, ObjectThing& o
                     object.kind = ObjectKind::shape, object.shape = sweep;
                 return true;
             }
-            object.kind = ObjectKind::unite;
+            object.kind = ObjectKind::merge;
             for (std::size_t i = 0; i < balls.size(); ++i) {
                 const DVec3& centre = balls[i].centre;
                 const double radius = balls[i].radius;

@@ -62,13 +62,15 @@ std::optional<SolidPattern> solid_of(const Blend& blend, bool bends, int generat
     std::optional<SolidPattern> solid = plain_solid_of(blend, bends, generator);
     if (!solid) return solid;
     const bool directly = bends && std::ranges::find(direct_bends, blend.word) != direct_bends.end();
-    if (blend.wave == Wave::poly && blend.exponent != 1 && !directly) solid = of_function(powers_of(*solid, blend.exponent));
-    if (blend.slopes && !directly) {
+    const bool powers = blend.wave == Wave::poly && blend.exponent != 1;
+    if ((powers || blend.slopes) && !directly) {
         // Turbulence moves a point before the slope there is found.
         SolidPattern raised{.octaves = solid->octaves, .omega = solid->omega, .lambda = solid->lambda, .frequency = 0};
         raised.generator = solid->generator;
         if (moves_points(blend)) std::swap(raised.turbulence, solid->turbulence);
-        raised.function = slope_values(*solid, blend.slopes->entries);
+        raised.function = powers ? powers_of(*solid, blend.exponent) : nullptr;
+        if (blend.slopes)
+            raised.function = slope_values(powers ? of_function(raised.function) : *solid, blend.slopes->entries);
         solid = raised;
     }
     if (!blend.warps.empty()) {

@@ -83,15 +83,17 @@ Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, c
     const S cosine = min(max(-dot(seen.direction, seen.normal), least), one);
     each_finish<S>(world, materials, [&](const FinishKernel<T>& finish, Mask<S> lanes) {
         Vec3<S> through = splat<S>(Vec3<T>(1)), factor = through, passed = none, ambient = none, mirrored = none;
-        S most(0), side = one;
+        S most(0), side = one, total(0);
         const T bailout = world.finishes.bailout;
         const int layers = std::min(finish.layers, most_layers);
         for (int& i = hit.count; i < layers; ++i) hit.color[i] = hit.above[i] = none, hit.opacity[i] = S(0);
         Mask<S> open = lanes;  // those whose light is followed to this layer
         S weight(1);           // weight of the rays that the layer reflects
         bool shown = true;     // is the bend of the stack's uppermost layer this one?
-        const auto end = [&](const Vec3<S>& light) {
-            return bailout > 0 ? select(gray_of<S>(light) > S(bailout) * factor.y, light, none) : light;
+        const auto pass = [&] {  // the light that all layers of a stack let through
+            const Mask<S> strong = gray_of<S>(through) > S(bailout) * factor.y;
+            passed = passed + (bailout > 0 ? select(strong, through, none) : through);
+            total = select(strong, total + factor.y, total);
         };
         for (int i = layers; i-- > 0;) {
             const LayerKernel<T>& layer = world.finishes.layers[finish.first_layer + i];
@@ -110,7 +112,7 @@ Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, c
                 return own;
             };
             if (layer.share >= 0) {
-                if (i + 1 < finish.layers && shown) passed = passed + end(through);
+                if (i + 1 < finish.layers && shown) pass();
                 side = select(seen.outside, S(layer.outside), S(layer.inside));
                 through = factor = scale(side, color_at(world.finishes.shares[layer.share]).color);
                 open = lanes, weight = one;
@@ -156,10 +158,11 @@ Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, c
             for (int c = 0; c < 3; ++c) through[c] = through[c] * fma(own.filter, own.color[c], more);
         }
         hit.ambient = select(lanes, ambient, hit.ambient);
-        hit.through = select(lanes, scale(S(finish.clarity), shown ? passed + end(through) : passed), hit.through);
+        if (shown) pass();
+        hit.through = select(lanes, scale(S(finish.clarity), passed), hit.through);
         hit.mirrored = select(lanes, mirrored, hit.mirrored);
         hit.most_mirrored = select(lanes, most, hit.most_mirrored);
-        hit.total = select(lanes, S(finish.total), hit.total);
+        hit.total = select(lanes, S(finish.total) * total, hit.total);
         hit.clear = select(lanes, S(finish.clear ? 1 : 0), hit.clear);
     });
     return all;
