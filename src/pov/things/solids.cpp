@@ -64,10 +64,10 @@ std::optional<SolidPattern> solid_of(const Blend& blend, bool bends, int generat
     const bool directly = bends && std::ranges::find(direct_bends, blend.word) != direct_bends.end();
     const bool powers = blend.wave == Wave::poly && blend.exponent != 1;
     if ((powers || blend.slopes) && !directly) {
-        // Turbulence moves a point before the slope there is found.
+        // Turbulence moves a point before the slope there is found; that of a spiral counts in its values as well.
         SolidPattern raised{.octaves = solid->octaves, .omega = solid->omega, .lambda = solid->lambda, .frequency = 0};
         raised.generator = solid->generator;
-        if (moves_points(blend)) std::swap(raised.turbulence, solid->turbulence);
+        if (bends && moves_points(blend)) std::swap(raised.turbulence, solid->turbulence);
         raised.function = powers ? powers_of(*solid, blend.exponent) : nullptr;
         if (blend.slopes)
             raised.function = slope_values(powers ? of_function(raised.function) : *solid, blend.slopes->entries);
