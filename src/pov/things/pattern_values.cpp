@@ -139,6 +139,10 @@ double fractal_value(const FractalForm& own, const DVec3& p) {
         if (own.magnet > 0 ? !(squared > 10000 || from_one.squared() < 1e-4) : !(squared > 4)) continue;
         if (own.outside == 1) return double(i) / own.iterations;
         if (own.outside == 6) return std::sqrt(squared) * own.outside_factor;
+        if (own.outside == 7 || own.outside == 8) {  // the steps repeat
+            const double after = std::floor(own.outside_factor) + (own.outside == 8 ? 1 : 0);
+            return after >= 1 ? std::fmod(i, after) / own.outside_factor : 0;
+        }
         return part(own.outside, own.outside_factor);
     }
     if (own.inside == 1) return std::sqrt(least) * own.inside_factor;

@@ -250,6 +250,74 @@ const Kind kinds[]{
          return t.camera() + lamp + boxes;
      },
      .006, true},
+    {"lights without shadows, which are a sort of their own",
+     [](Texts& t) {
+         const std::string beam = t.one_of({"spotlight radius 8 falloff 20 ", "cylinder radius .6 falloff 1.2 "});
+         const std::string words = t.one_of({"s", ""}) == "s" ? "shadowless " + beam : beam + "shadowless ";
+         return t.camera() + "light_source { <" + t.number(-3, 3) + ",5,-4> rgb 1 " + words +
+                t.one_of({"", "fade_distance 6 fade_power 2"}) + " } " + checks +
+                "sphere { 0, .7 pigment { rgb <1,.6,.3> } finish { phong .8 } }";
+     }},
+    {"waves and slopes of patterns that bend normals",
+     [](Texts& t) {
+         const std::string pattern =
+             t.one_of({"bumps", "dents", "ripples", "waves", "wrinkles", "quilted", "bozo", "agate", "marble"});
+         const std::string wave = t.one_of({"poly_wave .7 ", "poly_wave 2 ", "sine_wave ", "frequency 2 phase .3 ",
+                                            "slope_map { [0 <.2,1>] [.6 <.9,0>] [1 <0,-1>] } "});
+         return t.camera() + lamp + "box { -1, 1 pigment { rgb <.7,.8,.4> } normal { " + pattern + " " +
+                t.number(.2, .6) + " " + wave + t.one_of({"", "turbulence .4 "}) + "scale " + t.number(.3, .8) +
+                " } finish { phong .5 } rotate " + t.vector(-60, 60) + " }";
+     },
+     .01},
+    {"lone parts that are moved and clipped",
+     [](Texts& t) {
+         const std::string look =
+             " texture { pigment { bozo color_map { [.4 rgb x] [.6 rgb y] } scale .3 } normal { "
+             "granite .4 } } ";
+         const std::string move =
+             t.one_of({"rotate ", "scale .9 rotate ", "matrix <1,.3,0, 0,1,0, 0,.2,1, 0,0,0> rotate "});
+         return t.camera() + lamp + "union { union { torus { .8, .3 " + move + t.vector(-90, 90) + look +
+                t.one_of({"} ", "translate .2 } "}) + t.one_of({"", "rotate 40*z "}) +
+                "} clipped_by { plane { <1,1,-.5>, " + t.number(0, .6) + " } } rotate " + t.vector(-40, 40) + " }";
+     },
+     .01},
+    {"sides of bicubic patches",
+     [](Texts& t) {
+         std::string points;
+         for (int i = 0; i < 16; ++i)
+             points +=
+                 ",<" + std::to_string(i / 4 - 1.5) + "," + t.number(-.6, .6) + "," + std::to_string(i % 4 - 1.5) + ">";
+         return t.camera() + lamp + "bicubic_patch { type " + t.one_of({"0", "1"}) +
+                " u_steps 3 v_steps 3 flatness .01 " + points +
+                " texture { pigment { rgb y } } interior_texture { pigment { rgb x } } " +
+                t.one_of({"", "scale <1,-1,1> ", "scale <.8,1,1.1> "}) + "rotate " + t.vector(-180, 180) + " }";
+     },
+     .01},
+    {"clear sweeps of balls, and parts of these",
+     [](Texts& t) {
+         std::string balls = "sphere_sweep { " + t.one_of({"linear_spline", "b_spline", "cubic_spline"}) + " 4";
+         for (int i = 0; i < 4; ++i) balls += ", " + t.vector(-1, 1) + ", " + t.number(.2, .5);
+         const std::string look = t.clear(.3, .8);
+         if (t.one_of({"", "c"}) == "") return t.camera() + sky + balls + look + "}";
+         return t.camera() + sky + "difference { box { <-3,-.2,-2>, <3,2,2> } " + balls + " }" + look + "}";
+     },
+     .02},
+    {"glass of which a map of textures is clear in places",
+     [](Texts& t) {
+         const std::string clear = "pigment { rgbf <.5,.7,.9,.9> } finish { ambient .1 }";
+         return t.camera() + sky + checks + "box { -1, 1 texture { " + t.one_of({"marble", "gradient y", "bozo"}) +
+                " texture_map { [.3 " + clear + "] [.7 pigment { rgb <.4,.2,.1> }] } scale .7 } interior { ior " +
+                t.number(1.2, 1.7) + " } rotate " + t.vector(-50, 50) + " }";
+     },
+     .02},
+    {"colours outside of fractals",
+     [](Texts& t) {
+         return t.camera() + "plane { z, 1 pigment { " + t.one_of({"mandel 20 ", "julia <.3,.5>, 25 "}) + "exterior " +
+                t.one_of({"0", "1", "2", "6", "7", "8"}) + " " + t.number(1, 6) + " interior " +
+                t.one_of({"0", "1", "3", "6"}) + " " + t.number(.2, 1) +
+                " color_map { [0 rgb x] [.5 rgb y] [1 rgb 1] } "
+                "scale 1.5 } finish { ambient 1 } }";
+     }},
     {"fog in hollow bodies, and around a camera in a body", [](Texts& t) {
          const std::string bodies[]{
              "sphere { " + t.vector(-.5, .5) + ", " + t.number(.8, 1.5) + " pigment { rgbt <1,.8,.6,.6> } " +
