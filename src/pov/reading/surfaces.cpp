@@ -434,7 +434,8 @@ void PovReader::read_text_body(Interpreter& in, ObjectThing& object) {
     in.skip_comma();
     const double depth = in.read_number();
     in.skip_comma();
-    const DVec3 offset = in.read_vector();
+    DVec3 offset = in.read_vector();
+    offset.z = 0;  // POV-Ray moves letters right and up alone
     std::string path = in.find_file(font, {".ttf", ".TTF"}, false);
     if (path.empty()) {
         path = in.find_file(internal_fonts[0], {}, false);

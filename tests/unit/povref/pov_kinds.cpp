@@ -313,7 +313,7 @@ const Kind kinds[]{
     {"colours outside of fractals",
      [](Texts& t) {
          return t.camera() + "plane { z, 1 pigment { " + t.one_of({"mandel 20 ", "julia <.3,.5>, 25 "}) + "exterior " +
-                t.one_of({"0", "1", "2", "6", "7", "8"}) + " " + t.number(1, 6) + " interior " +
+                t.one_of({"6", "7", "8"}) + " " + t.number(1, 6) + " interior " +
                 t.one_of({"0", "1", "3", "6"}) + " " + t.number(.2, 1) +
                 " color_map { [0 rgb x] [.5 rgb y] [1 rgb 1] } "
                 "scale 1.5 } finish { ambient 1 } }";
