@@ -646,7 +646,8 @@ std::optional<SceneMaker::Part> SceneMaker::build_parts(const ObjectThing& objec
 /// Cuts a body off where it is outside of the bodies that clip it, whose own surfaces are not seen: through them one
 /// looks into the body.
 std::optional<SceneMaker::Part> SceneMaker::clipped(const ObjectThing& object, const Around& around, Part part) {
-    if (part.negated || !close(part.primitive, object.place)) {
+    const bool disc = std::holds_alternative<Disc>(part.primitive.shape);  // it would become the half-space behind it
+    if (part.negated || disc || !close(part.primitive, object.place)) {
         notes.left_out(object.place, "clipped_by of an open body");
         return part;
     }
@@ -740,7 +741,8 @@ void SceneMaker::add(const ObjectThing& object, const Around& around) {
     } else if (object.kind == ObjectKind::unite && object.parts.size() > 1) {
         for (const ObjectThing& piece : pieces_of(object)) add(piece, around);
     } else if (std::optional<Part> part = build(object, around)) {
-        if (object.word == word("sphere_sweep") && object.parts.size() > 1 && object.clips.empty() && !clear(part->primitive)) {
+        if (object.word == word("sphere_sweep") && object.parts.size() > 1 && object.clips.empty() &&
+            !clear(part->primitive)) {
             // Nobody sees what is inside of it, and a union is traced faster.
             ObjectThing parts = object;
             parts.kind = ObjectKind::unite;

@@ -180,11 +180,8 @@ template <class S, class P>
     if (world.finishes.hides) {
         Hit<S> hidden = hit;
         hidden.active = hit.active & FinishCalls<S>::hidden(world, numbers, before.mirrored);
-        if (bend == 0 && any(hidden.active) && shading.depth < deepest_ray) {
-            Carried<S> on = before;
-            if (world.fog.any) on.tint = on.tint * tint_of_fog(world, medium_in_fog(shading, S(hit.medium)));
-            push_through(shading, hidden, t, on, notes);
-        }
+        if (bend == 0 && any(hidden.active) && shading.depth < deepest_ray)
+            push_through(shading, hidden, t, before, notes);  // fog filters the light of the whole ray, at its end
         hit.active = hit.active & !hidden.active;
     }
     LayeredHit<S> layers;

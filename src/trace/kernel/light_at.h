@@ -77,7 +77,7 @@ template <class S, class P>
     if (none(at.faces)) return at;
     if (light.spot) at.strength = spot_share(light, way.l);
     if (light.beam > 0) at.strength = share_of_beam(light, hit.position, way.l, way.distance);
-    if (light.fade_per > 0) at.strength = at.strength * faded_share(light, max(way.distance, zero));
+    if (light.fade_per > 0) at.strength = at.strength * faded_share(light, way.distance);
     at.faces = at.faces & (at.strength > zero);
     return at;
 }

@@ -21,14 +21,15 @@ template <class S>
     return select(cosine > S(0), share, S(0));
 }
 
-/// Returns the share of a light that is left after a distance.
+/// Returns the share of a light that is left after a distance, which is below 0 behind the plane that parallel light
+/// starts from: there POV-Ray's formula fades it as well, if the power is 2.
 template <class S>
 [[gnu::noinline]] S faded_share(const LightKernel<Element<S>>& light, const S& distance) {
     using T = Element<S>;
     constexpr int log_terms = std::is_same_v<T, float> ? 5 : 12, power_terms = std::is_same_v<T, float> ? 8 : 14;
-    const S way = distance * S(light.fade_per), one(1);
+    const S one(1), signed_way = distance * S(light.fade_per), way = max(signed_way, S(0));
     if (light.fade_power == 1) return S(2) / (one + way);
-    if (light.fade_power == 2) return S(2) / fma(way, way, one);
+    if (light.fade_power == 2) return S(2) / fma(signed_way, signed_way, one);
     // By powers of what is below 1.
     const S below = max(min(way, one / way), S(std::numeric_limits<T>::min()));
     const S power = power_by_series<log_terms, power_terms>(below, S(light.fade_power));

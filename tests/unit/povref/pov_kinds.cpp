@@ -250,6 +250,19 @@ const Kind kinds[]{
          return t.camera() + lamp + boxes;
      },
      .006, true},
+    {"parallel light that fades, seen beyond the plane from which it starts",
+     [](Texts& t) {
+         return t.camera() + "light_source { <" + t.number(-2, 2) + "," + t.number(0, 1) +
+                ",0> rgb 1 parallel point_at <0,-1,1> fade_distance " + t.number(1, 4) + " fade_power 2 } " + checks +
+                "plane { y, -1.4 pigment { rgb 1 } } sphere { 0, .7 pigment { rgb <1,.6,.3> } }";
+     }},
+    {"fog that filters, around bodies that cameras do not see",
+     [](Texts& t) {
+         return t.camera() + lamp + "fog { distance " + t.number(8, 20) + " rgbf <.3,.4,.6," + t.number(.3, .9) +
+                "> } sphere { " + t.vector(-.6, .6) + ", 1 pigment { rgb 1 } " +
+                t.one_of({"no_image", "no_reflection"}) +
+                " } plane { y, -1.4 pigment { rgb <.9,.7,.5> } finish { reflection .3 } }";
+     }},
     {"lights without shadows, which are a sort of their own",
      [](Texts& t) {
          const std::string beam = t.one_of({"spotlight radius 8 falloff 20 ", "cylinder radius .6 falloff 1.2 "});
@@ -313,8 +326,8 @@ const Kind kinds[]{
     {"colours outside of fractals",
      [](Texts& t) {
          return t.camera() + "plane { z, 1 pigment { " + t.one_of({"mandel 20 ", "julia <.3,.5>, 25 "}) + "exterior " +
-                t.one_of({"6", "7", "8"}) + " " + t.number(1, 6) + " interior " +
-                t.one_of({"0", "1", "3", "6"}) + " " + t.number(.2, 1) +
+                t.one_of({"6", "7", "8"}) + " " + t.number(1, 6) + " interior " + t.one_of({"0", "1", "3", "6"}) + " " +
+                t.number(.2, 1) +
                 " color_map { [0 rgb x] [.5 rgb y] [1 rgb 1] } "
                 "scale 1.5 } finish { ambient 1 } }";
      }},
