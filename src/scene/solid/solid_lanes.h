@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "num/noise_lanes.h"
+#include "scene/solid/fractal.h"
 #include "scene/solid/solid.h"
 
 namespace strahl {
@@ -165,12 +166,12 @@ template <class S>
 S solid_value(const SolidPattern& own, const Vec3<S>& p);
 template <class S>
 inline constexpr SolidLanes solid_lanes{
-    noise_lanes<S>, [](const SolidPattern& pattern, const DVec3* points, int count, double* values) {
-        each_pack<S>(points, count, [&](const Vec3<S>& p, int first, int number) {
-            alignas(64) double own[width<S>];
-            store_lanes(own, solid_value(pattern, p));
-            std::copy_n(own, number, values + first);
-        });
+    noise_lanes<S>,
+    [](const SolidPattern& pattern, const DVec3* points, int count, double* values) {
+        each_value<S>(points, count, values, [&](const Vec3<S>& p) { return solid_value(pattern, p); });
+    },
+    [](const FractalForm& form, const DVec3* points, int count, double* values) {
+        each_value<S>(points, count, values, [&](const Vec3<S>& p) { return fractal_value(form, p.x, p.y); });
     }};
 /// Returns the values of a pattern's function.
 template <class S>
