@@ -186,6 +186,8 @@ template <class S, class P>
             push_through(shading, hidden, t, on, notes);
         }
         hit.active = hit.active & !hidden.active;
+        // Notes are taken of hidden surfaces too: what lies beside each other in a pack must not matter to them.
+        if (P::notes && none(hit.active) && !filters(shading) && !notes_layers(shading)) return;
     }
     LayeredHit<S> layers;
     layers.bend = bend;
