@@ -79,10 +79,11 @@ STRAHL_INLINE void load_four(const double* const (&from)[width<S>], S (&to)[4]) 
 /// Loads the four numbers from table[at] on into every lane of to[0] to to[3].
 template <class S>
 STRAHL_INLINE void look_up_four(const double* table, const Whole<S>& at, S (&to)[4]) {
-    alignas(32) int places[width<S>];
-    store_places<S>(at, places);
     const double* from[width<S>];
-    for (int k = 0; k < width<S>; ++k) from[k] = table + places[k];
+    if constexpr (width<S> == 1)
+        from[0] = table + at;
+    else
+        for (int k = 0; k < width<S>; ++k) from[k] = table + at[k];
     load_four<S>(from, to);
 }
 

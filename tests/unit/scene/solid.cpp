@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "num/pack.h"
-#include "num/vec_math.h"
 #include "scene/solid/solid_lanes.h"
 #include "tests/referee/dice.h"
 
