@@ -149,14 +149,15 @@ Vec3<S> faded_visibility(const World<Element<S>>& world, const Ray<S>& ray, cons
 }
 
 /// May bodies that light passes be in its way? If each item has a bin, those that are known to be beside it do not
-/// count.
+/// count. Composites always do: the material of their bin says nothing of their parts.
 template <class T, class S>
 bool may_pass_bodies(const World<T>& world, const Start<S>& start) {
+    constexpr int composites = place_of<CompositeForm>(Forms{});
     if (!world.bin_per_item) return true;
     BodySet left = world.few.occluders[start.light * world.bins + start.bin] & start.only;
     for (; left; left &= left - 1) {
-        const int material = world.sort_bins[std::countr_zero(left)].material;
-        if (material < 0 || passes_light(world, material)) return true;
+        const SortBin& bin = world.sort_bins[std::countr_zero(left)];
+        if (bin.form == composites || bin.material < 0 || passes_light(world, bin.material)) return true;
     }
     return false;
 }
