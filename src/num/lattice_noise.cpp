@@ -31,6 +31,7 @@ NoiseTables::NoiseTables() {
         std::snprintf(digits, sizeof digits, "%.6g", checksum(i * .12345) * 2. / 65535 - 1);
         random[i] = std::strtod(digits, nullptr);
     }
+    for (std::size_t i = 0; i < vectors.size(); ++i) vectors[i] = {random[i], random[i + 4], random[i + 8], 0};
     std::uint32_t state = 0;
     const auto draw = [&] {
         state = 1812433253u * state + 12345u;
@@ -42,6 +43,7 @@ NoiseTables::NoiseTables() {
         std::swap(hash[i], hash[j]);
     }
     std::copy_n(hash.begin(), 4096, hash.begin() + 4096);
+    for (std::size_t i = 0; i < hash.size(); ++i) low[i] = static_cast<std::uint8_t>(hash[i] & 255);
 
     constexpr int size = 2048;
     state = 1;

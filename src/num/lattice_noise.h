@@ -16,6 +16,8 @@ struct NoiseTables {
     std::array<std::uint16_t, 8192> hash;             // a permutation of 0 to 4095, twice
     std::array<DVec3, 2 * (2048 + 2)> gradients;      // of generator 3
     std::array<std::uint16_t, 2 * (2048 + 2)> order;  // of generator 3
+    std::array<std::uint8_t, 8192> low;               // the last eight bits of `hash`
+    std::array<std::array<double, 4>, 259> vectors;   // random[i], random[i + 4], random[i + 8] and 0
 };
 const NoiseTables& noise_tables();
 

@@ -83,72 +83,14 @@ struct QuiltedValues : SolidFunction {
     const std::array<double, 2> controls;
 };
 
-// Complex numbers without the tests for infinities that std::complex has.
-struct Complex {
-    double re = 0, im = 0;
-    friend Complex operator+(Complex a, Complex b) { return {a.re + b.re, a.im + b.im}; }
-    friend Complex operator*(Complex a, Complex b) { return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re}; }
-    friend Complex operator*(double a, Complex b) { return {a * b.re, a * b.im}; }
-    friend Complex operator/(Complex a, Complex b) {
-        const double d = b.re * b.re + b.im * b.im;
-        return {(a.re * b.re + a.im * b.im) / d, (a.im * b.re - a.re * b.im) / d};
+struct FractalValues : SolidFunction {
+    explicit FractalValues(const FractalForm& form) : form(form) {}
+    double value_at(const DVec3& p) const override { return fractal_value(form, p.x, p.y); }
+    void values_at(const DVec3* points, int count, double* values, const SolidLanes& lanes) const override {
+        lanes.fractal(form, points, count, values);
     }
-    double squared() const { return re * re + im * im; }
+    const FractalForm form;
 };
-
-/// Returns the next point of a fractal's sequence.
-Complex next_of(const FractalForm& own, Complex z, Complex c) {
-    const Complex one{-1}, two{-2};
-    if (own.magnet == 1) {
-        const Complex q = (z * z + c + one) / (2. * z + c + two);
-        return q * q;
-    }
-    if (own.magnet == 2) {
-        const Complex product = (c + one) * (c + two);
-        const Complex q =
-            (z * z * z + 3. * ((c + one) * z) + product) / (3. * (z * z) + 3. * ((c + two) * z) + product + Complex{1});
-        return q * q;
-    }
-    Complex power = z;
-    for (int i = 1; i < own.exponent; ++i) power = power * z;
-    return power + c;
-}
-double fractal_value(const FractalForm& own, const DVec3& p) {
-    const Complex at{p.x, p.y}, c = own.julia ? Complex{own.re, own.im} : at;
-    Complex z = own.magnet > 0 && !own.julia ? Complex{} : at;
-    double least = own.magnet > 0 && !own.julia ? 10000 : z.squared();
-    const auto part = [&](int type, double factor) {
-        switch (type) {
-            case 2:
-                return z.re * factor;
-            case 3:
-                return z.im * factor;
-            case 4:
-                return z.re * z.re * factor;
-            case 5:
-                return z.im * z.im * factor;
-            default:
-                return factor;
-        }
-    };
-    for (int i = 0; i < own.iterations; ++i) {
-        z = next_of(own, z, c);
-        const double squared = z.squared();
-        least = std::min(least, squared);
-        const Complex from_one = z + Complex{-1};
-        if (own.magnet > 0 ? !(squared > 10000 || from_one.squared() < 1e-4) : !(squared > 4)) continue;
-        if (own.outside == 1) return double(i) / own.iterations;
-        if (own.outside == 6) return std::sqrt(squared) * own.outside_factor;
-        if (own.outside == 7 || own.outside == 8) {  // the steps repeat
-            const double after = std::floor(own.outside_factor) + (own.outside == 8 ? 1 : 0);
-            return after >= 1 ? std::fmod(i, after) / own.outside_factor : 0;
-        }
-        return part(own.outside, own.outside_factor);
-    }
-    if (own.inside == 1) return std::sqrt(least) * own.inside_factor;
-    if (own.inside == 6) return z.re * z.re + z.im * z.im * own.inside_factor;
-    return part(own.inside, own.inside_factor);
-}
 
 int hexagon_at(const DVec3& p) {
     // Finds the nearest of the middles i (1.5, sqrt 3 / 2) + j (0, sqrt 3); if two are, the upper one.
@@ -552,7 +494,7 @@ std::shared_ptr<const SolidFunction> own_values_of(const Blend& blend, int gener
         case word("mandel"):
         case word("julia"):
         case word("magnet"):
-            return make_values([own = blend.fractal](const DVec3& p) { return fractal_value(own, p); });
+            return std::make_shared<const FractalValues>(blend.fractal);
         case word("crackle"):
             if (blend.crackle == CrackleForm{}) return nullptr;
             return make_values(

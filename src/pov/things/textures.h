@@ -11,6 +11,7 @@
 #include "pov/language/interpreter.h"
 #include "pov/language/user_function.h"
 #include "pov/things/warps.h"
+#include "scene/solid/fractal.h"
 #include "scene/solid/solid.h"
 #include "text/reading/scene_files.h"
 
@@ -54,15 +55,6 @@ struct ImageThing {
     std::optional<double> encoding;
     double working = 1;
     mutable std::shared_ptr<const FunctionThing> colors;  // once it has been made
-};
-
-/// How `mandel`, `julia` and `magnet` iterate, and how points are coloured that stay or escape.
-struct FractalForm {
-    int magnet = 0;  // its type, 1 or 2; 0 for z^exponent + c
-    bool julia = false;
-    double re = 0, im = 0;  // c of a Julia set
-    int iterations = 1, exponent = 2, inside = 0, outside = 1;
-    double inside_factor = 1, outside_factor = 1;
 };
 
 /// The sum of the distances to the three nearest points, multiplied by `form`. With `solid` all points around the

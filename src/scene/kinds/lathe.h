@@ -29,6 +29,8 @@ struct LatheKernel : ContourKernel<T> {
         const auto [nearest, unit, shift, per] = this->own_line(ray, starts);
         const auto line = LineAroundAxis<V>::of(nearest, unit);
         lanes = lanes & (starts | line.meets(V(R(1.001)), V(R(1.001))));
+        if (none(lanes)) return;
+        const auto within = line.within(lanes, V(R(1.001)), R(.001));
         // A ray that starts on a piece leaves out the place nearest to its start, on this piece or else another:
         // rounding may have moved the start over an edge.
         const auto size = [](const auto& v) { return abs(v.x) + abs(v.y) + abs(v.z); };
@@ -39,7 +41,7 @@ struct LatheKernel : ContourKernel<T> {
             for (int i = 0; i < static_cast<int>(count); ++i) {
                 const Mask<V> here = start == V(static_cast<R>(i)),
                               own = lanes & (pass == 0 ? stays & here : !(stays & here));
-                if (none(own)) continue;
+                if (none(own) || !within.may_hold(pieces[i])) continue;
                 TurnedPlaces<V> places = cross_turned(pieces[i].template as<R>(), line, own);
                 if (any(starts & own)) {
                     V nearest = infinite;

@@ -5,10 +5,33 @@
 #include <cmath>
 #include <limits>
 
+#include "num/memory.h"
 #include "num/uninitialized.h"
 #include "scene/kinds/contours.h"
 
 namespace strahl {
+
+/// Heights between which some lines are all the time that they are in a cylinder about the axis, and how near to it the
+/// nearest of them comes.
+template <class R>
+struct LinesInCylinder {
+    R low, high, least;
+
+    /// May one of the lines cross the surface of a piece? It is where the control points of the piece are.
+    template <class T>
+    STRAHL_INLINE bool may_hold(const ContourPiece<T>& piece) const {
+        constexpr T third = T(1) / 3;
+        const auto between = [&](T a, T h, T e, T c) {  // those of a straight line or of a parabola are between these
+            const T first = a + 2 * third * h, second = first + third * (2 * h + e);
+            return std::pair(std::min(std::min(a, c), std::min(first, second)),
+                             std::max(std::max(a, c), std::max(first, second)));
+        };
+        const auto [bottom, top] = between(piece.ay, piece.hy, piece.ey, piece.cy);
+        if (!(bottom <= high && top >= low)) return false;
+        const auto [left, right] = between(piece.ax, piece.hx, piece.ex, piece.cx);
+        return std::max(-left, right) >= least;
+    }
+};
 
 /// A line about the y axis: at s its height is `height` + s `rise`, and its distance from the axis the root of
 /// `least`^2 + (`along` + s `speed`)^2. rise^2 + speed^2 is 1.
@@ -20,6 +43,17 @@ struct LineAroundAxis {
     STRAHL_INLINE Mask<V> meets(V radius, V half) const {
         const V square = (radius - least) * (radius + least), w = rise * along - speed * height;
         return (square > V(0)) & (abs(w) - speed * half <= abs(rise) * sqrt(max(square, V(0))));
+    }
+
+    /// Returns where the lines of these lanes are in the cylinder of this radius, and by `slack` more.
+    STRAHL_INLINE LinesInCylinder<Element<V>> within(Mask<V> lanes, V radius, Element<V> slack) const {
+        const V zero(0), infinite(std::numeric_limits<Element<V>>::infinity());
+        const V per = rise / speed, middle = height - per * along;
+        const V reach = abs(per) * sqrt(max((radius - least) * (radius + least), zero));
+        const Mask<V> level = lanes & (speed > zero);
+        const auto lowest = [&](const V& of) { return strahl::least(select(lanes, of, infinite)) - slack; };
+        return {lowest(select(level, middle - reach, -infinite)), -lowest(select(level, -(middle + reach), -infinite)),
+                lowest(least)};
     }
 
     /// The line through <x, y, z> along a vector of length 1.

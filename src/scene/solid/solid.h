@@ -44,12 +44,14 @@ inline constexpr std::array<std::string_view, 24> solid_names{
     "gradient", "granite",   "leopard", "marble",  "onion",   "planar",  "quilted",     "radial",
     "ripples",  "spherical", "spiral1", "spiral2", "uniform", "waves",   "wood",        "wrinkles"};
 
+struct FractalForm;
 struct SolidPattern;
 
 /// Noise, and values of patterns, at several points at once, in the lanes of the caller's SIMD level.
 struct SolidLanes {
     lattice::NoiseLanes noise;
     void (*values)(const SolidPattern& pattern, const DVec3* points, int count, double* values);
+    void (*fractal)(const FractalForm& form, const DVec3* points, int count, double* values);
 };
 
 /// Values that a POV-Ray scene computes in a way of its own, such as by a function. Scene text cannot say them.

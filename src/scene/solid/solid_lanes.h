@@ -3,6 +3,8 @@
 #include <numbers>
 
 #include "num/noise_lanes.h"
+#include "num/vec_math.h"
+#include "scene/solid/fractal.h"
 #include "scene/solid/solid.h"
 
 namespace strahl {
@@ -110,27 +112,42 @@ template <class S>
         cells[c] = cell_of(p[c] - S(nearly_zero));
         within[c] = p[c] - number_of<S>(cells[c]);
     }
-    S nearest(1e9), second(1e9);
-    const auto visit = [&](int i, int j, int k) {
-        const Whole<S> row = look_up<S>(hash, (cells[0] + i) & 4095);
-        const Whole<S> column = look_up<S>(hash, row ^ ((cells[1] + j) & 4095));
+    S nearest(1e9), second(1e9), least[3][5];  // the squares of the least ways into the cells along each axis
+    for (int c = 0; c < 3; ++c)
+        for (int i = -2; i <= 2; ++i) {
+            const S way = i < 0 ? within[c] + S(-1 - i) : S(i) - within[c];
+            least[c][i + 2] = i == 0 ? S(0) : way * way;
+        }
+    const auto visit = [&](const Whole<S>& column, int i, int j, int k) {
+        if (none((least[0][i + 2] + least[1][j + 2] + least[2][k + 2]) * S(1 - 1e-9) < second)) return;
+        alignas(32) int places[width<S>];
+        store_places<S>(column ^ ((cells[2] + k) & 4095), places);
+        const double* from[width<S>];
+        for (int l = 0; l < width<S>; ++l) from[l] = random + hash[places[l]];
         S point[4];
-        look_up_four<S>(random, look_up<S>(hash, column ^ ((cells[2] + k) & 4095)), point);
+        load_four<S>(from, point);
         const S x = p.x - (number_of<S>(cells[0] + i) + point[0]), y = p.y - (number_of<S>(cells[1] + j) + point[1]);
         const S z = p.z - (number_of<S>(cells[2] + k) + point[2]), squared = x * x + y * y + z * z;
         second = min(second, max(nearest, squared)), nearest = min(nearest, squared);
     };
-    for (int i = -1; i <= 1; ++i)
-        for (int j = -1; j <= 1; ++j)
-            for (int k = -1; k <= 1; ++k) visit(i, j, k);
+    const auto column_of = [&](int i, int j) {
+        return look_up<S>(hash, look_up<S>(hash, (cells[0] + i) & 4095) ^ ((cells[1] + j) & 4095));
+    };
+    constexpr int near_first[]{0, -1, 1};
+    for (const int i : near_first)
+        for (const int j : near_first) {
+            const Whole<S> column = column_of(i, j);
+            for (const int k : near_first) visit(column, i, j, k);
+        }
     // POV-Ray looks at the nine cells beyond each face of these as well.
     for (int c = 0; c < 3; ++c)
         for (const int side : {-2, 2}) {
-            const S away = side < 0 ? within[c] + S(1) : S(2) - within[c];
-            if (none(away * away * S(1 - 1e-9) < second)) continue;
-            for (int a = -1; a <= 1; ++a)
-                for (int b = -1; b <= 1; ++b)
-                    visit(c == 0 ? side : a, c == 1 ? side : c == 0 ? a : b, c == 2 ? side : b);
+            if (none(least[c][side + 2] * S(1 - 1e-9) < second)) continue;
+            for (const int a : near_first)
+                for (const int b : near_first) {
+                    const int i = c == 0 ? side : a, j = c == 1 ? side : c == 0 ? a : b, k = c == 2 ? side : b;
+                    visit(column_of(i, j), i, j, k);
+                }
         }
     return clamped(sqrt(second) - sqrt(nearest), 0, 1);
 }
@@ -165,12 +182,12 @@ template <class S>
 S solid_value(const SolidPattern& own, const Vec3<S>& p);
 template <class S>
 inline constexpr SolidLanes solid_lanes{
-    noise_lanes<S>, [](const SolidPattern& pattern, const DVec3* points, int count, double* values) {
-        each_pack<S>(points, count, [&](const Vec3<S>& p, int first, int number) {
-            alignas(64) double own[width<S>];
-            store_lanes(own, solid_value(pattern, p));
-            std::copy_n(own, number, values + first);
-        });
+    noise_lanes<S>,
+    [](const SolidPattern& pattern, const DVec3* points, int count, double* values) {
+        each_value<S>(points, count, values, [&](const Vec3<S>& p) { return solid_value(pattern, p); });
+    },
+    [](const FractalForm& form, const DVec3* points, int count, double* values) {
+        each_value<S>(points, count, values, [&](const Vec3<S>& p) { return fractal_value(form, p.x, p.y); });
     }};
 /// Returns the values of a pattern's function.
 template <class S>

@@ -1,6 +1,7 @@
 // Shadow rays through clear surfaces: from surface to surface, as POV-Ray follows them.
 #pragma once
 #include <algorithm>
+#include <bit>
 
 #include "trace/finish/finish_calls.h"
 #include "trace/kernel/surface_at.h"
@@ -147,6 +148,20 @@ Vec3<S> faded_visibility(const World<Element<S>>& world, const Ray<S>& ray, cons
     return followed_light(world, ray, distance, active, start, hidden);
 }
 
+/// May bodies that light passes be in its way? If each item has a bin, those that are known to be beside it do not
+/// count. Composites always do: the material of their bin says nothing of their parts.
+template <class T, class S>
+bool may_pass_bodies(const World<T>& world, const Start<S>& start) {
+    constexpr int composites = place_of<CompositeForm>(Forms{});
+    if (!world.bin_per_item) return true;
+    BodySet left = world.few.occluders[start.light * world.bins + start.bin] & start.only;
+    for (; left; left &= left - 1) {
+        const SortBin& bin = world.sort_bins[std::countr_zero(left)];
+        if (bin.form == composites || bin.material < 0 || passes_light(world, bin.material)) return true;
+    }
+    return false;
+}
+
 /// Returns the light that comes through where it does not fade and no surface has two sides. Follows only rays that
 /// surfaces dim, since what is near behind a clear one is passed over. Rays that lose all light may lose it to colours
 /// alone, unless they are in an opaque body, which followed rays do not see.
@@ -158,6 +173,7 @@ template <class S>
     const auto is_lit = [](const Vec3<S>& light) { return Mask<S>(largest(light) > S(0)); };
     const Mask<S> less = active & dimmed(share), lit = less & is_lit(share);
     look_past(world, ray, way, less & !lit, start, share);
+    if (!may_pass_bodies(world, start)) return share;
     Mask<S> dark = less & !is_lit(share);
     Mask<S> hidden = opaque_lanes(world, ray.source, dark & !start.outside);
     dark = dark & !hidden;

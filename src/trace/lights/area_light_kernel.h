@@ -178,8 +178,9 @@ class AreaSum {
         first = middle - scale(T(.5), u + v);
         brightest = lane(hits.weight, k) * (lane(hits.diffuse, k) + specular) *
                     max(largest(light.color), largest(Vec3<T>(0) - light.color));
+        soft = light.soft;
         if (!spread || !spread->adapts) return;
-        points.emplace(*spread, light), color = scale(lane(hits.diffuse, k), light.color);
+        points.emplace(*spread, light), color = scale(lane(hits.diffuse, k), light.color), gray = false;
         coarsest = AreaCells::largest / 2;  // what single points see counts more
     }
 
@@ -195,17 +196,21 @@ class AreaSum {
                 nothing_in(world, Shaft<T>(position, ways, across, down, world.rounding), surface, start);
         glossy = may_shine(ways);
         if (clear && faced == 4 && !glossy) {
-            const T mean = mean_cosine(normal, middle, u, v);
-            diffuse = Vec3<T>(mean), share = Vec3<T>(T(1));
+            share = Vec3<T>(T(1));
+            if (!soft) diffuse = Vec3<T>(mean_cosine(normal, middle, u, v));
             return;
         }
         known.fill(0);
         AreaCells cells, mixed;
         int size = clear && faced < 4 ? 2 : coarsest;
-        for (int y = 0; y < side; y += size)
-            for (int x = 0; x < side; x += size) cells.add(x, y);
+        CornerList corners;
+        for (int y = 0; y <= side; y += size)
+            for (int x = 0; x <= side; x += size) {
+                want(y * row + x, corners);
+                if (x < side && y < side) cells.add(x, y);
+            }
+        trace(corners);
         for (;; size /= 2) {
-            trace_corners(cells, size);
             if (size == coarsest && (faced == 4 || spread) && is_even()) return;
             const T unevenness = split(cells, mixed, size);
             add(cells, size);
@@ -213,13 +218,14 @@ class AreaSum {
             const T left = off * brightest * std::sqrt(unevenness) * area(size);
             if (size == 1 || !(left > error)) break;
             divide(mixed, cells, size / 2);
+            trace_corners(cells, size / 2);
         }
         add(mixed, size);
         if (points) share = points->mean(color);
-        if (faced == 4 && whole > 0) diffuse = scale(mean_cosine(normal, middle, u, v) / whole, diffuse);
+        if (!soft && faced == 4 && whole > 0) diffuse = scale(mean_cosine(normal, middle, u, v) / whole, diffuse);
     }
 
-    Vec3<T> diffuse{0}, highlight{0}, share{0};
+    Vec3<T> diffuse{0}, highlight{0}, share{0};  // of a light whose shadows alone are soft only the last
     std::int64_t rays = 0;
 
   private:
@@ -248,14 +254,26 @@ class AreaSum {
         return fma(x * S(unit), splat<S>(u), fma(y * S(unit), splat<S>(v), splat<S>(first)));
     }
 
+    struct CornerList {
+        int count = 0;
+        std::array<std::int16_t, row * row> numbers;
+    };
+    /// Adds a corner to which no shadow ray went.
+    void want(int corner, CornerList& list) {
+        if (known[corner] == 0)
+            known[corner] = dark_side, list.numbers[list.count++] = static_cast<std::int16_t>(corner);
+    }
+    /// Traces shadow rays to corners.
+    void trace(const CornerList& list) {
+        for (int i = 0; i < list.count; i += width<S>)
+            trace_pack(list.numbers.data() + i, std::min(list.count - i, width<S>));
+    }
     /// Traces shadow rays to the corners of cells that no earlier ones had.
     void trace_corners(const AreaCells& cells, int size) {
-        std::array<std::int16_t, row * row> list;
-        int count = 0;
+        CornerList list;
         for (int i = 0; i < cells.count; ++i)
-            for (const int corner : corners_of(cells.x[i], cells.y[i], size))
-                if (known[corner] == 0) known[corner] = dark_side, list[count++] = static_cast<std::int16_t>(corner);
-        for (int i = 0; i < count; i += width<S>) trace_pack(list.data() + i, std::min(count - i, width<S>));
+            for (const int corner : corners_of(cells.x[i], cells.y[i], size)) want(corner, list);
+        trace(list);
     }
     void trace_pack(const std::int16_t* corners, int lanes) {
         alignas(64) T xs[width<S>] = {}, ys[width<S>] = {};
@@ -269,6 +287,7 @@ class AreaSum {
         const Mask<S> before = dot(splat<S>(flat), way) > S(0);
         Mask<S> faces = first_lanes<S>(lanes) & (distance > S(0));
         if (!spread) faces = faces & (dot(splat<S>(normal), way) > S(0)) & before;
+        one_sided = one_sided && bits(faces) == bits(first_lanes<S>(lanes));
         if (none(faces)) return;
         Start<S> own = start;
         if (spread) own.outside = own.outside & before;  // a body is in the way of light from behind its own surface
@@ -278,13 +297,23 @@ class AreaSum {
             arrives = visibility(world, ray, distance, faces, own);
             rays += strahl::count(faces);
         }
+        if (gray && any(faces & !((arrives.x == arrives.y) & (arrives.x == arrives.z))))
+            gray = false, shares[1] = shares[2] = shares[0];
         alignas(64) T found[3][width<S>];
-        for (int c = 0; c < 3; ++c) store_lanes(found[c], arrives[c]);
+        for (int c = 0; c < channels(); ++c) store_lanes(found[c], arrives[c]);
         for (unsigned left = bits(faces); left; left &= left - 1) {
             const int k = std::countr_zero(left);
             known[corners[k]] = faced_side;
-            for (int c = 0; c < 3; ++c) shares[c][corners[k]] = found[c][k];
+            for (int c = 0; c < channels(); ++c) shares[c][corners[k]] = found[c][k];
         }
+    }
+    /// Returns how many channels of the shares are known: the others have those of the first one.
+    int channels() const { return gray ? 1 : 3; }
+    /// Do all corners that are known face the surface, with gray shares? Then the four of a cell are quickly seen.
+    bool plain() const { return gray && one_sided; }
+    std::array<T, 4> plain_corners(int x, int y, int size) const {
+        const T* const from = &shares[0][y * row + x];
+        return {from[0], from[size], from[size * row], from[size * row + size]};
     }
 
     /// Returns true if all corners of the first cells are in the dark or, of a light whose shadows alone are soft, if
@@ -294,8 +323,8 @@ class AreaSum {
         if (!(own == T(0) || (own == T(1) && world.lights[start.light].soft))) return false;
         for (int y = 0; y <= side; y += coarsest)
             for (int x = 0; x <= side; x += coarsest)
-                for (const auto& channel : shares)
-                    if (channel[y * row + x] != own) return false;
+                for (int c = 0; c < channels(); ++c)
+                    if (shares[c][y * row + x] != own) return false;
         share = Vec3<T>(own);
         return true;
     }
@@ -310,7 +339,8 @@ class AreaSum {
         bool any = false;
         for (const int corner : corners_of(x, y, size)) {
             if (known[corner] != faced_side) continue;
-            const Vec3<T> own(shares[0][corner], shares[1][corner], shares[2][corner]);
+            const Vec3<T> own =
+                gray ? Vec3<T>(shares[0][corner]) : Vec3<T>(shares[0][corner], shares[1][corner], shares[2][corner]);
             low = any ? min(low, own) : own, high = any ? max(high, own) : own;
             any = true;
         }
@@ -318,16 +348,24 @@ class AreaSum {
     }
     /// Returns by how much their light differs.
     T contrast(int x, int y, int size) const {
+        if (plain()) {
+            const auto [a, b, c, d] = plain_corners(x, y, size);
+            return max(max(a, b), max(c, d)) - min(min(a, b), min(c, d));
+        }
         const auto [low, high] = extremes(x, y, size);
         return largest(high - low);
     }
     /// Returns the mean share of light of the corners that face the surface.
     Vec3<T> mean_share(int x, int y, int size) const {
+        if (plain()) {
+            const auto [a, b, c, d] = plain_corners(x, y, size);
+            return Vec3<T>(T(.25) * (a + b + c + d));
+        }
         Vec3<T> sum{0};
         int count = 0;
         for (const int corner : corners_of(x, y, size)) {
             if (known[corner] != faced_side) continue;
-            for (int c = 0; c < 3; ++c) sum[c] += shares[c][corner];
+            for (int c = 0; c < 3; ++c) sum[c] += shares[gray ? 0 : c][corner];
             ++count;
         }
         return count > 1 ? scale(T(1) / T(count), sum) : sum;
@@ -352,9 +390,14 @@ class AreaSum {
             for (int k = 0; k < 4; ++k) quarters.add(cells.x[i] + k % 2 * size, cells.y[i] + k / 2 * size);
     }
 
-    /// Adds the light of cells: that of their middles, and for highlights that of grids so fine that highlights are
-    /// smooth on them.
+    /// Adds the light of cells, of a light whose shadows alone are soft the share: that of their middles, and for
+    /// highlights that of grids so fine that highlights are smooth on them.
     void add(const AreaCells& cells, int size) {
+        if (soft && !points) {
+            for (int i = 0; i < cells.count; ++i)
+                share = fma(area(size), mean_share(cells.x[i], cells.y[i], size), share);
+            return;
+        }
         for (int i = 0; i < cells.count; i += width<S>) {
             const int lanes = std::min(cells.count - i, width<S>);
             alignas(64) T xs[width<S>] = {}, ys[width<S>] = {}, cosines[width<S>], shines[width<S>];
@@ -402,7 +445,8 @@ class AreaSum {
     Vec3<T> position, normal, flat, reflected, u, v, middle, first;  // the last two are vectors from the position
     T surface, specular, pow, shines_from, brightest, whole = 0;
     Start<S> start;
-    bool clear = false, glossy = false;
+    bool clear = false, glossy = false, soft = false;
+    bool gray = true, one_sided = true;         // see channels() and plain()
     int coarsest = AreaCells::largest;          // the cells that shadow rays go to first
     std::optional<GatheredPoints<T>> points;    // of a grid whose points jitter and whose quarters may remain whole
     Vec3<T> color;                              // of the light, for these

@@ -151,10 +151,20 @@ void WorldArrays<T>::fill_groups() {
         group.columns = own.columns.get();
         group.first_bin = bin;
         bin += world.bin_per_item ? own.count : 1;
-        if (world.bin_per_item)
-            for (int i = 0; i < own.count; ++i)
-                few.volumes.push_back(
-                    bounding_volume_of<typename Form::Kind>(group.items[i].shape, own.boxes[i], reach * 0x1p-23));
+        if (!world.bin_per_item) return;
+        for (int i = 0; i < own.count; ++i) {
+            few.volumes.push_back(
+                bounding_volume_of<typename Form::Kind>(group.items[i].shape, own.boxes[i], reach * 0x1p-23));
+            bool shadows = finishes.list.empty();
+            const auto add = [&](auto material) { shadows = shadows || finishes.list[std::size_t(material)].shadow; };
+            if constexpr (std::is_same_v<Form, CompositeForm>) {
+                const CompositeInfo& info = composites.list[std::size_t(group.items[i].shape.number)];
+                for (int leaf = 0; leaf < info.leaves; ++leaf) add(composites.leaves[info.first_leaf + leaf].material);
+            } else {
+                add(group.items[i].material);
+            }
+            few.shadowing |= BodySet(shadows) << (group.first_bin + i);
+        }
     });
     boxes.reset();
 }
@@ -226,7 +236,7 @@ void WorldArrays<T>::list_transparent(const Scene& scene) {
 template <class T>
 void WorldArrays<T>::bound_bodies() {
     const double margin = rounding(reach);
-    auto& [volumes, glass, balls, boxes, cones, shadows, columns, occluders] = few;
+    auto& [volumes, glass, shadowing, balls, boxes, cones, shadows, columns, occluders] = few;
     const std::size_t stride = most_item_bins + widest_pack;
     balls.assign(4 * stride, -std::numeric_limits<T>::infinity());
     std::fill_n(balls.begin(), 3 * stride, T(0));
@@ -247,7 +257,7 @@ void WorldArrays<T>::bound_bodies() {
 
 template <class T>
 void WorldArrays<T>::cull_for_lights() {
-    auto& [volumes, glass, balls, boxes, cones, shadows, columns, occluders] = few;
+    auto& [volumes, glass, shadowing, balls, boxes, cones, shadows, columns, occluders] = few;
     for (LightKernel<T>& light : lights) {
         const LightPlace place{to_double(light.position), light.finite == 0};
         const DVec3& point = place.point;
@@ -256,11 +266,10 @@ void WorldArrays<T>::cull_for_lights() {
         const LightAxes axes = across ? axes_across(volumes, point) : LightAxes{};
         if (across) light.u = Vec3<T>(axes.u), light.v = Vec3<T>(axes.v);
         shadows.push_back(shadows_of<T>(across ? volumes : std::vector<BoundingVolume>(), axes, margin));
-        const BodySet all = volumes.empty() ? 0 : ~BodySet(0) >> (most_item_bins - volumes.size());
         for (std::size_t i = 0; i < sort_bins.size(); ++i) {
             const bool known = i < volumes.size() && !light.area;
             cones.push_back(known ? cone_of<T>(volumes[i], place, margin) : LightCone<T>());
-            occluders.push_back(known ? occluders_of(volumes, i, place, margin) : all);
+            occluders.push_back(shadowing & (known ? occluders_of(volumes, i, place, margin) : ~BodySet(0)));
         }
     }
     world.few.cones = cones.data();
@@ -298,6 +307,7 @@ WorldArrays<T>::WorldArrays(const WorldArrays& bodies, const Scene& scene, const
       lanes(bodies.lanes),
       meshes(bodies.meshes) {
     finishes.groups = bodies.finishes.groups, few.volumes = bodies.few.volumes;
+    few.shadowing = bodies.few.shadowing;
     add_lights(scene, placement);
     if (world.bin_per_item) cull_for_lights();
 }

@@ -101,6 +101,7 @@ template <class T>
 struct FewBodiesArrays {
     std::vector<BoundingVolume> volumes;  // by bin
     BodySet glass = 0;                    // the transparent ones
+    BodySet shadowing = 0;                // those that cast shadows
     std::vector<T> balls;
     std::vector<BodyBox<T>> boxes;
     std::vector<LightCone<T>> cones;

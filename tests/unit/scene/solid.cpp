@@ -4,9 +4,98 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
+#include <vector>
+
+#include "num/pack.h"
+#include "scene/solid/solid_lanes.h"
+#include "tests/referee/dice.h"
 
 using namespace strahl;
+
+namespace {
+
+/// Adds up what the corners of a cell give a point, one number after the other, as POV-Ray does: from the table's
+/// numbers `shift` further on.
+double summed_noise(const DVec3& p, int shift, const std::array<int, 8>& order) {
+    const lattice::NoiseTables& tables = lattice::noise_tables();
+    int cell[3];
+    double offsets[3][2], shares[3][2];
+    for (int c = 0; c < 3; ++c) {
+        const int whole = static_cast<int>(p[c] >= 0 ? p[c] : p[c] - (1 - 1e-10));
+        const double part = p[c] - whole;
+        cell[c] = (whole + 10000) & 4095;
+        offsets[c][0] = part, offsets[c][1] = part - 1;
+        shares[c][1] = part * part * (3 - 2 * part), shares[c][0] = 1 - shares[c][1];
+    }
+    double sum = 0;
+    for (const int corner : order) {
+        const int x = corner % 2, y = corner / 2 % 2, z = corner / 4;
+        const int column = tables.hash[tables.hash[cell[0] + x] ^ (cell[1] + y)];
+        const double* const numbers = &tables.random[tables.hash[column ^ (cell[2] + z)] % 256 + shift];
+        sum += shares[0][x] * shares[1][y] * shares[2][z] *
+               (numbers[0] * .5 + numbers[1] * offsets[0][x] + numbers[2] * offsets[1][y] + numbers[3] * offsets[2][z]);
+    }
+    return sum;
+}
+
+/// Returns points of all sizes, and some on the planes between cells.
+std::vector<DVec3> points_in_lattice(Dice& dice, int count) {
+    std::vector<DVec3> points;
+    for (int i = 0; i < count; ++i) {
+        const double size = std::exp2(dice.in(-3, 12));
+        DVec3 p(dice.in(-size, size), dice.in(-size, size), dice.in(-size, size));
+        if (dice.chance(.2)) p[i % 3] = std::round(p[i % 3]);
+        points.push_back(p);
+    }
+    return points;
+}
+
+}  // namespace
+
+TEST_CASE("noise is the sum over the corners of a cell to the last bit, for points alone and in lanes") {
+    Dice dice{11};
+    const std::vector<DVec3> points = points_in_lattice(dice, 1001);
+    const int count = static_cast<int>(points.size());
+    std::vector<double> values(points.size());
+    std::vector<DVec3> ways(points.size());
+    const lattice::NoiseLanes& lanes = noise_lanes<Widest<double>>;
+    lanes.noise(points.data(), count, 2, values.data());
+    lanes.vector_turbulence(points.data(), count, 1, .5f, 2, ways.data());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double sum = summed_noise(points[i], 0, {0, 1, 2, 3, 4, 5, 6, 7});
+        const double wanted = std::clamp((sum + 1.05242) * .48985582, 0., 1.);
+        CHECK(lattice::noise(points[i], 2) == wanted);
+        CHECK(values[i] == wanted);
+        const DVec3 alone = lattice::vector_noise(points[i]);
+        for (int c = 0; c < 3; ++c) {
+            const double part = summed_noise(points[i], 4 * c, {0, 1, 3, 2, 6, 7, 5, 4});
+            CHECK(alone[c] == part);
+            CHECK(ways[i][c] == part);
+        }
+    }
+}
+
+TEST_CASE("fractals have in lanes the values that their points have alone") {
+    Dice dice{12};
+    for (int n = 0; n < 200; ++n) {
+        FractalForm form;
+        form.magnet = static_cast<int>(dice.in(0, 3)), form.julia = dice.chance(.5);
+        form.re = dice.in(-1.5, 1.5), form.im = dice.in(-1.5, 1.5);
+        form.iterations = static_cast<int>(dice.in(0, 40)), form.exponent = static_cast<int>(dice.in(2, 5));
+        form.inside = static_cast<int>(dice.in(0, 7)), form.outside = static_cast<int>(dice.in(0, 7));
+        form.inside_factor = dice.in(.1, 2), form.outside_factor = dice.in(.1, 2);
+        std::vector<DVec3> points;
+        for (int i = 0; i < 37; ++i) points.push_back(DVec3(dice.in(-2, 2), dice.in(-2, 2), dice.in(-2, 2)));
+        std::vector<double> values(points.size());
+        solid_lanes<Widest<double>>.fractal(form, points.data(), static_cast<int>(points.size()), values.data());
+        for (std::size_t i = 0; i < points.size(); ++i)
+            CHECK(values[i] == fractal_value(form, points[i].x, points[i].y));
+    }
+}
 
 TEST_CASE("solid patterns have POV-Ray's values") {
     const struct {
