@@ -11,7 +11,6 @@
 #include "pov/language/spline.h"
 
 namespace strahl::pov {
-namespace {
 
 constexpr int most_numbers = 250;        // on the stack of one function: its arguments, and what expressions need
 constexpr long most_steps = 20'000'000;  // in one evaluation, with those of the functions that it calls
@@ -30,7 +29,7 @@ constexpr std::uint16_t constant = 1, variable = 2, call = 3, negate = 4, branch
 
 // Components of colours besides their own: their gray value, and the height that red and green stand for.
 constexpr int gray_component = 5, height_component = 6;
-double component_of(const double* value, int component) {
+static double component_of(const double* value, int component) {
     if (component == gray_component) return .297 * value[0] + .589 * value[1] + .114 * value[2];
     if (component == height_component) return (value[0] + value[1] / 255) * .996093;
     return value[component];
@@ -72,18 +71,20 @@ using Lanes = FunctionThing::Lanes;
 
 /// Sets all lanes to values of a function of their numbers.
 template <class S, class Of>
-void set_each(S& to, const Of& value_of_lane) {
+static void set_each(S& to, const Of& value_of_lane) {
     if constexpr (std::is_same_v<S, double>)
         to = value_of_lane(0);
     else
         for (std::size_t lane = 0; lane < to.size(); ++lane) to[lane] = value_of_lane(lane);
 }
-double lane_of(const double& value, std::size_t) { return value; }
-double lane_of(const Lanes& value, std::size_t lane) { return value[lane]; }
-void call_function(const FunctionThing& function, const double* given, double* result, const lattice::NoiseLanes&) {
+static double lane_of(const double& value, std::size_t) { return value; }
+static double lane_of(const Lanes& value, std::size_t lane) { return value[lane]; }
+static void call_function(const FunctionThing& function, const double* given, double* result,
+                          const lattice::NoiseLanes&) {
     function.evaluate(given, result);
 }
-void call_function(const FunctionThing& function, const Lanes* given, Lanes* result, const lattice::NoiseLanes& noise) {
+static void call_function(const FunctionThing& function, const Lanes* given, Lanes* result,
+                          const lattice::NoiseLanes& noise) {
     function.evaluate_lanes(given, result, noise);
 }
 
@@ -235,12 +236,10 @@ struct SplineFunction : FunctionThing {
     }
 };
 
-int levels_of(const FunctionThing& function) {
+static int levels_of(const FunctionThing& function) {
     const auto* compiled = dynamic_cast<const CompiledFunction*>(&function);
     return compiled ? compiled->levels : 1;
 }
-
-}  // namespace
 
 /// Reads the expression of a function.
 class FunctionReader {
