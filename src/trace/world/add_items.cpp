@@ -33,7 +33,7 @@ struct PutItems {
         if constexpr (requires { kernel.number; }) items[i].shape.number = static_cast<T>(i);
         if constexpr (requires { kernel.first; }) items[i].shape.first = first_piece;
         if constexpr (requires { kernel.bounds(); })
-            own.boxes[i] = item_box(kernel.bounds(), number);  // one of many of a body
+            own.boxes[i] = item_box(kernel.bounds(), number);  // a triangle, say: one of the body's many items
         else
             own.boxes[i] = item_box(box, number);
         before.surfaces += faces;

@@ -120,7 +120,7 @@ FogKernel<T> fog_kernel(const Fog& fog, const Placement& placement) {
     own.omega = static_cast<float>(fog.omega), own.lambda = static_cast<float>(fog.lambda), own.depth = fog.depth;
     own.least = static_cast<T>(fog.transmit);
     own.tint = cast<T>(Color(1 - fog.filter) + fog.filter * fog.color);
-    own.base = -1;  // below all heights
+    own.base = -1;  // all points are below the ground fog's top
     if (fog.altitude > 0 && length(fog.up) > 0) {
         const DVec3 up = normalize(fog.up);
         // Lower fog is not seen, and heights in its units would overflow.
@@ -314,7 +314,7 @@ void WorldArrays<T>::share(const WorldArrays& other) {
         const FormItems<T>& theirs = other.forms[form];
         const std::size_t fields = traits[form++].fields;
         if (own.count != theirs.count || own.in_hierarchy != theirs.in_hierarchy) return;
-        if (composites.list.empty()) take(own.numbers, theirs.numbers, own.count * fields);  // parts point to numbers
+        if (composites.list.empty()) take(own.numbers, theirs.numbers, own.count * fields);  // leaves point to them
         take(own.columns, theirs.columns, own.in_hierarchy * fields);
         group.items = reinterpret_cast<const Item<Form, T>*>(own.numbers.get());
         group.columns = own.columns.get();
@@ -346,7 +346,7 @@ void WorldArrays<T>::set_distances(const Settings& settings, const Placement& pl
         world.shadow_rays = ShadowRays::past_near;
     }
     const double passed_over = settings.passed_over * placement.scale;
-    // Leaves it out where rounding is as large: there rays would meet the surface again that they start on.
+    // Leaves the distance 0 where rounding is as large: there rays would meet the surface again that they start on.
     if (!proves && passed_over > 1024 * std::numeric_limits<T>::epsilon() * reach) {
         world.passed_over = static_cast<T>(passed_over);
         world.passed_in_shadows = static_cast<T>(10 * passed_over);
@@ -362,19 +362,19 @@ WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, Thre
     : moving(moving), images(std::move(kept)), lanes(lanes), meshes(meshes) {
     // Each step needs what those before it have made.
     add_materials(scene);
-    add_finishes(scene, placement);          // of these materials
+    add_finishes(scene, placement);          // the finishes of these materials
     add_patterns(scene, placement, proves);  // with more materials: one for each space that a pattern is in
     point_at_patterns();
-    add_lights(scene, placement);  // in the groups that finishes name
+    add_lights(scene, placement);  // their groups are numbered by add_finishes
     if (scene.fog) world.fog = fog_kernel<T>(*scene.fog, placement);
     world.background = cast<T>(scene.background.color);
     world.materials = materials.data();
     list_transparent(scene);
 
-    add_items(scene, placement, pool, proves);         // which have the numbers of materials
-    set_distances(scene.settings, placement, proves);  // in proportion to how far the items reach
+    add_items(scene, placement, pool, proves);         // items have the numbers of materials
+    set_distances(scene.settings, placement, proves);  // they depend on how far the items reach
     arrange_items(pool, proves);
-    add_composites(scene, placement, pool, proves);  // whose leaves follow the items of their forms
+    add_composites(scene, placement, pool, proves);  // their leaves follow the items of their forms
     world.sort_bins = sort_bins.data();
     world.bins = references[0].bin = static_cast<int>(sort_bins.size());
     fill_groups();

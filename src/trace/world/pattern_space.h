@@ -140,7 +140,7 @@ void compare(const Pattern& pattern, const std::vector<Transformation>& body, co
         kernel.slack.moved = std::max(before.moved, kernel.slack.moved);
     }
 }
-/// Does the same for a kernel that bends normals.
+/// Notes for proofs how far a kernel is off that bends normals.
 template <class T>
 void compare(const Material& material, const std::vector<Transformation>& body, const Placement& placement, bool first,
              BendKernel<T>& kernel);
