@@ -50,7 +50,8 @@ template <class T>
 LightKernel<T> light_kernel(const Light& light, const Placement& placement) {
     using M = Made<T>;
     const Vec3<M> position = (cast<M>(light.position) - cast<M>(placement.origin)) * M(placement.scale);
-    LightKernel<T> kernel{Vec3<T>(position), cast<T>(light.color)};
+    LightKernel<T> kernel{};
+    kernel.position = Vec3<T>(position), kernel.color = cast<T>(light.color);
     if (light.direction) {
         if constexpr (std::is_same_v<M, Extended>)
             kernel.position = -quick_unit(extended(*light.direction));
@@ -65,23 +66,22 @@ LightKernel<T> light_kernel(const Light& light, const Placement& placement) {
             const double own = length(given);
             return cast<T>(std::max(own * placement.scale, shortest) / own * given);
         };
-        kernel.area = true;
+        AreaKernel<T>& area = kernel.rectangle;
+        kernel.area = true, area.soft = light.soft;
         // Edges may lose their right angle if the light moves and is scaled unevenly. Those of a grid need none.
         const DVec3 along = normalize(light.area->u);
         const double slant = light.area->columns > 0 ? 0 : dot_product(light.area->v, along);
-        kernel.u = edge(light.area->u);
-        kernel.v = edge(light.area->v - slant * along);
-        kernel.columns = light.area->columns, kernel.rows = light.area->rows;
-        kernel.adaptive = static_cast<std::int32_t>(light.adaptive);
-        kernel.circular = light.circular, kernel.orient = light.orient, kernel.jitter = light.jitter;
+        area.u = edge(light.area->u), area.v = edge(light.area->v - slant * along);
+        area.columns = light.area->columns, area.rows = light.area->rows;
+        area.adaptive = static_cast<std::int32_t>(light.adaptive);
+        area.circular = light.circular, area.orient = light.orient, area.jitter = light.jitter;
     }
     if (light.direction && light.from) {
         kernel.starts = true;
         const DVec3 start = (*light.from - placement.origin) * placement.scale;
         kernel.start = static_cast<T>(-dot_product(normalize(*light.direction), start));
-        kernel.beam = static_cast<T>(light.beam * placement.scale);
-        kernel.core = static_cast<T>(light.core * placement.scale);
-        kernel.axis = cast<T>(start), kernel.tightness = static_cast<T>(light.tightness);
+        kernel.beam = {cast<T>(start), static_cast<T>(light.beam * placement.scale),
+                       static_cast<T>(light.core * placement.scale), static_cast<T>(light.tightness)};
     }
     if (light.spot) {
         const auto less_cosine = [](double degrees) {  // 1 - cos(degrees)
@@ -89,17 +89,17 @@ LightKernel<T> light_kernel(const Light& light, const Placement& placement) {
             return 2 * sine * sine;
         };
         const M radius = less_cosine(light.spot->radius), falloff = less_cosine(light.spot->falloff);
+        SpotKernel<T>& cone = kernel.cone;
         kernel.spot = true;
         if constexpr (std::is_same_v<M, Extended>)
-            kernel.axis = quick_unit(extended(light.spot->look_at) - extended(light.position));
+            cone.axis = quick_unit(extended(light.spot->look_at) - extended(light.position));
         else
-            kernel.axis = cast<T>(normalize(light.spot->look_at - light.position));
-        kernel.radius = static_cast<T>(radius), kernel.falloff = static_cast<T>(falloff);
-        kernel.per = static_cast<T>(1 / (falloff - radius));
-        kernel.tightness = static_cast<T>(light.spot->tightness);
+            cone.axis = cast<T>(normalize(light.spot->look_at - light.position));
+        cone.radius = static_cast<T>(radius), cone.falloff = static_cast<T>(falloff);
+        cone.per = static_cast<T>(1 / (falloff - radius));
+        cone.tightness = static_cast<T>(light.spot->tightness);
     }
     kernel.shadowless = light.shadowless;
-    kernel.soft = light.soft;
     if (light.fades()) {
         kernel.fade_per = static_cast<T>(1 / (light.fade_distance * placement.scale));
         kernel.fade_power = static_cast<T>(light.fade_power);

@@ -86,8 +86,8 @@ struct KernelSpace {
     /// Takes the numbers of a sum of noises. Returns whether the sum repeats itself as noise does.
     bool sum(const Octaves& octaves, double turbulence) {
         kernel.turbulence = static_cast<T>(turbulence);
-        kernel.octaves = static_cast<std::int32_t>(octaves.octaves);
-        kernel.omega = static_cast<T>(octaves.omega), kernel.lambda = static_cast<T>(octaves.lambda);
+        kernel.octaves = {static_cast<std::int32_t>(octaves.octaves), static_cast<T>(octaves.omega),
+                          static_cast<T>(octaves.lambda)};
         return octaves.lambda == std::floor(octaves.lambda);
     }
 };
