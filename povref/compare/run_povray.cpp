@@ -116,7 +116,7 @@ void add_grid(std::vector<std::string>& words, int grid) {
 
 PovRun run_povray(const Scene& scene, PovRequest request, int threads, const std::atomic<bool>* stop) {
     const os::NewFolder scratch = scratch_folder();
-    // It runs in that folder: no .ini file need hold the folder's name, whatever characters are in it.
+    // POV-Ray runs in that folder: no .ini file need hold the folder's name, whatever characters are in it.
     request.pov_path = "scene.pov";
     request.picture_path = "scene.ppm";
     request.bits = 16;

@@ -26,7 +26,7 @@ int steps_apart(Values a, int channels_a, Values b, int channels_b, std::size_t 
     return apart;
 }
 
-/// So many pixels around the pixels in question are rendered again as well.
+/// How many pixels on each side of those in question are rendered again as well.
 constexpr int margin = 16;
 
 /// The comparison of two pictures, ours and theirs, of which pixel i differs by apart[i] steps.

@@ -27,7 +27,7 @@ struct Verdict {
 /// A pixel this near to an edge, in pixels, may differ, because POV-Ray ignores lengths below 1e-4 and 1e-3.
 inline constexpr double edge_radius = 0.01;
 
-/// So many pixels amid edges may differ in a square of 17 pixels, as single ones do in glass and in mirrors of mirrors.
+/// How many pixels amid edges may differ in a square of 17 pixels: single ones do in glass and in mirrors of mirrors.
 inline constexpr int most_amid = 6;
 
 /// Makes this part of POV-Ray's picture once more by its own camera, with rays that are moved by some millionths of a

@@ -66,7 +66,7 @@ Picture read_targa(const RegularFile& file, std::uint64_t most) {
     Picture picture{header.width, header.height, static_cast<int>(channels), {}, 8};
     picture.values.resize(channels * pixels);
     Pixel pixel{};
-    unsigned same = 0, others = 0;  // pixels that follow, alike or each with its own bytes
+    unsigned same = 0, others = 0;  // how many of the next pixels are like `pixel`, or have bytes of their own
     for (unsigned y = 0; y < header.height; ++y) {
         double* to =
             &picture.values[std::size_t(channels) * header.width * (header.top_down() ? y : header.height - 1u - y)];

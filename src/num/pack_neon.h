@@ -24,7 +24,7 @@ struct Native<double, 16> {
     using Register = float64x2_t;
 };
 
-// Compared and selected: fmin and fmax would treat NaN and signed zeros otherwise than x86. Of four floats in quad.h.
+// The least and the largest by a comparison and a choice, as x86 has it for NaN and signed zeros; fmin and fmax differ.
 STRAHL_INLINE float64x2_t minimum(float64x2_t a, float64x2_t b) { return vbslq_f64(vcltq_f64(a, b), a, b); }
 STRAHL_INLINE float64x2_t maximum(float64x2_t a, float64x2_t b) { return vbslq_f64(vcgtq_f64(a, b), a, b); }
 STRAHL_INLINE float32x4_t fused(float32x4_t a, float32x4_t b, float32x4_t c) { return vfmaq_f32(c, a, b); }

@@ -18,8 +18,10 @@ Animation Animation::of(const std::optional<IniFile>& ini, std::optional<double>
     all.last = std::max(ini->final_frame.value_or(all.first), all.first);
     all.initial_clock = ini->initial_clock.value_or(0), all.final_clock = ini->final_clock.value_or(1);
     all.first_shown = all.last_shown = all.first;
-    all.counted = all.last > all.first;
+    all.counted = ini->initial_frame || ini->final_frame;
     if (!all.counted) return all;
+    // POV-Ray computes 0 / 0 for the clock of a single frame.
+    if (all.last == all.first && ini->clock) all.initial_clock = *ini->clock;
     all.cyclic = ini->cyclic;
     all.seconds = (double(all.last) - all.first + 1) / frames_per_second;
     const double count = double(all.last) - all.first + 1;
@@ -32,7 +34,7 @@ Animation Animation::of(const std::optional<IniFile>& ini, std::optional<double>
     return all;
 }
 
-double Animation::steps() const { return double(last) - first + (cyclic ? 1 : 0); }
+double Animation::steps() const { return std::max(double(last) - first + (cyclic ? 1 : 0), 1.); }
 
 int Animation::frame_at(double time) const {
     return static_cast<int>(std::clamp(first + std::round(time * frames_per_second), double(first), double(last)));

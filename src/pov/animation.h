@@ -16,7 +16,7 @@ struct Animation {
     bool cyclic = false;                     // the last frame is followed by the first one
     double first_shown = 1, last_shown = 1;  // Subset_Start_Frame and Subset_End_Frame
     double seconds = 10;                     // how long it takes
-    bool counted = false;                    // an .ini file gives the number of frames
+    bool counted = false;                    // does an .ini file give the frames?
 
     /// The clock changes from its first to its last value within `flight` seconds, unless the file gives frames.
     static Animation of(const std::optional<IniFile>& ini, std::optional<double> flight);

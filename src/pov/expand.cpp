@@ -93,7 +93,7 @@ ExpandedText expand(std::string text, const InterpreterOptions& options) {
             all.text += '"' + in.read_file_name() + '"';
         } else {
             all.text += rest.substr(0, std::max<std::size_t>(word_length(rest), 1));
-            in.skip();
+            in.take();
         }
         if (all.text.size() > most_bytes)
             in.fail(place, "the scene is longer than 256 MiB once its directives have been executed");

@@ -56,7 +56,7 @@ double focal_distance(const Camera& camera) {
 
 std::array<double, 2> lens_place(const Camera& camera, double s, double t) {
     constexpr double pi = std::numbers::pi;
-    if (camera.blades) {  // of a fan of triangles around the middle, the first corner on top
+    if (camera.blades) {  // chooses a place in a triangle of the fan around the middle, the first corner on top
         const double corners = std::round(*camera.blades);  // between keys of a track it is no whole number
         const double place = s * corners, side = std::floor(place), share = place - side, out = std::sqrt(t);
         const auto corner = [&](double number) {

@@ -62,12 +62,12 @@ std::vector<Facet> own_facets(const Disc& disc) {
         add_strips(points, disc.centre, disc.radius, disc.centre, disc.hole, 0, facets);
     else
         add_circle(points, disc.centre, disc.radius, 0, facets);
-    // The polygons of wider rings have another area than they.
+    // Polygons of wider rings do not have the rings' area.
     for (Facet& facet : facets) facet.whole = disc.hole == 0 || width < .1;
     return facets;
 }
 
-/// A cylinder or a cone: none if it is longer than it is thick, since then it is thin only if a capsule around it is.
+/// Returns facets of a cylinder or a cone: none if it is longer than thick, where a capsule tells whether it is thin.
 std::vector<Facet> flat_facets(const DVec3& base, double base_radius, const DVec3& cap, double cap_radius) {
     const double height = length(cap - base);
     std::vector<Facet> facets;
@@ -119,7 +119,7 @@ std::vector<Facet> own_facets(const Mesh& mesh) {
     return facets;
 }
 
-/// Its walls, of curved ones strips, and none of its caps.
+/// Returns facets of a prism: its walls, curved ones in strips, and no caps.
 std::vector<Facet> own_facets(const Prism& prism) {
     std::vector<Facet> facets;
     const ContourData& data = *prism.data;

@@ -384,7 +384,7 @@ void BodyTools::take_shown() {
     if (!shown) return;
     const bool newest = shown->text == bodies.edited.text(), right = shown->scene != nullptr;
     if (right) {
-        // One that was read before the path was written would bring the old path back; the next one follows.
+        // A text that was read before the path was written would bring the old path back; the next one follows.
         if (shown->scene->flythrough == session.scene->flythrough) {
             const bool other_bodies = shown->scene->primitives.size() != session.scene->primitives.size() ||
                                       shown->scene->lights.size() != session.scene->lights.size();

@@ -53,7 +53,7 @@ Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::unique_ptr<Reload
       session(scene_to_show(first), o.depth),
       screen(window_title(first.path, keys.keys), window_size(o, *session.scene), !o.size, o.full_screen, !o.benchmark),
       panels(pace, o.play, o.scene.empty()),
-      input(screen, session, panels, pace, keys.keys, o.play, handlers()),
+      input(screen, session, panels, pace, keys.keys, o.play, *this),
       picture(o.threads, notes, pace, glfwPostEmptyEvent),
       recordings(options, notes, pace, glfwPostEmptyEvent),
       file(first, error_is_final(o), std::move(reload), notes, pace, glfwPostEmptyEvent),
@@ -73,33 +73,31 @@ Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::unique_ptr<Reload
     if (!file.waiting()) playback.start_scene();
 }
 
-/// Says what events of the window do.
-InputHandlers Viewer::handlers() {
-    InputHandlers all;
-    all.perform = [this](Command command) { perform(command); };
-    all.draw = [this] { draw(); };
-    all.browse = [this](int key) {
-        if (leaving.asking()) {
-            const Leaving::Decision given = Leaving::answer_of(key);
-            return answer(given), given != Leaving::Decision::none;
-        }
-        if (key != GLFW_KEY_ESCAPE || file.waiting()) return chooser.key(key);
-        return perform({Action::gallery}), true;
-    };
-    all.turn_wheel = [this](double n, bool speed) { notes.tell(session.turn_wheel(n, speed, pace.now())); };
-    all.drop = [this](std::string path) {
-        const bool sound = !panels.gallery && std::filesystem::path(path).extension() == ".ogg";
-        sound ? take_sound(path) : chooser.open(std::move(path));
-    };
-    all.click = [this](double x, double y, bool adds) { click(x, y, adds); };
-    all.points_at = [this](double x, double y) { return points_at(x, y); };
-    all.hold = [this](double x, double y) { bodies.hold(in_picture(x, y), screen.pixels_to_reach()); };
-    all.pull = [this](Hold what, double x, double y, Snap snap) {
-        what == Hold::divider ? side.pull(screen.area(), x) : bodies.pull(in_picture(x, y), snap);
-    };
-    all.let_go = [this] { bodies.let_go(session.view(std::max(screen.width(), 1), std::max(screen.height(), 1))); };
-    return all;
+bool Viewer::browse(int key) {
+    if (leaving.asking()) {
+        const Leaving::Decision given = Leaving::answer_of(key);
+        return answer(given), given != Leaving::Decision::none;
+    }
+    if (key != GLFW_KEY_ESCAPE || file.waiting()) return chooser.key(key);
+    return perform({Action::gallery}), true;
 }
+
+void Viewer::turn_wheel(double notches, bool with_control) {
+    notes.tell(session.turn_wheel(notches, with_control, pace.now()));
+}
+
+void Viewer::drop(const std::string& path) {
+    const bool sound = !panels.gallery && std::filesystem::path(path).extension() == ".ogg";
+    sound ? take_sound(path) : chooser.open(path);
+}
+
+void Viewer::hold(glm::dvec2 point) { bodies.hold(in_picture(point), screen.pixels_to_reach()); }
+
+void Viewer::pull(Hold what, glm::dvec2 point, Snap snap) {
+    what == Hold::divider ? side.pull(screen.area(), point.x) : bodies.pull(in_picture(point), snap);
+}
+
+void Viewer::let_go() { bodies.let_go(session.view(std::max(screen.width(), 1), std::max(screen.height(), 1))); }
 
 void Viewer::perform(Command command) {
     if (leaving.asking())
@@ -314,12 +312,14 @@ void Viewer::apply(const OutlinerInput& done) {
 }
 
 /// Chooses the body at a point of the window; with `adds` besides the others.
-void Viewer::click(double x, double y, bool adds) {
+void Viewer::click(glm::dvec2 point, bool with_shift) {
+    const double x = point.x, y = point.y;
     const ScreenArea area = screen.area();
     const bool on_picture = x >= area.x && y >= area.y && x < area.x + area.width && y < area.y + area.height;
     if (file.waiting() || screen.width() == 0 || !on_picture || in_other_view(x)) return;
     panels.forget_key(), panels.keep_clear(x), panels.prefer_body();
-    bodies.click(session.view(screen.width(), screen.height()), in_picture(x, y), 2 * screen.pixels_to_reach(), adds);
+    const View view = session.view(screen.width(), screen.height());
+    bodies.click(view, in_picture(point), 2 * screen.pixels_to_reach(), with_shift);
 }
 
 /// Is another view than that of the picture seen in this column of the window?
@@ -327,21 +327,20 @@ bool Viewer::in_other_view(double x) const {
     return side.divider().other_view() && x >= side.divider().column(screen.area());
 }
 
-/// Returns what the pointer can take hold of at a point of the window.
-Hold Viewer::points_at(double x, double y) {
+Hold Viewer::points_at(glm::dvec2 point) {
     const ScreenArea area = screen.area();
-    side.point((x - area.x) / std::max(area.width, 1), (y - area.y) / std::max(area.height, 1));
-    if (side.divider().reached(screen.area(), x, y, screen.pixels_to_reach())) return Hold::divider;
+    side.point((point.x - area.x) / std::max(area.width, 1), (point.y - area.y) / std::max(area.height, 1));
+    if (side.divider().reached(area, point.x, point.y, screen.pixels_to_reach())) return Hold::divider;
     const bool handle =
-        !panels.quiet && !in_other_view(x) && bodies.points_at(in_picture(x, y), screen.pixels_to_reach());
+        !panels.quiet && !in_other_view(point.x) && bodies.points_at(in_picture(point), screen.pixels_to_reach());
     return handle ? Hold::handle : Hold::nothing;
 }
 
 /// Returns the point of the picture at a point of the window, in pixels of the view.
-glm::dvec2 Viewer::in_picture(double x, double y) const {
+glm::dvec2 Viewer::in_picture(glm::dvec2 point) const {
     const ScreenArea area = screen.area();
     const View view = session.view(std::max(screen.width(), 1), std::max(screen.height(), 1));
-    return {(x - area.x) * view.width / area.width, (y - area.y) * view.height / area.height};
+    return {(point.x - area.x) * view.width / area.width, (point.y - area.y) * view.height / area.height};
 }
 
 /// Moves the camera to where it should be now.

@@ -30,7 +30,7 @@ namespace strahl {
 /// Does an error in the scene end the program, because nobody can mend it?
 inline bool error_is_final(const ViewOptions& options) { return options.scene == "-" || options.play; }
 
-class Viewer {
+class Viewer : InputReceiver {
   public:
     /// `first` is the scene as far as `reload` has read it; `began` is when the user started the program. Throws
     /// WindowError, and leaves `reload` as it was then.
@@ -41,8 +41,17 @@ class Viewer {
     int run(const std::atomic<bool>& interrupted);
 
   private:
-    InputHandlers handlers();
-    void perform(Command command);
+    void perform(Command command) override;
+    void draw() override;
+    bool browse(int key) override;
+    void turn_wheel(double notches, bool with_control) override;
+    void drop(const std::string& path) override;
+    void click(glm::dvec2 point, bool with_shift) override;
+    Hold points_at(glm::dvec2 point) override;
+    void hold(glm::dvec2 point) override;
+    void pull(Hold what, glm::dvec2 point, Snap snap) override;
+    void let_go() override;
+
     void back();
     void write();
     void keep_view();
@@ -54,15 +63,12 @@ class Viewer {
     void apply(const TimelineInput& input);
     void apply(const BodyInput& input);
     void apply(const OutlinerInput& input);
-    void click(double x, double y, bool adds);
-    Hold points_at(double x, double y);
     bool in_other_view(double x) const;
-    glm::dvec2 in_picture(double x, double y) const;
+    glm::dvec2 in_picture(glm::dvec2 point) const;
 
     // The loop
     bool in_motion() const { return session.flight.under_way() || input.active(); }
     void move();
-    void draw();
     void show_first_picture();
     double next_draw() const;
     void wait();

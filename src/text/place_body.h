@@ -59,7 +59,7 @@ class PlacedBody {
         enum Means { point, direction, size } meaning;
         std::size_t first;
     };
-    /// One of the last transformations.
+    /// One of the transformations at the end of a body's block.
     struct LastStep {
         const char* word;
         DVec3 value;

@@ -53,7 +53,7 @@ class Batches {
     LayerTile* const layers;     // null if there are none
     std::span<Batches> moments;  // of the same thread: at the moments of a shutter, and last at the time of the view
     EyeHalves halves;            // of the picture
-    Counts counts;               // its own memory: threads that count beside each other wait for each other
+    Counts counts;               // of this thread alone: threads that share a line of the cache wait for each other
 
     /// Traces a tile of pixels, one ray each; a tile that was stopped is not handed on.
     void trace_tile(const Lattice& tile, const Sink& sink) {
@@ -341,7 +341,7 @@ class Batches {
     const Limits<T>& limits;
     Workspace<T>& workspace;
     const bool prove;    // the kernel is a proving one
-    const bool filters;  // samples have footprints
+    const bool filters;  // do samples have footprints?
     const Placement& placement;
     LayerRows<T> rows{};
     std::vector<T> layer_values, lit;  // of the rows

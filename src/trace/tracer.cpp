@@ -83,7 +83,7 @@ class TracerOf : public AnyTracer {
         const Placement wanted = placement(extent, view.camera.position);
         const bool serves = kept && (kept->proves == view.prove || std::is_same_v<T, float>);
         if (serves && wanted == kept->placed && !moved) return;
-        kept.reset();  // before the next one takes memory
+        kept.reset();  // frees its memory before the next world takes some
         kept.emplace(wanted, view.prove, build(wanted, view.prove, pool, &moving, nullptr));
     }
 
@@ -393,7 +393,7 @@ class TracerOf : public AnyTracer {
     KnownEye eye_of_camera(const Camera& camera, const BuiltWorld<T>& world) const {
         constexpr std::size_t most = 1000;  // bodies; among more it would take too long for each picture of a film
         const bool looks = scene().primitives.size() <= most;
-        // In proportion to the scene, whatever its unit of length.
+        // The distance is a share of the camera's own coordinates, so that it fits any unit of length.
         const double reach = 1e-12 * length(camera.position) + 1e-16 * length(camera.look_at - camera.position);
         constexpr double rounding = 16. * std::numeric_limits<T>::epsilon();
         const DVec3 eye = looks ? off_faces(scene(), camera, reach, rounding) : camera.position;

@@ -66,7 +66,7 @@ class ModelMutator : Mutator {
         for (std::size_t i = 1 + below(4); i > 0 && !file.empty(); --i) {
             const std::size_t at = below(file.size()), length = 1 + below(std::min<std::size_t>(file.size() - at, 30));
             if (const std::size_t digit = file.find_first_of("0123456789", at); below(3) > 0 && digit != file.npos) {
-                // A number is another one.
+                // Replaces a number by another one.
                 const std::size_t end = std::min(file.find_first_not_of("0123456789.", digit), file.size());
                 file.replace(digit, end - digit, numbers[below(std::size(numbers))]);
             } else if (below(3) == 0) {

@@ -45,7 +45,7 @@ class MeshMutator : Mutator {
     void put_word();
 };
 
-/// In a binary file: four or eight bytes.
+/// In a binary file, a number is four or eight bytes anywhere.
 void MeshMutator::put_number() {
     constexpr std::array<double, 14> numbers{0,   1,          3,          4,    255,  -1,     65535,
                                              1e9, 2147483647, 4294967295, 1e15, 1e16, 1e-310, 1e300};
@@ -59,7 +59,7 @@ void MeshMutator::put_number() {
     file.replace(std::min(place(), file.size()), bytes.size(), bytes);
 }
 
-/// A word in place of another, or before it.
+/// Puts a word in place of another, or before it.
 void MeshMutator::put_word() {
     constexpr const char* blanks = " \t\r\n";
     const std::size_t at = file.find_first_not_of(blanks, file.find_first_of(blanks, place()));

@@ -9,7 +9,7 @@ namespace strahl {
 /// Files of all forms that can be read.
 std::vector<std::string> valid_meshes();
 
-/// One of them, with a few mutations; the same for the same number.
+/// Returns one of these files with a few mutations; the same for the same number.
 std::string mutated_mesh(const std::vector<std::string>& valid, std::uint64_t number);
 
 }  // namespace strahl

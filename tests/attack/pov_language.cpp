@@ -29,7 +29,7 @@ struct AnyLayer : SceneLayer {
 
     NamedValue read_thing(Interpreter& in) override {
         if (in.code() < first_word_code) return {};
-        in.skip();
+        in.take();
         in.skip_block();
         return {ValueKind::object, {}, std::make_shared<Blank>()};
     }
@@ -96,7 +96,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             else if (in.at_expression())
                 in.read_components();
             else
-                in.skip();
+                in.take();
         }
     } catch (const strahl::FileError& error) {
         strahl::attack::check_message(error, 6000);

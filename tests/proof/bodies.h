@@ -139,7 +139,7 @@ inline std::vector<Shape> edge_bodies(Dice& dice, const DVec3& target, const DVe
         const double far = size - minor;
         return {Torus{target - minor * out - far * beside, out, far, minor}};
     }
-    if (kind == 2) {  // an apex, a rim, or a line of the side that the ray goes along
+    if (kind == 2) {  // a cone that the ray meets at its apex or its rim, or along a line of its side
         const DVec3 axis = dice.direction(), rise = dice.in(.5, 3) * size * axis;
         const DVec3 out = size * unit(cross(axis, dice.direction()));
         if (dice.chance(.3)) return {Cone{target + rise, size, target, 0}};

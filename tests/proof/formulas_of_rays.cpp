@@ -95,7 +95,8 @@ TEST_CASE("formulas of light") {
                                           : dice.direction();
         const double away = std::pow(10, dice.in(-2, 3));
         const DVec3 file = home + DVec3(hit.position) + away * aim;
-        LightKernel<double> light{file - home, Vec3<double>(1)};
+        LightKernel<double> light{};
+        light.position = file - home, light.color = Vec3<double>(1);
         Vector exact_place = Vector(file) - Vector(home);
         if (dice.chance(.3)) {  // parallel light
             light.finite = 0, light.position = aim;
@@ -137,7 +138,7 @@ TEST_CASE("formulas of spots") {
         scene.lights = {light};
         ThreadPool pool(1);
         const BuiltWorld<double> built(scene, Placement{}, pool, nullptr);
-        const LightKernel<double>& kernel = built.world().lights[0];
+        const SpotKernel<double>& kernel = built.world().lights[0].cone;
         const Vector axis = unit(Vector(spot.look_at) - Vector(light.position));
         const double degrees = dice.chance(.3) ? dice.in(0, 100) : dice.chance(.5) ? spot.falloff : spot.radius;
         const R angle = exact::radians<R>(degrees * (1 + any_size(dice) * dice.in(-1, 1)));

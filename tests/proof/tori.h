@@ -6,7 +6,7 @@
 
 namespace strahl::trial {
 
-/// One in three is a spindle.
+/// A torus for trials; one in three is a spindle.
 template <>
 struct Case<Torus> {
     Torus shape;

@@ -157,9 +157,9 @@ inline Scene random_crowd(std::uint64_t seed) {
 /// The size of pictures of the following worlds.
 inline constexpr int edge_columns = 6, edge_rows = 4;
 
-/// A world of edges: through the middle of each pixel of a small picture goes a ray that touches a ball or a rod or
-/// meets a rim or an end whose plane holds the lamp, up to rounding, or whose mirrored or shadow ray from the floor
-/// does, or meets an edge of some other body or of a pattern's pieces.
+/// Makes a world of edges. The ray through the middle of each pixel of a small picture is at one, up to rounding: it
+/// touches a ball or a rod, or meets a rim, an end whose plane holds the lamp, or an edge of another body or of a
+/// pattern's pieces; or the ray mirrored by the floor, or the shadow ray from there, does.
 inline Scene world_of_edges(std::uint64_t seed) {
     constexpr double degree = std::numbers::pi / 180;
     Dice dice(seed);

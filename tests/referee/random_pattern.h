@@ -49,7 +49,7 @@ inline SolidPattern random_solid(Dice& dice) {
     return own;
 }
 
-/// One of every kind, by its place in the list.
+/// Makes a pattern of any kind.
 inline PatternKind random_pattern_kind(Dice& dice) {
     const auto octaves = [&](auto kind, int most) {
         kind.octaves = 1 + dice.upto(most - 1), kind.omega = dice.in(.2, .8);

@@ -27,8 +27,8 @@ struct Space {
     }
 };
 
-/// That of u, v and a normal of length 1, in which a point of a triangle has the given place (u, v, 0): how points of
-/// the triangle move with u and with v, without what that has of the normal, and across them.
+/// Returns the space in which a point of a triangle has the given place (u, v, 0). Its axes are how points of the
+/// triangle move with u and with v, but for their parts along the normal, and the normal, of length 1.
 template <class R>
 Space<R> space_by_uv(const MeshData& mesh, int triangle, const Space<R>& to_world, const Vector<R>& point,
                      const Vector<R>& place, const Vector<R>& normal) {

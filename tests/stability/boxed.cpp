@@ -25,7 +25,7 @@ template <class T>
 Span<T> ours(const Cuboid& box, const Vec3<T>& o, const Vec3<T>& d) {
     return kernel<T>(box).span(Ray<T>{o, d, T(-1)}, T(-1));
 }
-/// Products with 1/d, ordered with min and max, as in many a book.
+/// The slab test of many books: products with 1/d, ordered with min and max.
 template <class T>
 bool naive_box(const Cuboid& box, const Vec3<T>& o, const Vec3<T>& d) {
     T near = -T(INFINITY), far = T(INFINITY);

@@ -112,7 +112,7 @@ TEST_CASE("rays along an axis hit correctly to the last bit of the outline, also
 }
 
 TEST_CASE("discs thinner than the last bit of where they are hit") {
-    // Entry and exit are the same number: a test for near < far gives holes. And their boxes have no thickness.
+    // A disc is entered and left at the same number: a test for near < far gives holes. Its box has no thickness.
     Stage stage;
     std::vector<Cylinder> discs;
     Dice dice;

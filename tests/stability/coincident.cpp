@@ -86,7 +86,7 @@ TEST_CASE("equal planes and cylinders, and the same ball written in three ways")
 }
 
 TEST_CASE("of two bodies in one place, light and reflected rays see only the first") {
-    // Its duplicate, a rounding error in front or behind, would block every second ray.
+    // The duplicate of such a ball, a rounding error in front or behind, would block every second ray.
     Material shiny = paint({.8, .6, .4});
     shiny.reflection = .5, shiny.specular = .5;
     const Sphere ball{{-1, .3, .1}, .9};

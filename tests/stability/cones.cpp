@@ -55,7 +55,7 @@ TEST_CASE("a ray into the apex: a hit or none, but a normal of length 1") {
             const ConeKernel<T> cone = kernel<T>(funnel);
             const Span<T> span = cone.span(ray, T(-1));
             CHECK(!std::isnan(span.near + span.far));
-            // Well inside the cone's angle it is hit: upwards at the apex, downwards at the cap.
+            // Rays well inside the cone's angle hit it: upwards at the apex, downwards at the cap.
             if (d.z > .8) CHECK((span.hit && std::abs(span.near - 5) < T(1e-5)));
             if (d.z < -.8) CHECK((span.hit && std::abs(span.far - 5) < T(1e-5)));
             if (std::abs(d.z) < .6) CHECK(!(span.hit && span.far - span.near > T(1e-5)));

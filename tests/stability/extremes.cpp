@@ -100,7 +100,7 @@ TEST_CASE("highlights of every exponent") {
 }
 
 TEST_CASE("a reflected ray that hits a light") {
-    // Its cosine is 1 up to rounding, and 1.0000001 to the power of 1e9 is not a highlight.
+    // The cosine of the highlight is 1 up to rounding, and 1.0000001 to the power of 1e9 is no highlight.
     Dice dice;
     for (int i = 0; i < 100; ++i) {
         const DVec3 eye = dice.direction() * 6.;
@@ -117,7 +117,7 @@ TEST_CASE("sizes and places from the smallest to the largest number a scene may 
         CAPTURE(size);
         Stage stage;
         stage.background({.25, .25, .25});
-        // The camera stays: the body is a dot, or all around.
+        // The camera stays in its place: the body is a dot, or all around it.
         Material shiny = paint({.5, .5, .5});
         shiny.reflection = .5, shiny.specular = .5;
         stage.light({-4, -5, 6}).put(Sphere{{0, 0, 0}, size}, shiny).put(Sphere{{.5, 1, 0}, 1}, glass(1.5, .5));
@@ -126,13 +126,13 @@ TEST_CASE("sizes and places from the smallest to the largest number a scene may 
         stage.put(Plane{{0, 0, -size}, {size, 0, -size}, {0, size, -size}}, shiny);
         stage.light({size, size, size}).light({0, -size, 0});
         finite_in_all(stage.scene);
-        // Everything scaled, the camera included.
+        // Scales everything, the camera included.
         if (size > 1e-300 && size < 1e14) finite_in_all(placed(still_life(), size));
     }
 }
 
 TEST_CASE("a body smaller than the last bit of where it is hides nothing else") {
-    // Its box is a point, and so is the box around all bounded bodies.
+    // The box of such a body is a point, and so is the box around all bounded bodies.
     for (const double size : {2.3e-308, 1e-100, 1e-17, 1e-16})
         for (const DVec3& place : {DVec3(1), DVec3(0), DVec3(-3e5, 2, .1), DVec3(0, 1e15, 0)}) {
             CAPTURE(size);

@@ -72,7 +72,7 @@ TEST_CASE("a small ball 10,000 km away") {
 TEST_CASE("the outline of a ball 4096 radii away, in float") {
     const Vec3<float> z{0, 0, 1}, inside{.999f, 0, -4096}, outside{1.0001f, 0, -4096}, centre(0.f);
     CHECK(naive::sphere(inside, z, centre, 1.f).near == doctest::Approx(4095).epsilon(1e-9));  // .955 off
-    CHECK(naive::sphere(outside, z, centre, 1.f).hit);                                         // though it misses
+    CHECK(naive::sphere(outside, z, centre, 1.f).hit);                                         // the ray misses
     CHECK(ours(inside, z, centre, 1.f).near == doctest::Approx(4095.95528989).epsilon(1.2e-7));
     CHECK(!ours(outside, z, centre, 1.f).hit);
 }

@@ -205,7 +205,7 @@ TEST_CASE("a ray that starts on a torus: that crossing is 0, and it alternates b
                        std::abs(outside(torus, naive::to<double>(point.position) + naive::to<double>(d) * double(t))) >
                            64 * double(std::numeric_limits<T>::epsilon()) * double(torus.major + torus.minor);
             wrong += ahead % 2 != (side < 0);
-            // Outwards and away from the axis, where nothing is left to meet.
+            // Rays outwards and away from the axis meet nothing.
             const Vec3<T> f = point.position - torus.centre, u = f - torus.axis * dot(f, torus.axis);
             again += side > 0 && dot(u, d) > 0 && naive::length(u) > torus.major && ahead > 0;
         };

@@ -36,7 +36,7 @@ class GltfValue {
     std::int64_t index(std::size_t limit) const;
     /// A whole number from 0 to `most`.
     std::uint64_t count(std::uint64_t absent, std::uint64_t most = std::uint64_t(1) << 40) const;
-    /// The first numbers of a list; those that are absent stay.
+    /// Returns the first numbers of a list; where it is too short, those of `absent`.
     template <int size, class Vector>
     Vector numbers(Vector absent) const {
         for (int i = 0; i < size && std::size_t(i) < this->size(); ++i) absent[i] = at(std::size_t(i)).number(0);

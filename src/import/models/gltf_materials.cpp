@@ -182,7 +182,7 @@ GltfMaterial GltfMaterials::read(const GltfValue& own) {
     const Color emission = limited(glow * own["emissiveFactor"].numbers<3>(Color(0)), 1e6);
     const PictureUse glowing = use(own["emissiveTexture"], result);
     if (emission != Color(0)) {
-        // Its light is added, as that of layers with a share is.
+        // A coat that is hardly there adds the light: layers with a share do not hide what is below them.
         Material coat;
         coat.reflection = coat.specular = coat.diffuse = 0, coat.ambient = 1;
         coat.rgb = glowing ? Pigment(glowing.pattern(emission)) : Pigment(emission);

@@ -1,7 +1,7 @@
 // Arrays: their sizes, elements and copies.
 #include <algorithm>
 
-#include "pov/language/state.h"
+#include "pov/language/interpreter.h"
 
 namespace strahl::pov {
 namespace {
@@ -10,11 +10,11 @@ constexpr int most_array_levels = 16;  // of arrays in arrays
 
 }  // namespace
 
-std::size_t Interpreter::State::subscripts(const ArrayThing& array) {
+std::size_t Interpreter::subscripts(const ArrayThing& array) {
     std::size_t index = 0;
     for (const int size : array.sizes) {
         expect('[');
-        const double value = number();
+        const double value = read_number();
         if (!(value > -tiny && value + tiny < size))
             fail(last, "this subscript is outside of the array: it must be 0 to " + std::to_string(size - 1));
         index = index * static_cast<std::size_t>(size) + static_cast<std::size_t>(value + tiny);
@@ -23,7 +23,7 @@ std::size_t Interpreter::State::subscripts(const ArrayThing& array) {
     return index;
 }
 
-std::shared_ptr<ArrayThing> Interpreter::State::new_array(std::vector<int> sizes, int levels) {
+std::shared_ptr<ArrayThing> Interpreter::new_array(std::vector<int> sizes, int levels) {
     std::size_t count = 1;
     for (const int size : sizes) {
         count *= static_cast<std::size_t>(size);
@@ -40,7 +40,7 @@ std::shared_ptr<ArrayThing> Interpreter::State::new_array(std::vector<int> sizes
     return array;
 }
 
-NamedValue Interpreter::State::copy(const NamedValue& value) {
+NamedValue Interpreter::copy(const NamedValue& value) {
     if (value.kind != ValueKind::array) return value;
     const auto& from = static_cast<const ArrayThing&>(*value.thing);
     auto array = new_array(from.sizes, from.levels);
@@ -48,16 +48,16 @@ NamedValue Interpreter::State::copy(const NamedValue& value) {
     return {ValueKind::array, {}, std::move(array)};
 }
 
-void Interpreter::State::add_level(ArrayThing& array, const NamedValue& element) {
+void Interpreter::add_level(ArrayThing& array, const NamedValue& element) {
     array.levels = std::max(array.levels, static_cast<const ArrayThing&>(*element.thing).levels + 1);
     if (array.levels > most_array_levels) fail(last, "arrays are nested too deeply");
 }
 
-NamedValue Interpreter::State::read_array() {
+NamedValue Interpreter::read_array() {
     take();
     std::vector<int> sizes;
     while (with_directives(false, [&] { return accept('['); })) {
-        const double size = number() + tiny;
+        const double size = read_number() + tiny;
         if (!(size >= 1 && size < 2e9)) fail(last, "invalid array: its size must be 1 or more");
         sizes.push_back(static_cast<int>(size));
         expect(']');
@@ -70,7 +70,7 @@ NamedValue Interpreter::State::read_array() {
     return {ValueKind::array, {}, std::move(array)};
 }
 
-void Interpreter::State::read_elements(ArrayThing& array, std::size_t dimension, std::size_t& element) {
+void Interpreter::read_elements(ArrayThing& array, std::size_t dimension, std::size_t& element) {
     const Depth guard(*this);
     expect('{');
     for (int i = 0; i < array.sizes[dimension]; ++i) {

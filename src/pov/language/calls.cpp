@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "files/words.h"
+#include "pov/language/interpreter.h"
 #include "pov/language/maths.h"
-#include "pov/language/state.h"
 
 namespace strahl::pov {
 namespace {
@@ -101,7 +101,7 @@ bool is_function_word(std::uint16_t code) { return are_function_words[code - fir
 
 }  // namespace
 
-bool Interpreter::State::at_value() {
+bool Interpreter::at_expression() {
     const std::uint16_t first = code();
     if (first == value_code) {
         const ValueKind kind = next.value->kind;
@@ -112,7 +112,7 @@ bool Interpreter::State::at_value() {
            (first >= first_word_code && is_function_word(first));
 }
 
-double Interpreter::State::parameter() {
+double Interpreter::parameter() {
     expect('(');
     Components value;
     full(value, 1);
@@ -121,35 +121,35 @@ double Interpreter::State::parameter() {
     return value.value[0];
 }
 
-DVec3 Interpreter::State::vector_parameter() {
+DVec3 Interpreter::vector_parameter() {
     expect('(');
-    const DVec3 value = vector();
+    const DVec3 value = read_vector();
     expect(')');
     return value;
 }
 
-std::string Interpreter::State::string_parameter() {
+std::string Interpreter::string_parameter() {
     expect('(');
-    std::string value = string();
+    std::string value = read_string();
     expect(')');
     return value;
 }
 
-void Interpreter::State::arguments(double* values, int count) {
+void Interpreter::arguments(double* values, int count) {
     expect('(');
     for (int i = 0; i < count; ++i) {
         if (i > 0) accept(',');
-        values[i] = number();
+        values[i] = read_number();
     }
     expect(')');
 }
 
-std::shared_ptr<const Thing> Interpreter::State::object_argument() {
-    if (in.kind() != ValueKind::object) expected("the identifier of an object");
-    return in.take_value().thing;
+std::shared_ptr<const Thing> Interpreter::object_argument() {
+    if (kind() != ValueKind::object) expected("the identifier of an object");
+    return take_value().thing;
 }
 
-void Interpreter::State::call(std::uint16_t function, Components& result) {
+void Interpreter::call(std::uint16_t function, Components& result) {
     const TextPlace at = next.place;
     const auto set = [&](double value) { std::fill_n(result.value.begin(), result.count, value); };
     const auto set_vector = [&](const DVec3& value) {
@@ -199,9 +199,9 @@ void Interpreter::State::call(std::uint16_t function, Components& result) {
         case word("bitwise_or"):
         case word("bitwise_xor"): {
             expect('(');
-            std::int32_t value = static_cast<std::int32_t>(cut_off(number()));
-            while (accept(',') || !in.at(')')) {
-                const std::int32_t other = static_cast<std::int32_t>(cut_off(number()));
+            std::int32_t value = static_cast<std::int32_t>(cut_off(read_number()));
+            while (accept(',') || code() != ')') {
+                const std::int32_t other = static_cast<std::int32_t>(cut_off(read_number()));
                 value = function == word("bitwise_and")  ? value & other
                         : function == word("bitwise_or") ? value | other
                                                          : value ^ other;
@@ -212,9 +212,9 @@ void Interpreter::State::call(std::uint16_t function, Components& result) {
         case word("select"): {
             expect('(');
             int count = 0;
-            for (; count < 4 && !in.at(')'); ++count) {
+            for (; count < 4 && code() != ')'; ++count) {
                 if (count > 0) accept(',');
-                a[count] = number();
+                a[count] = read_number();
             }
             expect(')');
             if (count < 3) fail(at, "select needs three or four arguments");
@@ -234,13 +234,13 @@ void Interpreter::State::call(std::uint16_t function, Components& result) {
         case word("pi"):
             return set(std::numbers::pi);
         case word("clock"):
-            clock_used = true;
+            uses_clock = true;
             return set(options.clock);
         case word("clock_on"):
-            clock_used = true;
+            uses_clock = true;
             return set(options.clock_on);
         case word("version"):
-            return set(version);
+            return set(language_version);
         case word("now"):
             ++changes;
             return set((std::time(nullptr) - 946684800) / 86400.);  // days since 2000
@@ -268,9 +268,9 @@ void Interpreter::State::call(std::uint16_t function, Components& result) {
             return set(static_cast<double>(string_parameter().size()));
         case word("strcmp"): {
             expect('(');
-            const std::string left = string();
+            const std::string left = read_string();
             accept(',');
-            const std::string right = string();
+            const std::string right = read_string();
             expect(')');
             const std::size_t most = std::min(left.size(), right.size());
             for (std::size_t i = 0; i <= most; ++i) {
@@ -282,19 +282,19 @@ void Interpreter::State::call(std::uint16_t function, Components& result) {
         }
         case word("file_exists"): {
             expect('(');
-            const std::string name = in.read_file_name();
+            const std::string name = read_file_name();
             expect(')');
-            return set(!find(name, {}, false).empty());
+            return set(!find_file(name, {}, false).empty());
         }
         case word("dimensions"):
         case word("dimension_size"): {
             expect('(');
-            if (in.kind() != ValueKind::array) expected("the identifier of an array");
-            const auto array = std::static_pointer_cast<const ArrayThing>(in.take_value().thing);
+            if (kind() != ValueKind::array) expected("the identifier of an array");
+            const auto array = std::static_pointer_cast<const ArrayThing>(take_value().thing);
             double value = static_cast<double>(array->sizes.size());
             if (function == word("dimension_size")) {
                 accept(',');
-                const double dimension = number() - 1 + tiny;
+                const double dimension = read_number() - 1 + tiny;
                 if (!(dimension >= 0 && dimension < value)) fail(at, "the array has no such dimension");
                 value = array->sizes[static_cast<std::size_t>(dimension)];
             }
@@ -329,13 +329,13 @@ void Interpreter::State::call(std::uint16_t function, Components& result) {
         case word("vrotate"):
         case word("vaxis_rotate"): {
             expect('(');
-            const DVec3 p = vector();
+            const DVec3 p = read_vector();
             accept(',');
-            const DVec3 q = vector();
+            const DVec3 q = read_vector();
             double degrees = 0;
             if (function == word("vaxis_rotate")) {
                 accept(',');
-                degrees = number();
+                degrees = read_number();
             }
             expect(')');
             if (function == word("vdot")) return set(p.x * q.x + p.y * q.y + p.z * q.z);
@@ -347,13 +347,13 @@ void Interpreter::State::call(std::uint16_t function, Components& result) {
         }
         case word("vturbulence"): {
             expect('(');
-            const double lambda = number();
+            const double lambda = read_number();
             accept(',');
-            const double omega = number();
+            const double omega = read_number();
             accept(',');
-            const int octaves = static_cast<int>(std::clamp(number(), 1., 10.));
+            const int octaves = static_cast<int>(std::clamp(read_number(), 1., 10.));
             accept(',');
-            const DVec3 point = vector();
+            const DVec3 point = read_vector();
             expect(')');
             return set_vector(
                 lattice::vector_turbulence(point, octaves, static_cast<float>(omega), static_cast<float>(lambda)));
@@ -362,31 +362,30 @@ void Interpreter::State::call(std::uint16_t function, Components& result) {
             expect('(');
             const auto object = object_argument();
             accept(',');
-            const DVec3 point = vector();
+            const DVec3 point = read_vector();
             expect(')');
-            return set(layer.inside(in, *object, point));
+            return set(layer.inside(*this, *object, point));
         }
         case word("min_extent"):
         case word("max_extent"): {
             expect('(');
             const auto object = object_argument();
             expect(')');
-            const auto [low, high] = layer.extent(in, *object);
+            const auto [low, high] = layer.extent(*this, *object);
             return set_vector(function == word("min_extent") ? low : high);
         }
         case word("trace"): {
             expect('(');
             const auto object = object_argument();
             accept(',');
-            const DVec3 from = vector();
+            const DVec3 from = read_vector();
             accept(',');
-            const DVec3 direction = vector();
+            const DVec3 direction = read_vector();
             DVec3 hit(0), normal(0);
-            const bool found = layer.trace(in, *object, from, direction, hit, normal);
+            const bool found = layer.trace(*this, *object, from, direction, hit, normal);
             if (!found) hit = normal = DVec3(0);
             if (accept(',')) {
-                if (in.kind() == ValueKind::none || in.kind() > ValueKind::color)
-                    expected("the identifier of a vector");
+                if (kind() == ValueKind::none || kind() > ValueKind::color) expected("the identifier of a vector");
                 *next.value = {ValueKind::vector, {normal.x, normal.y, normal.z}, nullptr};
                 ++changes;
                 take();
@@ -397,8 +396,8 @@ void Interpreter::State::call(std::uint16_t function, Components& result) {
         default: {
             const auto of_more = [&](auto operation) {
                 expect('(');
-                double value = number();
-                while (accept(',') || !in.at(')')) value = operation(value, number());
+                double value = read_number();
+                while (accept(',') || code() != ')') value = operation(value, read_number());
                 expect(')');
                 set(value);
             };

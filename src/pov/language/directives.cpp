@@ -5,12 +5,10 @@
 
 #include "files/error.h"
 #include "files/words.h"
-#include "pov/language/state.h"
+#include "pov/language/interpreter.h"
 
 namespace strahl::pov {
 namespace {
-
-using Control = Interpreter::State::Control;
 
 /// Can a directive change what the condition of a loop around it finds?
 bool changes_conditions(std::uint16_t directive) {
@@ -22,7 +20,7 @@ bool changes_conditions(std::uint16_t directive) {
 
 }  // namespace
 
-void Interpreter::State::directive(const RawToken& raw) {
+void Interpreter::directive(const RawToken& raw) {
     const Depth guard(*this);
     const TextPlace at = place_of(raw);
     changes += changes_conditions(raw.directive);
@@ -54,11 +52,11 @@ void Interpreter::State::directive(const RawToken& raw) {
             expect('(');
             const RawToken& name = raw_name("the loop's variable");
             accept(',');
-            const double first = number();
+            const double first = read_number();
             accept(',');
-            const double end = number();
+            const double end = read_number();
             double step = 1;
-            if (accept(',') || !in.at(')')) step = number();
+            if (accept(',') || code() != ')') step = read_number();
             expect(')');
             if (is_true(step) == false) fail(at, "invalid #for: its step is 0");
             Symbol* symbol = symbols.find(name.index);
@@ -102,10 +100,10 @@ void Interpreter::State::directive(const RawToken& raw) {
             }
             break;
         case word("end"):
-            end_block(raw);
+            end_control(raw);
             break;
         case word("break"):
-            break_block(raw);
+            break_control(raw);
             break;
         case word("declare"):
         case word("local"):
@@ -124,12 +122,12 @@ void Interpreter::State::directive(const RawToken& raw) {
             set_version();
             break;
         case word("default"):
-            layer.read_default(in);
+            layer.read_default(*this);
             break;
         case word("error"):
-            fail(at, "the scene says: " + string());
+            fail(at, "the scene says: " + read_string());
         case word("warning"): {
-            const std::string text = string();
+            const std::string text = read_string();
             warn(at, "the scene warns: " + text);
             print(text);
             break;
@@ -137,7 +135,7 @@ void Interpreter::State::directive(const RawToken& raw) {
         case word("debug"):
         case word("render"):
         case word("statistics"):
-            print(string());
+            print(read_string());
             break;
         case word("fopen"):
             open_file();
@@ -161,7 +159,7 @@ void Interpreter::State::directive(const RawToken& raw) {
     }
 }
 
-void Interpreter::State::read_old_directive(const RawToken& raw) {
+void Interpreter::read_old_directive(const RawToken& raw) {
     last = place_of(raw);
     warn(last, "'#' is missing before " + name_of_code(raw.code));
     RawToken written = raw;
@@ -170,11 +168,11 @@ void Interpreter::State::read_old_directive(const RawToken& raw) {
     directive(written);
 }
 
-double Interpreter::State::parenthesised_number() {
+double Interpreter::parenthesised_number() {
     return with_directives(false, [&] { return parameter(); });
 }
 
-void Interpreter::State::leave(const RawToken& from) {
+void Interpreter::leave(const RawToken& from) {
     const RawToken* at = &from;
     const RawToken* first = text().tokens.data();
     do {
@@ -186,7 +184,7 @@ void Interpreter::State::leave(const RawToken& from) {
     controls.pop_back();
 }
 
-const RawToken* Interpreter::State::next_branch(const RawToken* tokens, const RawToken* at) {
+const RawToken* Interpreter::next_branch(const RawToken* tokens, const RawToken* at) {
     at = tokens + at->index;
     cursor = at;  // at the end of the text, which is an error there
     if (at->code != '#') return nullptr;
@@ -196,7 +194,7 @@ const RawToken* Interpreter::State::next_branch(const RawToken* tokens, const Ra
     return nullptr;
 }
 
-void Interpreter::State::branch(const RawToken* at) {
+void Interpreter::branch(const RawToken* at) {
     const RawToken* const tokens = text().tokens.data();
     while ((at = next_branch(tokens, at))) {
         if (at->directive == word("else")) return;
@@ -204,11 +202,11 @@ void Interpreter::State::branch(const RawToken* at) {
     }
 }
 
-bool Interpreter::State::within(const Control& loop, double value) const {
+bool Interpreter::within(const Control& loop, double value) const {
     return loop.step > 0 ? value <= loop.end + tiny : value >= loop.end - tiny;
 }
 
-void Interpreter::State::choose(const RawToken* at) {
+void Interpreter::choose(const RawToken* at) {
     const RawToken* const tokens = text().tokens.data();
     const double value = controls.back().end;
     while ((at = next_branch(tokens, at))) {
@@ -222,7 +220,7 @@ void Interpreter::State::choose(const RawToken* at) {
     }
 }
 
-void Interpreter::State::end_block(const RawToken& raw) {
+void Interpreter::end_control(const RawToken& raw) {
     if (controls.size() == readings.back().controls) fail(place_of(raw), "'#end' without a block that it could close");
     Control& control = controls.back();
     if (control.type == Control::ControlType::loop_while) {
@@ -247,13 +245,13 @@ void Interpreter::State::end_block(const RawToken& raw) {
     }
 }
 
-bool Interpreter::State::is_left(const RawToken& loop) const {
+bool Interpreter::is_left(const RawToken& loop) const {
     const RawToken* const end = text().tokens.data() + loop.index;
     return std::any_of(&loop, end,
                        [](const RawToken& raw) { return raw.code == '#' && raw.directive == word("break"); });
 }
 
-void Interpreter::State::break_block(const RawToken& raw) {
+void Interpreter::break_control(const RawToken& raw) {
     while (controls.size() > readings.back().controls) {
         if (controls.back().type != Control::ControlType::condition) return leave(*controls.back().opener);
         controls.pop_back();
@@ -262,7 +260,7 @@ void Interpreter::State::break_block(const RawToken& raw) {
     pop_reading();
 }
 
-const RawToken& Interpreter::State::raw_name(const std::string& what) {
+const RawToken& Interpreter::raw_name(const std::string& what) {
     const RawToken& raw = *cursor;
     last = place_of(raw);
     if (raw.code != new_name_code) {
@@ -274,7 +272,7 @@ const RawToken& Interpreter::State::raw_name(const std::string& what) {
     return raw;
 }
 
-NamedValue* Interpreter::State::raw_element(NamedValue* value, std::shared_ptr<ArrayThing>& array, std::size_t& index) {
+NamedValue* Interpreter::raw_element(NamedValue* value, std::shared_ptr<ArrayThing>& array, std::size_t& index) {
     while (value->kind == ValueKind::array && cursor->code == '[') {
         array = std::const_pointer_cast<ArrayThing>(std::static_pointer_cast<const ArrayThing>(value->thing));
         index = subscripts(*array);
@@ -283,7 +281,7 @@ NamedValue* Interpreter::State::raw_element(NamedValue* value, std::shared_ptr<A
     return value;
 }
 
-bool Interpreter::State::read_defined() {
+bool Interpreter::read_defined() {
     return with_directives(false, [&] {
         expect('(');
         bool known = false;
@@ -304,11 +302,11 @@ bool Interpreter::State::read_defined() {
     });
 }
 
-void Interpreter::State::declare(bool local) {
+void Interpreter::declare(bool local) {
     if (cursor->code == word("deprecated")) {
         take();
         accept(word("once"));
-        if (at_string()) string();
+        if (at_string()) read_string();
     }
     const RawToken& name = raw_name("an identifier");
     const TextPlace at = last;
@@ -327,16 +325,16 @@ void Interpreter::State::declare(bool local) {
     }
     // The table may be gone when the right side has been read: a macro may end there.
     struct Keep {
-        State& state;
+        Interpreter& in;
         Symbol* symbol;
-        ~Keep() { state.symbols.release(symbol); }
+        ~Keep() { in.symbols.release(symbol); }
     } keep{*this, symbol};
     ++symbol->users;
     with_directives(false, [&] { expect('='); });
     NamedValue value = right_side(false);
     with_directives(false, [&] {
         const bool numbers = value.kind >= ValueKind::number && value.kind <= ValueKind::color;
-        if (!accept(';') && numbers && version >= 3.5) warn(at, "';' is missing after this declaration");
+        if (!accept(';') && numbers && language_version >= 3.5) warn(at, "';' is missing after this declaration");
         // As in POV-Ray a second one may follow, such as that of the line that includes this file.
         if (!numbers || peeked) return;
         const bool at_end = cursor->code == end_code && readings.size() > 1 && !readings.back().macro;
@@ -352,7 +350,7 @@ void Interpreter::State::declare(bool local) {
     if (peeked && next.code == new_name_code && next.raw->index == name.index) cursor = next.raw, peeked = false;
 }
 
-void Interpreter::State::undefine() {
+void Interpreter::undefine() {
     const RawToken& name = raw_name("an identifier");
     Symbol* symbol = symbols.find(name.index);
     if (!symbol) return warn(last, "'#undef' of an unknown name");
@@ -364,7 +362,7 @@ void Interpreter::State::undefine() {
         symbols.remove(*symbol);
 }
 
-void Interpreter::State::define_macro(const RawToken& raw) {
+void Interpreter::define_macro(const RawToken& raw) {
     const RawToken& name = raw_name("the macro's name");
     const TextPlace at = last;
     auto macro = std::make_shared<MacroThing>();
@@ -392,7 +390,7 @@ void Interpreter::State::define_macro(const RawToken& raw) {
     value_of(*symbol) = {ValueKind::macro, {}, std::move(macro)};
 }
 
-void Interpreter::State::call_macro(const RawToken& raw, std::shared_ptr<const MacroThing> macro) {
+void Interpreter::call_macro(const RawToken& raw, std::shared_ptr<const MacroThing> macro) {
     /// An argument: a value, or the identifier or element that the parameter will stand for.
     struct Argument {
         NamedValue value;
@@ -406,7 +404,7 @@ void Interpreter::State::call_macro(const RawToken& raw, std::shared_ptr<const M
     std::vector<Argument> given(macro->parameters.size());
     const int table = symbols.top();
     for (Argument& argument : given) {
-        if (in.at(')'))
+        if (code() == ')')
             fail(next.place, "the macro " + strahl::quoted(names.text(macro->name)) + " needs " +
                                  std::to_string(given.size()) + " arguments");
         bool reference =
@@ -439,7 +437,7 @@ void Interpreter::State::call_macro(const RawToken& raw, std::shared_ptr<const M
         }
         accept(',');
     }
-    if (!in.at(')')) expected("')' after the arguments of the macro " + strahl::quoted(names.text(macro->name)));
+    if (code() != ')') expected("')' after the arguments of the macro " + strahl::quoted(names.text(macro->name)));
     take();
     symbols.push();
     for (std::size_t i = 0; i < given.size(); ++i) {
@@ -455,38 +453,39 @@ void Interpreter::State::call_macro(const RawToken& raw, std::shared_ptr<const M
     if (readings.size() > 2 * static_cast<std::size_t>(options.limits.nesting)) check_limits();
 }
 
-void Interpreter::State::include_file() {
+void Interpreter::include_file() {
     const TextPlace at = last;
-    const std::string name = in.read_file_name();
+    const std::string name = read_file_name();
     if (readings.size() > static_cast<std::size_t>(options.limits.nesting))
         fail(at, "files include each other without an end");
     const std::string path = find_text(name, {".inc", ".INC"});
-    const auto count = static_cast<std::uint32_t>(files.size());
+    const auto count = static_cast<std::uint32_t>(texts.size());
     auto [known, fresh] = file_numbers.emplace(path, count);
     if (fresh || is_written(path)) {  // the file may have changed
         known->second = count;
-        files.push_back(std::make_unique<TextFile>(path, load(path), names));
+        texts.push_back(std::make_unique<TextFile>(path, load(path), names));
     }
     symbols.push();
     push_file(known->second, at);
 }
 
-void Interpreter::State::set_version() {
+void Interpreter::set_version() {
     std::string program;  // another one, whose numbers say nothing
     const double wanted = with_directives(false, [&] {
         if (code() == new_name_code && names.text(next.raw->index) == "unofficial") {
             take();
             if (code() == new_name_code) program = names.text(next.raw->index), take();
         }
-        const double value = number();
+        const double value = read_number();
         accept(';');
         return value;
     });
     if (!program.empty()) return warn(last, "a scene for " + program + " is read as if it was for POV-Ray");
-    version_given = true;
-    version = std::round(wanted * 100) / 100;
-    if (!in.noise_generator_given) in.noise_generator = version < 3.5 ? 1 : 2;
-    if (version > 3.7) warn(last, "#version " + std::to_string(version).substr(0, 4) + " is read as 3.7");
+    has_version = true;
+    language_version = std::round(wanted * 100) / 100;
+    if (!noise_generator_given) noise_generator = language_version < 3.5 ? 1 : 2;
+    if (language_version > 3.7)
+        warn(last, "#version " + std::to_string(language_version).substr(0, 4) + " is read as 3.7");
 }
 
 }  // namespace strahl::pov

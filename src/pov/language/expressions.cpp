@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "files/words.h"
+#include "pov/language/interpreter.h"
 #include "pov/language/spline.h"
-#include "pov/language/state.h"
 
 namespace strahl::pov {
 namespace {
@@ -61,7 +61,7 @@ bool is_comparison(std::uint16_t code) {
 }  // namespace
 
 template <auto read_operand>
-void Interpreter::State::read_chain(Components& result, const auto& is_operator, const auto& operation) {
+void Interpreter::read_chain(Components& result, const auto& is_operator, const auto& operation) {
     (this->*read_operand)(result);
     for (;;) {
         const std::uint16_t sign = code();
@@ -74,14 +74,14 @@ void Interpreter::State::read_chain(Components& result, const auto& is_operator,
     }
 }
 
-void Interpreter::State::sum(Components& result) {
-    read_chain<&State::product>(
+void Interpreter::sum(Components& result) {
+    read_chain<&Interpreter::product>(
         result, [](std::uint16_t sign) { return sign == '+' || sign == '-'; },
         [](std::uint16_t sign, double a, double b) { return sign == '+' ? a + b : a - b; });
 }
 
-void Interpreter::State::product(Components& result) {
-    read_chain<&State::factor>(
+void Interpreter::product(Components& result) {
+    read_chain<&Interpreter::factor>(
         result, [](std::uint16_t sign) { return sign == '*' || sign == '/'; },
         [&](std::uint16_t sign, double a, double b) {
             if (sign == '*') return a * b;
@@ -90,7 +90,7 @@ void Interpreter::State::product(Components& result) {
         });
 }
 
-void Interpreter::State::factor(Components& result) {
+void Interpreter::factor(Components& result) {
     const bool before = execute(true);
     switch (code()) {
         case number_code:
@@ -136,7 +136,7 @@ void Interpreter::State::factor(Components& result) {
     if (code() == '.') component(result);
 }
 
-void Interpreter::State::component(Components& result) {
+void Interpreter::component(Components& result) {
     take();
     int index = 0;
     switch (code()) {
@@ -175,7 +175,7 @@ void Interpreter::State::component(Components& result) {
     set(result, v[index]);
 }
 
-void Interpreter::State::vector_literal(Components& result) {
+void Interpreter::vector_literal(Components& result) {
     const Depth guard(*this);
     const TextPlace start = next.place;
     take();
@@ -183,15 +183,15 @@ void Interpreter::State::vector_literal(Components& result) {
     std::array<double, 5> value{};
     do {
         if (count == 5) open_vector(start);
-        value[count++] = number();
+        value[count++] = read_number();
         accept(',');
-    } while (count < 2 || at_value());
+    } while (count < 2 || at_expression());
     if (!accept('>')) open_vector(start);
     result.value = value;
     result.count = count;
 }
 
-void Interpreter::State::identifier(Components& result) {
+void Interpreter::identifier(Components& result) {
     NamedValue& value = *next.value;
     switch (value.kind) {
         case ValueKind::number:
@@ -211,7 +211,7 @@ void Interpreter::State::identifier(Components& result) {
             const auto curve = std::static_pointer_cast<const SplineThing>(value.thing);
             take();
             expect('(');
-            const double at = number();
+            const double at = read_number();
             SplineThing::Type type = curve->type;
             if (accept(',')) {
                 if (!SplineThing::type_of(code(), type)) expected("the type of a spline");
@@ -229,12 +229,12 @@ void Interpreter::State::identifier(Components& result) {
             take();
             expect('(');
             std::vector<double> given;
-            while (!in.at(')')) {
+            while (code() != ')') {
                 Components argument;
                 sum(argument);
                 // A vector gives the arguments x, y and z.
                 given.insert(given.end(), argument.value.begin(), argument.value.begin() + argument.count);
-                if (!accept(',') && !in.at(')')) expected("',' or ')'");
+                if (!accept(',') && code() != ')') expected("',' or ')'");
             }
             if (static_cast<int>(given.size()) != function->arguments)
                 fail(last, "this function needs " + std::to_string(function->arguments) + " arguments, not " +
@@ -252,7 +252,7 @@ void Interpreter::State::identifier(Components& result) {
     }
 }
 
-void Interpreter::State::full(Components& result, int wanted) {
+void Interpreter::full(Components& result, int wanted) {
     result.count = 1;
     logical(result);
     if (code() != '?') return promote(result, wanted);
@@ -266,26 +266,26 @@ void Interpreter::State::full(Components& result, int wanted) {
     result = is_true(result.value[0]) ? other : otherwise;
 }
 
-void Interpreter::State::logical(Components& result) {
-    read_chain<&State::relation>(
+void Interpreter::logical(Components& result) {
+    read_chain<&Interpreter::relation>(
         result, [](std::uint16_t sign) { return sign == '&' || sign == '|'; },
         [](std::uint16_t sign, double a, double b) {
             return sign == '&' ? is_true(a) && is_true(b) : is_true(a) || is_true(b);
         });
 }
 
-void Interpreter::State::relation(Components& result) {
+void Interpreter::relation(Components& result) {
     if (at_string()) {
-        const std::string left = string();
+        const std::string left = read_string();
         const std::uint16_t operation = code();
         if (!is_comparison(operation)) expected("a comparison");
         take();
-        return set(result, compare(operation, left.compare(string()), 0));
+        return set(result, compare(operation, left.compare(read_string()), 0));
     }
-    read_chain<&State::sum>(result, is_comparison, compare);
+    read_chain<&Interpreter::sum>(result, is_comparison, compare);
 }
 
-double Interpreter::State::number() {
+double Interpreter::read_number() {
     const TextPlace before = last;
     Components value;
     sum(value);
@@ -294,7 +294,7 @@ double Interpreter::State::number() {
     return value.value[0];
 }
 
-DVec3 Interpreter::State::vector() {
+DVec3 Interpreter::read_vector() {
     const TextPlace before = last;
     Components value;
     sum(value);
@@ -321,18 +321,18 @@ constexpr auto part_of_color(std::uint16_t code) {
 
 }  // namespace
 
-bool Interpreter::State::at_color() {
+bool Interpreter::at_color() {
     if (code() == value_code) return next.value->kind == ValueKind::color;
     return code() == word("color") || std::ranges::count(color_forms, code()) > 0 ||
            part_of_color(code()) != color_parts.end();
 }
 
-double Interpreter::State::decode(double value) const {
+double Interpreter::decode(double value) const {
     const double linear = value <= .04045 ? value / 12.92 : std::pow((value + .055) / 1.055, 2.4);
-    return in.assumed_gamma ? std::pow(linear, 1 / *in.assumed_gamma) : linear;
+    return assumed_gamma ? std::pow(linear, 1 / *assumed_gamma) : linear;
 }
 
-FilterColor Interpreter::State::color() {
+FilterColor Interpreter::read_color() {
     std::array<double, 5> color{};
     bool begun = false;
     accept(word("color"));
@@ -358,9 +358,9 @@ FilterColor Interpreter::State::color() {
                 for (int i = 0; i < 3; ++i) color[i] = decode(color[i]);
         } else if (const auto part = part_of_color(key); part != color_parts.end()) {
             take();
-            color[part->second] = number();
+            color[part->second] = read_number();
             begun = true;
-        } else if (!begun && at_value()) {
+        } else if (!begun && at_expression()) {
             read(5);
         } else {
             if (!begun && (key == new_name_code || key == ']')) expected("a colour");
@@ -376,7 +376,7 @@ FilterColor Interpreter::State::color() {
     return result;
 }
 
-NamedValue Interpreter::State::named(const Components& value) const {
+NamedValue Interpreter::named(const Components& value) const {
     NamedValue result;
     result.kind = static_cast<ValueKind>(static_cast<int>(ValueKind::number) + value.count - 1);
     std::copy_n(value.value.begin(), value.count, result.number.begin());
@@ -385,10 +385,10 @@ NamedValue Interpreter::State::named(const Components& value) const {
     return result;
 }
 
-NamedValue Interpreter::State::right_side(bool argument) {
+NamedValue Interpreter::right_side(bool argument) {
     const std::uint16_t first = code();
     if (first == new_name_code) expected(argument ? "an argument with a value" : "a value");
-    if (at_string()) return named(string());
+    if (at_string()) return named(read_string());
     if (first == value_code) {
         const ValueKind kind = next.value->kind;
         const bool call = cursor->code == '(';
@@ -403,24 +403,24 @@ NamedValue Interpreter::State::right_side(bool argument) {
     if (first == word("array")) return read_array();
     if (first == word("spline")) return read_spline();
     if (first == word("function")) {
-        auto read = function();
+        auto read = read_function();
         const ValueKind kind = read->results == 1 ? ValueKind::function : ValueKind::vector_function;
         return {kind, {}, std::move(read)};
     }
     if (first != value_code && at_color()) {
         const bool before = execute(false);
-        const FilterColor read = color();
+        const FilterColor read = read_color();
         execute(before);
         return {ValueKind::color, {read.red, read.green, read.blue, read.filter, read.transmit}, nullptr};
     }
-    if (at_value()) {
+    if (at_expression()) {
         const bool before = execute(false);
         Components value;
         sum(value);
         execute(before);
         return named(value);
     }
-    NamedValue thing = layer.read_thing(in);
+    NamedValue thing = layer.read_thing(*this);
     if (thing.kind == ValueKind::none) expected(argument ? "an argument" : "a value");
     return thing;
 }

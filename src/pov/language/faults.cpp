@@ -10,7 +10,7 @@
 #include "files/read_file.h"
 #include "files/utf8.h"
 #include "files/words.h"
-#include "pov/language/state.h"
+#include "pov/language/interpreter.h"
 #include "text/reading/messages.h"
 
 namespace strahl::pov {
@@ -163,23 +163,23 @@ std::string declaring_file(const std::vector<std::string>& library, std::string_
 
 }  // namespace
 
-std::string_view Interpreter::State::text_at(TextPlace at) const {
-    return std::string_view(files[at.file]->text).substr(at.at);
+std::string_view Interpreter::text_at(TextPlace at) const {
+    return std::string_view(texts[at.file]->text).substr(at.at);
 }
 
-Message Interpreter::State::message_at(TextPlace at, const std::string& text) const {
-    const TextFile& file = *files[at.file];
+Message Interpreter::message_at(TextPlace at, const std::string& text) const {
+    const TextFile& file = *texts[at.file];
     return {.text = text, .file = file.path, .line = line_number(file.text, at.at)};
 }
 
-std::string Interpreter::State::where(TextPlace at) const {
+std::string Interpreter::where(TextPlace at) const {
     const Message place = message_at(at, "");
     return place.file + ":" + std::to_string(place.line);
 }
 
-void Interpreter::State::fail(TextPlace at, const std::string& text_of_message) {
+void Interpreter::fail(TextPlace at, const std::string& text_of_message) {
     Message message = message_at(at, text_of_message);
-    const std::string_view text = files[at.file]->text;
+    const std::string_view text = texts[at.file]->text;
     const std::size_t start = text.substr(0, at.at).find_last_of("\r\n") + 1;
     const Shown before = show(text.substr(start, std::min<std::size_t>(at.at - start, 90)));
     const std::string_view rest =
@@ -208,8 +208,8 @@ void Interpreter::State::fail(TextPlace at, const std::string& text_of_message) 
     throw FileError(std::vector{std::move(message)});
 }
 
-std::string Interpreter::State::advice_on_name(const std::string& name, const std::string& what) {
-    const std::string_view before = std::string_view(files[next.place.file]->text).substr(0, next.place.at);
+std::string Interpreter::advice_on_name(const std::string& name, const std::string& what) {
+    const std::string_view before = std::string_view(texts[next.place.file]->text).substr(0, next.place.at);
     if (before.ends_with('"')) return "; is a '\"' missing before it?";
     const auto meant = [](std::string_view similar) { return "; did you mean " + strahl::quoted(similar) + "?"; };
     if (before.ends_with('#')) {
@@ -246,14 +246,14 @@ std::string Interpreter::State::advice_on_name(const std::string& name, const st
     return value && !called ? "; declare it first: #declare " + name + " = ...;" : "";
 }
 
-void Interpreter::State::expected(const std::string& what) {
+void Interpreter::expected(const std::string& what) {
     code();
     wrong_token(what);
 }
 
-void Interpreter::State::wrong_token(const std::string& what) {
+void Interpreter::wrong_token(const std::string& what) {
     const std::uint16_t found = next.code;
-    const std::string_view text = files[next.place.file]->text;
+    const std::string_view text = texts[next.place.file]->text;
     const bool at_end_of_block = what.empty() || what == "'}'";
     if (!blocks.empty() && (found == end_code || at_end_of_block)) tell_open_block(at_end_of_block);
     std::string message = at_end_of_block ? "" : what + " expected, but found ";
@@ -299,17 +299,17 @@ void Interpreter::State::wrong_token(const std::string& what) {
              std::ranges::find(parts_of_bodies, reserved_words[found - first_word_code]) != parts_of_bodies.end())
         advice = "; it belongs inside the braces of the block before it, which line " +
                  std::to_string(line_number(text, closed->at)) + " begins";
-    else if (*in.form)
-        advice = std::string("; the order is ") + in.form;
+    else if (*form)
+        advice = std::string("; the order is ") + form;
     fail(next.place, message + (at_end_of_block ? " does not belong here" : "") + advice);
 }
 
-void Interpreter::State::tell_open_block(bool at_end_of_block) {
+void Interpreter::tell_open_block(bool at_end_of_block) {
     const OpenBlock& open = blocks.back();
     const std::string_view own = token_of(text_at(open.word));
     const std::string name = open.word.file == open.brace.file && is_letter(own[0]) ? std::string(own) + " {" : "{";
     const std::string line = open.brace.file == next.place.file
-                                 ? "line " + std::to_string(line_number(files[open.brace.file]->text, open.brace.at))
+                                 ? "line " + std::to_string(line_number(texts[open.brace.file]->text, open.brace.at))
                                  : where(open.brace);
     if (next.code == end_code) fail(open.brace, "this '{' is not closed: '}' expected before the end of the scene");
     if (!at_end_of_block || next.code < first_word_code) return;
@@ -325,20 +325,20 @@ void Interpreter::State::tell_open_block(bool at_end_of_block) {
     fail(next.place, message);
 }
 
-void Interpreter::State::wrong_size(TextPlace before, const std::string& message) {
-    const std::string_view text = files[before.file]->text;
+void Interpreter::wrong_size(TextPlace before, const std::string& message) {
+    const std::string_view text = texts[before.file]->text;
     const std::size_t end = before.at + token_of(text_at(before)).size();
     const std::size_t value = text.find_first_not_of(" \t\r\n,", end);
     const TextPlace start{before.file, static_cast<std::uint32_t>(value == text.npos ? before.at : value)};
     std::string advice;
     if (has_decimal_commas(text_at(start)))
         advice = "; decimals have a point, as in 0.5";
-    else if (*in.form)
-        advice = std::string("; the order is ") + in.form;
+    else if (*form)
+        advice = std::string("; the order is ") + form;
     fail(start, message + advice);
 }
 
-void Interpreter::State::open_vector(TextPlace start) {
+void Interpreter::open_vector(TextPlace start) {
     if (has_decimal_commas(text_at(start))) fail(start, "decimals have a point, as in 0.5");
     if (code() >= first_word_code || code() == '}' || code() == end_code)
         fail(start, "this '<' is not closed: '>' expected before " + name_of_code(code()));

@@ -6,12 +6,11 @@
 
 #include "files/words.h"
 #include "pov/language/internal_functions.h"
+#include "pov/language/interpreter.h"
 #include "pov/language/maths.h"
 #include "pov/language/spline.h"
-#include "pov/language/state.h"
 
 namespace strahl::pov {
-namespace {
 
 constexpr int most_numbers = 250;        // on the stack of one function: its arguments, and what expressions need
 constexpr long most_steps = 20'000'000;  // in one evaluation, with those of the functions that it calls
@@ -30,7 +29,7 @@ constexpr std::uint16_t constant = 1, variable = 2, call = 3, negate = 4, branch
 
 // Components of colours besides their own: their gray value, and the height that red and green stand for.
 constexpr int gray_component = 5, height_component = 6;
-double component_of(const double* value, int component) {
+static double component_of(const double* value, int component) {
     if (component == gray_component) return .297 * value[0] + .589 * value[1] + .114 * value[2];
     if (component == height_component) return (value[0] + value[1] / 255) * .996093;
     return value[component];
@@ -72,18 +71,20 @@ using Lanes = FunctionThing::Lanes;
 
 /// Sets all lanes to values of a function of their numbers.
 template <class S, class Of>
-void set_each(S& to, const Of& value_of_lane) {
+static void set_each(S& to, const Of& value_of_lane) {
     if constexpr (std::is_same_v<S, double>)
         to = value_of_lane(0);
     else
         for (std::size_t lane = 0; lane < to.size(); ++lane) to[lane] = value_of_lane(lane);
 }
-double lane_of(const double& value, std::size_t) { return value; }
-double lane_of(const Lanes& value, std::size_t lane) { return value[lane]; }
-void call_function(const FunctionThing& function, const double* given, double* result, const lattice::NoiseLanes&) {
+static double lane_of(const double& value, std::size_t) { return value; }
+static double lane_of(const Lanes& value, std::size_t lane) { return value[lane]; }
+static void call_function(const FunctionThing& function, const double* given, double* result,
+                          const lattice::NoiseLanes&) {
     function.evaluate(given, result);
 }
-void call_function(const FunctionThing& function, const Lanes* given, Lanes* result, const lattice::NoiseLanes& noise) {
+static void call_function(const FunctionThing& function, const Lanes* given, Lanes* result,
+                          const lattice::NoiseLanes& noise) {
     function.evaluate_lanes(given, result, noise);
 }
 
@@ -235,7 +236,7 @@ struct SplineFunction : FunctionThing {
     }
 };
 
-int levels_of(const FunctionThing& function) {
+static int levels_of(const FunctionThing& function) {
     const auto* compiled = dynamic_cast<const CompiledFunction*>(&function);
     return compiled ? compiled->levels : 1;
 }
@@ -243,43 +244,43 @@ int levels_of(const FunctionThing& function) {
 /// Reads the expression of a function.
 class FunctionReader {
   public:
-    explicit FunctionReader(Interpreter::State& state) : state(state) {}
+    explicit FunctionReader(Interpreter& in) : in(in) {}
 
     /// Reads `(a, b) { E }` or `{ E }`.
     std::shared_ptr<const FunctionThing> read() {
         auto& made = *result;
-        if (state.accept('(')) {
-            while (state.cursor->code != ')') {
-                const RawToken& raw = *state.cursor++;
-                state.last = state.place_of(raw);
+        if (in.accept('(')) {
+            while (in.cursor->code != ')') {
+                const RawToken& raw = *in.cursor++;
+                in.last = in.place_of(raw);
                 if (raw.code != new_name_code && !coordinate(raw.code))
-                    state.fail(state.last, "the name of a parameter expected");
+                    in.fail(in.last, "the name of a parameter expected");
                 parameters.push_back(key(raw));
-                if (state.cursor->code == ',') ++state.cursor;
-                if (parameters.size() > 56) state.fail(state.last, "a function has at most 56 parameters");
+                if (in.cursor->code == ',') ++in.cursor;
+                if (parameters.size() > 56) in.fail(in.last, "a function has at most 56 parameters");
             }
-            state.accept(')');
+            in.accept(')');
         } else {
             parameters = {word("x"), word("y"), word("z")};
         }
         made.arguments = static_cast<int>(parameters.size());
-        state.expect('{');
-        switch (state.code()) {
+        in.expect('{');
+        switch (in.code()) {
             case word("internal"):
                 return read_internal();
             case word("pigment"):
             case word("pattern"):
             case word("transform"):
-                return closed(state.layer.read_function(state.in));
+                return closed(in.layer.read_function(in));
             case word("spline"):
                 return closed(std::make_shared<SplineFunction>(
-                    std::static_pointer_cast<const SplineThing>(state.read_spline().thing)));
+                    std::static_pointer_cast<const SplineThing>(in.read_spline().thing)));
             case value_code:
-                if (state.next.value->kind == ValueKind::transform) return closed(state.layer.read_function(state.in));
+                if (in.next.value->kind == ValueKind::transform) return closed(in.layer.read_function(in));
         }
         either();
         made.variables = static_cast<int>(parameters.size() + loops);
-        if (made.variables + most > most_numbers) state.fail(state.last, "this function is too long");
+        if (made.variables + most > most_numbers) in.fail(in.last, "this function is too long");
         return closed(result);
     }
 
@@ -293,17 +294,17 @@ class FunctionReader {
     }
 
     std::shared_ptr<const FunctionThing> closed(std::shared_ptr<const FunctionThing> function) {
-        if (!function) state.expected("a function");
-        state.expect('}');
+        if (!function) in.expected("a function");
+        in.expect('}');
         return function;
     }
     std::shared_ptr<const FunctionThing> read_internal() {
-        state.take();
-        state.expect('(');
-        const int number = static_cast<int>(std::clamp(state.number(), -1., 1000.));
-        state.expect(')');
-        auto function = internal_function(number, state.in.noise_generator);
-        if (!function) state.fail(state.last, "there is no internal function of this number");
+        in.take();
+        in.expect('(');
+        const int number = static_cast<int>(std::clamp(in.read_number(), -1., 1000.));
+        in.expect(')');
+        auto function = internal_function(number, in.noise_generator);
+        if (!function) in.fail(in.last, "there is no internal function of this number");
         return closed(function);
     }
 
@@ -311,43 +312,43 @@ class FunctionReader {
         result->instructions.push_back({operation, static_cast<std::uint16_t>(count), index, number});
         depth += change;
         most = std::max(most, depth);
-        if (result->instructions.size() > 60000) state.fail(state.last, "this function is too long");
+        if (result->instructions.size() > 60000) in.fail(in.last, "this function is too long");
     }
     void constant_of(double value) { add(constant, 1, 0, 0, value); }
 
     // In functions '&' binds tighter than '|'.
     void either() {
         both();
-        while (state.accept('|')) both(), add('|', -1);
+        while (in.accept('|')) both(), add('|', -1);
     }
     void both() {
         relation();
-        while (state.accept('&')) relation(), add('&', -1);
+        while (in.accept('&')) relation(), add('&', -1);
     }
     void relation() {
         sum();
         for (;;) {
-            const std::uint16_t code = state.code();
+            const std::uint16_t code = in.code();
             if (code != '<' && code != '>' && code != '=' && code != less_equal_code && code != greater_equal_code &&
                 code != not_equal_code)
                 return;
-            state.take();
+            in.take();
             sum();
             add(code, -1);
         }
     }
     void sum() {
         product();
-        for (std::uint16_t code = state.code(); code == '+' || code == '-'; code = state.code()) {
-            state.take();
+        for (std::uint16_t code = in.code(); code == '+' || code == '-'; code = in.code()) {
+            in.take();
             product();
             add(code, -1);
         }
     }
     void product() {
         factor();
-        for (std::uint16_t code = state.code(); code == '*' || code == '/'; code = state.code()) {
-            state.take();
+        for (std::uint16_t code = in.code(); code == '*' || code == '/'; code = in.code()) {
+            in.take();
             factor();
             add(code, -1);
         }
@@ -365,29 +366,29 @@ class FunctionReader {
     }
 
     void factor() {
-        const Interpreter::State::Depth guard(state);
-        const std::uint16_t code = state.code();
-        const RawToken& raw = *state.next.raw;
+        const Interpreter::Depth guard(in);
+        const std::uint16_t code = in.code();
+        const RawToken& raw = *in.next.raw;
         if (code == '-' || code == '+') {
-            state.take();
+            in.take();
             factor();
             if (code == '-') add(negate, 0);
             return;
         }
         if (code == '(') {
-            state.take();
+            in.take();
             either();
-            state.expect(')');
+            in.expect(')');
             return;
         }
         if (code == number_code) {
             constant_of(raw.number);
-            state.take();
+            in.take();
             return;
         }
         if (raw.code == new_name_code || coordinate(code)) {
-            if (const int found = find(raw); found >= 0 && state.cursor->code != '(') {
-                state.take();
+            if (const int found = find(raw); found >= 0 && in.cursor->code != '(') {
+                in.take();
                 return add(variable, 1, 0, static_cast<std::uint32_t>(found));
             }
         }
@@ -397,10 +398,10 @@ class FunctionReader {
         const auto nothing = [](const auto&) {};
         const bool one = with_unary(code, nothing), two = with_binary(code, nothing);
         if (one || two || with_any_count(code, nothing)) {
-            state.take();
+            in.take();
             const int count = arguments();
             if (one || two ? count != 1 + two : count < 1)
-                state.fail(state.last, name_of_code(code) + " has another number of arguments");
+                in.fail(in.last, name_of_code(code) + " has another number of arguments");
             return add(code, 1 - count, static_cast<std::size_t>(count));
         }
         switch (code) {
@@ -415,28 +416,28 @@ class FunctionReader {
             case word("on"):
             case word("off"): {
                 Components value;
-                state.factor(value);
+                in.factor(value);
                 return constant_of(value.value[0]);
             }
         }
-        state.expected("a number, a parameter or a function");
+        in.expected("a number, a parameter or a function");
     }
 
     int arguments() {
-        state.expect('(');
+        in.expect('(');
         int count = 0;
-        while (state.code() != ')') {
+        while (in.code() != ')') {
             either();
             ++count;
-            if (!state.accept(',') && state.code() != ')') state.expected("',' or ')'");
+            if (!in.accept(',') && in.code() != ')') in.expected("',' or ')'");
         }
-        state.take();
+        in.take();
         return count;
     }
 
     /// A declared identifier: a number, a component of a vector, or a call of a function or a spline.
     void declared() {
-        NamedValue value = *state.next.value;
+        NamedValue value = *in.next.value;
         switch (value.kind) {
             case ValueKind::spline:
                 value.thing =
@@ -445,13 +446,13 @@ class FunctionReader {
             case ValueKind::function:
             case ValueKind::vector_function: {
                 const auto function = std::static_pointer_cast<const FunctionThing>(value.thing);
-                state.take();
+                in.take();
                 const int count = arguments();
                 if (count != function->arguments)
-                    state.fail(state.last, "this function needs " + std::to_string(function->arguments) +
-                                               " arguments, not " + std::to_string(count));
+                    in.fail(in.last, "this function needs " + std::to_string(function->arguments) + " arguments, not " +
+                                         std::to_string(count));
                 result->levels = std::max(result->levels, levels_of(*function) + 1);
-                if (result->levels > most_calls) state.fail(state.last, "functions call each other too deeply");
+                if (result->levels > most_calls) in.fail(in.last, "functions call each other too deeply");
                 int component = 0;
                 if (function->results > 1) {
                     component = read_component(function->results);
@@ -461,21 +462,21 @@ class FunctionReader {
                            static_cast<std::uint32_t>(result->called.size() - 1), component);
             }
             default: {
-                if (value.kind > ValueKind::color) state.expected("a number or a function");
+                if (value.kind > ValueKind::color) in.expected("a number or a function");
                 Components number;
-                state.factor(number);  // with its component, if it is a vector
-                if (number.count != 1) state.fail(state.last, "a number expected in a function, but found a vector");
+                in.factor(number);  // with its component, if it is a vector
+                if (number.count != 1) in.fail(in.last, "a number expected in a function, but found a vector");
                 constant_of(number.value[0]);
             }
         }
     }
     /// Reads the component of a vector function that counts: its number, or that of a mean of colours.
     int read_component(int count) {
-        state.expect('.');
+        in.expect('.');
         static constexpr std::uint16_t names_of[]{word("x"),   word("y"),     word("z"),    word("t"),
                                                   word("red"), word("green"), word("blue"), word("filter")};
-        const std::uint16_t code = state.code();
-        const std::string name = code == new_name_code ? state.names.text(state.next.raw->index) : "";
+        const std::uint16_t code = in.code();
+        const std::string name = code == new_name_code ? in.names.text(in.next.raw->index) : "";
         int index = static_cast<int>(std::ranges::find(names_of, code) - names_of) % 4;
         if (code == word("u") || code == word("v"))
             index = code == word("v");
@@ -488,31 +489,31 @@ class FunctionReader {
         else if (name == "hf")
             index = height_component;
         else if (std::ranges::find(names_of, code) == std::end(names_of))
-            state.expected("the name of a component, such as x or red,");
-        state.take();
+            in.expected("the name of a component, such as x or red,");
+        in.take();
         if (index >= gray_component ? count < 3 : index >= count)
-            state.fail(state.last, "there is no such component: the value has " + std::to_string(count));
+            in.fail(in.last, "there is no such component: the value has " + std::to_string(count));
         return index;
     }
 
     /// select(a, E, E) and select(a, E, E, E): an instruction that is followed by all branches, each after its own.
     void choice() {
-        state.take();
-        state.expect('(');
+        in.take();
+        in.expect('(');
         either();
         const std::size_t start = result->instructions.size();
         add(word("select"), -1);
         std::uint32_t branches = 0;
-        for (; state.accept(','); ++branches) {
+        for (; in.accept(','); ++branches) {
             const std::size_t first = result->instructions.size();
             add(branch, 0);
             either();
             --depth;
             result->instructions[first].count = static_cast<std::uint16_t>(result->instructions.size() - first - 1);
         }
-        state.expect(')');
+        in.expect(')');
         if (branches != 2 && branches != 3)
-            state.fail(state.last, name_of_code(word("select")) + " has another number of arguments");
+            in.fail(in.last, name_of_code(word("select")) + " has another number of arguments");
         ++depth;
         Instruction& whole = result->instructions[start];
         whole.index = branches, whole.count = static_cast<std::uint16_t>(result->instructions.size() - start - 1);
@@ -520,35 +521,32 @@ class FunctionReader {
 
     /// sum(i, a, b, E) and prod(i, a, b, E).
     void loop(std::uint16_t code) {
-        state.take();
-        state.expect('(');
-        const RawToken& name = *state.cursor++;
-        if (name.code != new_name_code && !coordinate(name.code))
-            state.fail(state.place_of(name), "a variable expected");
-        state.expect(',');
+        in.take();
+        in.expect('(');
+        const RawToken& name = *in.cursor++;
+        if (name.code != new_name_code && !coordinate(name.code)) in.fail(in.place_of(name), "a variable expected");
+        in.expect(',');
         either();
-        state.expect(',');
+        in.expect(',');
         either();
-        state.expect(',');
+        in.expect(',');
         const std::uint32_t slot = static_cast<std::uint32_t>(parameters.size() + loops++);
         names.emplace_back(key(name), static_cast<int>(slot));
         const std::size_t start = result->instructions.size();
         add(code, -2, 0, slot);
         either();
         names.pop_back();
-        state.expect(')');
+        in.expect(')');
         result->instructions[start].count = static_cast<std::uint16_t>(result->instructions.size() - start - 1);
     }
 
-    Interpreter::State& state;
+    Interpreter& in;
     std::shared_ptr<CompiledFunction> result = std::make_shared<CompiledFunction>();
     std::vector<std::uint32_t> parameters;
     std::vector<std::pair<std::uint32_t, int>> names;  // of the loops that are open, with their slots
     std::size_t loops = 0;
     int depth = 0, most = 0;
 };
-
-}  // namespace
 
 void FunctionThing::evaluate_lanes(const Lanes* given, Lanes* result, const lattice::NoiseLanes&) const {
     std::array<double, 64> own;
@@ -572,15 +570,15 @@ void FunctionThing::evaluate_all(std::span<const DVec3> points, double* values,
     }
 }
 
-std::shared_ptr<const FunctionThing> Interpreter::State::function(std::array<int, 2>* size) {
+std::shared_ptr<const FunctionThing> Interpreter::read_function(std::array<int, 2>* size) {
     const Depth guard(*this);
     if (code() == value_code &&
         (next.value->kind == ValueKind::function || next.value->kind == ValueKind::vector_function))
-        return std::static_pointer_cast<const FunctionThing>(in.take_value().thing);
+        return std::static_pointer_cast<const FunctionThing>(take_value().thing);
     expect(word("function"));
-    if (size && at_value() && code() != '(') {
+    if (size && at_expression() && code() != '(') {
         for (int& each : *size) {
-            each = in.read_integer();
+            each = read_integer();
             accept(',');
         }
     }

@@ -4,48 +4,46 @@
 
 #include "files/error.h"
 #include "files/os/memory.h"
-#include "pov/language/state.h"
 
 namespace strahl::pov {
 
-Interpreter::State::State(Interpreter& in, InterpreterOptions given, SceneLayer& layer)
-    : in(in), options(std::move(given)), layer(layer) {}
-
-Interpreter::Interpreter(std::string text, InterpreterOptions options, SceneLayer& layer)
-    : state(std::make_unique<State>(*this, std::move(options), layer)) {
-    std::size_t& most = state->options.limits.bytes;
+/// Limits memory to half of what is free.
+static InterpreterOptions limited(InterpreterOptions options) {
+    std::size_t& most = options.limits.bytes;
     most = static_cast<std::size_t>(std::min(static_cast<double>(most), os::available_memory() / 2));
+    return options;
+}
+
+Interpreter::Interpreter(std::string text, InterpreterOptions given, SceneLayer& layer)
+    : options(limited(std::move(given))), layer(layer) {
     const auto declare = [&](const char* name, double value) {
         std::uint32_t number = 0;
-        if (state->names.find(name, number) != end_code) return;
-        Symbol* known = state->symbols.find(number);
-        (known ? known : &state->symbols.add(number, true))->value = {ValueKind::number, {value}, nullptr};
+        if (names.find(name, number) != end_code) return;
+        Symbol* known = symbols.find(number);
+        (known ? known : &symbols.add(number, true))->value = {ValueKind::number, {value}, nullptr};
     };
-    const InterpreterOptions& o = state->options;
     // Outside of an animation all of these are 0 in POV-Ray.
     for (const char* name :
          {"clock_delta", "final_clock", "final_frame", "frame_number", "initial_clock", "initial_frame"})
         declare(name, 0);
-    declare("image_width", o.width);
-    declare("image_height", o.height);
-    for (const auto& [name, value] : o.declared) declare(name.c_str(), value);
-    state->names.find("frame_number", state->frame_number);
-    state->names.find("image_width", state->image_width), state->names.find("image_height", state->image_height);
-    state->files.push_back(std::make_unique<TextFile>(o.file, std::move(text), state->names));
-    state->push_file(0, {});
+    declare("image_width", options.width);
+    declare("image_height", options.height);
+    for (const auto& [name, value] : options.declared) declare(name.c_str(), value);
+    names.find("frame_number", frame_number);
+    names.find("image_width", image_width), names.find("image_height", image_height);
+    texts.push_back(std::make_unique<TextFile>(options.file, std::move(text), names));
+    push_file(0, {});
 }
-
-Interpreter::~Interpreter() = default;
 
 // The stream of tokens.
 
-void Interpreter::State::push_file(std::uint32_t file, TextPlace called) {
+void Interpreter::push_file(std::uint32_t file, TextPlace called) {
     if (!readings.empty()) readings.back().cursor = cursor;
     readings.push_back({file, nullptr, nullptr, controls.size(), called});
-    cursor = files[file]->tokens.data();
+    cursor = texts[file]->tokens.data();
 }
 
-void Interpreter::State::pop_reading() {
+void Interpreter::pop_reading() {
     symbols.pop();
     readings.pop_back();
     cursor = readings.back().cursor;
@@ -57,7 +55,7 @@ static std::string limit_of(std::size_t bytes) {
            (bytes < InterpreterLimits().bytes ? ", half of the memory that is free" : "");
 }
 
-void Interpreter::State::check_limits() {
+void Interpreter::check_limits() {
     if (options.stop && options.stop->load(std::memory_order_relaxed)) throw Interrupted("reading was stopped");
     if (steps > options.limits.steps)
         fail(place_of_loop(),
@@ -68,7 +66,7 @@ void Interpreter::State::check_limits() {
         fail(last, "macros, files and loops are nested too deeply");
 }
 
-TextPlace Interpreter::State::place_of_loop() const {
+TextPlace Interpreter::place_of_loop() const {
     for (std::size_t i = 0; i < readings.size(); ++i) {
         const std::size_t end = i + 1 < readings.size() ? readings[i + 1].controls : controls.size();
         for (std::size_t k = readings[i].controls; k < end; ++k)
@@ -79,7 +77,7 @@ TextPlace Interpreter::State::place_of_loop() const {
     return last;
 }
 
-void Interpreter::State::advance() {
+void Interpreter::advance() {
     for (;;) {
         count_step();
         const RawToken& raw = *cursor;
@@ -144,7 +142,7 @@ void Interpreter::State::advance() {
     }
 }
 
-bool Interpreter::State::resolve(const RawToken& raw) {
+bool Interpreter::resolve(const RawToken& raw) {
     ++cursor;
     const TextPlace place = place_of(raw);
     Symbol* symbol = symbols.find(raw.index);
@@ -157,8 +155,8 @@ bool Interpreter::State::resolve(const RawToken& raw) {
         return true;
     };
     if (!symbol) return no_value();
-    clock_used |= raw.index == frame_number;
-    size_used |= raw.index == image_width || raw.index == image_height;
+    uses_clock |= raw.index == frame_number;
+    uses_size |= raw.index == image_width || raw.index == image_height;
     NamedValue* value = &value_of(*symbol);
     if (value->kind == ValueKind::macro) {
         last = place;
@@ -182,117 +180,75 @@ bool Interpreter::State::resolve(const RawToken& raw) {
     return true;
 }
 
-NamedValue& Interpreter::State::value_of(Symbol& symbol) {
+NamedValue& Interpreter::value_of(Symbol& symbol) {
     if (symbol.target) return symbol.target->value;
     if (!symbol.element.thing) return symbol.value;
     return const_cast<ArrayThing&>(static_cast<const ArrayThing&>(*symbol.element.thing)).elements[symbol.index];
 }
 
-std::uint16_t Interpreter::code() { return state->code(); }
-bool Interpreter::accept(TokenCode wanted) { return state->accept(wanted.value); }
 bool Interpreter::accept_here(TokenCode wanted) {
-    return state->with_directives(false, [&] { return state->accept(wanted.value); });
+    return with_directives(false, [&] { return accept(wanted); });
 }
-void Interpreter::expect(TokenCode wanted) { state->expect(wanted.value); }
-void Interpreter::skip() { state->take(); }
 
 void Interpreter::begin_block() {
     const TextPlace word = last_place();
     expect('{');
-    state->blocks.push_back({word, last_place()});
-    if (++state->depth > state->options.limits.nesting) fail("blocks are nested too deeply");
+    blocks.push_back({word, last_place()});
+    if (++depth > options.limits.nesting) fail("blocks are nested too deeply");
 }
 void Interpreter::end_block() {
     expect('}');
-    --state->depth;
-    state->closed = state->blocks.back().brace;
-    state->blocks.pop_back();
+    --depth;
+    closed = blocks.back().brace;
+    blocks.pop_back();
 }
-void Interpreter::count_bytes(std::size_t bytes, TextPlace at) {
-    *state->bytes += bytes;
-    if (*state->bytes > state->options.limits.bytes)
-        fail(at, "the scene's bodies need too much memory" + limit_of(state->options.limits.bytes));
+void Interpreter::count_bytes(std::size_t count, TextPlace at) {
+    *bytes += count;
+    if (*bytes > options.limits.bytes)
+        fail(at, "the scene's bodies need too much memory" + limit_of(options.limits.bytes));
 }
 void Interpreter::skip_block() {
     const TextPlace start = place();
     expect('{');
-    for (std::size_t open = 1; open > 0; skip()) {
+    for (std::size_t open = 1; open > 0; take()) {
         if (at('{')) ++open;
         if (at('}')) --open;
         if (at_end()) fail(start, "this block is not closed: '}' expected");
     }
 }
 
-ValueKind Interpreter::kind() { return state->code() == value_code ? state->next.value->kind : ValueKind::none; }
 NamedValue Interpreter::take_value() {
     if (kind() == ValueKind::none) expected("an identifier");
-    NamedValue value = *state->next.value;
-    state->take();
+    NamedValue value = *next.value;
+    take();
     return value;
 }
 
 // Values.
 
-bool Interpreter::at_expression() { return state->at_value(); }
-double Interpreter::read_number() { return state->number(); }
-int Interpreter::read_integer() { return static_cast<int>(std::clamp(state->number(), -2147483648., 2147483647.)); }
-DVec3 Interpreter::read_vector() { return state->vector(); }
+int Interpreter::read_integer() { return static_cast<int>(std::clamp(read_number(), -2147483648., 2147483647.)); }
 std::array<double, 2> Interpreter::read_uv() {
     Components result;
-    state->sum(result);
+    sum(result);
     if (result.count > 2) fail("two components expected, but there are " + std::to_string(result.count));
     return {result.value[0], result.value[result.count - 1]};
 }
 Components Interpreter::read_components() {
     Components result;
-    state->sum(result);
+    sum(result);
     return result;
 }
-bool Interpreter::at_color() { return state->at_color(); }
-FilterColor Interpreter::read_color() { return state->color(); }
-bool Interpreter::at_string() { return state->at_string(); }
-std::string Interpreter::read_string() { return state->string(); }
 std::string Interpreter::read_file_name() {
     if (code() != string_code) return read_string();
-    const std::string_view slice = std::string_view(state->files[state->next.place.file]->text)
-                                       .substr(state->next.place.at + 1, state->next.raw->index);
-    state->take();
+    const std::string_view slice =
+        std::string_view(texts[next.place.file]->text).substr(next.place.at + 1, next.raw->index);
+    take();
     return std::string(slice);
 }
-std::shared_ptr<const FunctionThing> Interpreter::read_function(std::array<int, 2>* size) {
-    return state->function(size);
-}
-
-// Files, messages and settings.
-
-std::string Interpreter::find_file(const std::string& name, const std::vector<std::string>& extensions, bool must) {
-    return state->find(name, extensions, must);
-}
-const std::vector<std::string>& Interpreter::files() const { return state->search.paths(); }
-
-TextPlace Interpreter::place() {
-    state->code();
-    return state->next.place;
-}
-TextPlace Interpreter::last_place() const { return state->last; }
 
 void Interpreter::remark(Remark::Kind kind, TextPlace at, const std::string& text) {
     const std::uint64_t key = (static_cast<std::uint64_t>(at.file) << 32) | at.at;
-    if (state->remarks.size() < 10'000 && state->told.emplace(key, text).second)
-        state->remarks.push_back({kind, at, text});
+    if (kept_remarks.size() < 10'000 && told.emplace(key, text).second) kept_remarks.push_back({kind, at, text});
 }
-const std::vector<Remark>& Interpreter::remarks() const { return state->remarks; }
-void Interpreter::fail(TextPlace at, const std::string& text) { state->fail(at, text); }
-void Interpreter::expected(const std::string& what) { state->expected(what); }
-void Interpreter::misplaced() { state->wrong_token(""); }
-std::string_view Interpreter::text_at(TextPlace at) const { return state->text_at(at); }
-const std::string& Interpreter::path_of(TextPlace at) const { return state->files[at.file]->path; }
-Message Interpreter::message_at(TextPlace at, const std::string& text) const { return state->message_at(at, text); }
-
-double Interpreter::version() const { return state->version; }
-bool Interpreter::version_given() const { return state->version_given; }
-bool Interpreter::clock_used() const { return state->clock_used; }
-bool Interpreter::size_used() const { return state->size_used; }
-const InterpreterOptions& Interpreter::options() const { return state->options; }
 
 }  // namespace strahl::pov

@@ -8,7 +8,7 @@
 #include "files/error.h"
 #include "files/read_file.h"
 #include "files/words.h"
-#include "pov/language/state.h"
+#include "pov/language/interpreter.h"
 
 namespace strahl::pov {
 namespace {
@@ -19,14 +19,14 @@ constexpr std::size_t most_text = 256u << 20;  // of one text
 
 }  // namespace
 
-bool Interpreter::State::is_written(const std::string& name) const { return kept_files.contains(name); }
+bool Interpreter::is_written(const std::string& name) const { return kept_files.contains(name); }
 
 /// Finds a text on the disk, or one that the scene has written, whose path is its name.
-std::string Interpreter::State::find_text(const std::string& name, const std::vector<std::string>& extensions) {
-    return is_written(name) ? name : find(name, extensions, true);
+std::string Interpreter::find_text(const std::string& name, const std::vector<std::string>& extensions) {
+    return is_written(name) ? name : find_file(name, extensions, true);
 }
 
-std::string Interpreter::State::load(const std::string& path) {
+std::string Interpreter::load(const std::string& path) {
     if (!is_written(path)) return read_text(path, most_text);
     std::string text = kept_files.at(path)->str();
     *bytes += text.size() * sizeof(RawToken);
@@ -34,7 +34,7 @@ std::string Interpreter::State::load(const std::string& path) {
     return text;
 }
 
-std::string Interpreter::State::find(const std::string& name, const std::vector<std::string>& extensions, bool must) {
+std::string Interpreter::find_file(const std::string& name, const std::vector<std::string>& extensions, bool must) {
     const auto before = static_cast<std::ptrdiff_t>(search.paths().size());
     const FileSearch::FoundFile result = search.find(name, extensions);
     if (options.files)
@@ -44,19 +44,19 @@ std::string Interpreter::State::find(const std::string& name, const std::vector<
     return result.path;
 }
 
-void Interpreter::State::open_file() {
+void Interpreter::open_file() {
     const RawToken& name = raw_name("a file's identifier");
     const TextPlace at = last;
     if (const Symbol* symbol = symbols.find(name.index); symbol && symbol->value.kind == ValueKind::file)
         fail(at, "the file " + strahl::quoted(names.text(name.index)) + " is open already");
-    const std::string file_name = in.read_file_name();
+    const std::string file_name = read_file_name();
     auto file = std::make_shared<FileThing>();
     if (accept(word("read"))) {
         file->path = find_text(file_name, {});
         file->reading = std::make_unique<TextFile>(file->path, load(file->path), names);
     } else {
         const bool append = code() == word("append");
-        if (!append && !in.at("write")) expected("'read', 'write' or 'append'");
+        if (!append && code() != word("write")) expected("'read', 'write' or 'append'");
         take();
         if (options.write_folder.empty()) {
             std::shared_ptr<std::ostringstream>& kept = kept_files[file_name];
@@ -82,7 +82,7 @@ void Interpreter::State::open_file() {
     value_of(*symbol) = {ValueKind::file, {}, std::move(file)};
 }
 
-void Interpreter::State::read_file() {
+void Interpreter::read_file() {
     expect('(');
     const RawToken& name = raw_name("a file's identifier");
     const TextPlace at = last;
@@ -155,7 +155,7 @@ void Interpreter::State::read_file() {
         if (Symbol* symbol = symbols.find(name.index)) symbols.remove(*symbol);
 }
 
-void Interpreter::State::write_file() {
+void Interpreter::write_file() {
     expect('(');
     const RawToken& name = raw_name("a file's identifier");
     const Symbol* handle = symbols.find(name.index);
@@ -172,7 +172,7 @@ void Interpreter::State::write_file() {
         writing << text;
     };
     std::uint16_t binary = 0;
-    while (!in.at(')')) {
+    while (code() != ')') {
         switch (code()) {
             case word("uint8"):
             case word("sint8"):
@@ -188,7 +188,7 @@ void Interpreter::State::write_file() {
                 continue;
         }
         if (at_string()) {
-            writing << string();
+            writing << read_string();
         } else {
             Components value;
             sum(value);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "pov/language/state.h"
+#include "pov/language/interpreter.h"
 
 namespace strahl::pov {
 
@@ -107,9 +107,9 @@ bool SplineThing::type_of(std::uint16_t code, Type& type) {
     }
 }
 
-NamedValue Interpreter::State::read_spline() {
+NamedValue Interpreter::read_spline() {
     take();
-    in.begin_block();
+    begin_block();
     auto curve = std::make_shared<SplineThing>();
     if (code() == value_code && next.value->kind == ValueKind::spline) {
         *curve = static_cast<const SplineThing&>(*next.value->thing);
@@ -120,8 +120,8 @@ NamedValue Interpreter::State::read_spline() {
         take();
         accept(',');
     }
-    while (at_value()) {
-        const double at = number();
+    while (at_expression()) {
+        const double at = read_number();
         accept(',');
         Components value;
         sum(value);
@@ -132,7 +132,7 @@ NamedValue Interpreter::State::read_spline() {
         accept(',');
         if ((curve->knots.size() & 1023) == 0) *bytes += 1024 * sizeof(SplineThing::Knot), check_limits();
     }
-    in.end_block();
+    end_block();
     if (curve->knots.empty()) fail(last, "invalid spline: it has no entries");
     curve->finish();
     return {ValueKind::spline, {}, std::move(curve)};

@@ -4,7 +4,7 @@
 #include <ctime>
 
 #include "files/words.h"
-#include "pov/language/state.h"
+#include "pov/language/interpreter.h"
 
 namespace strahl::pov {
 namespace {
@@ -37,7 +37,7 @@ std::string formatted(double value, int length, int digits) {
 
 }  // namespace
 
-bool Interpreter::State::at_string() {
+bool Interpreter::at_string() {
     switch (code()) {
         case string_code:
         case word("str"):
@@ -56,12 +56,12 @@ bool Interpreter::State::at_string() {
     }
 }
 
-NamedValue Interpreter::State::named(std::string text) {
+NamedValue Interpreter::named(std::string text) {
     auto thing = std::make_shared<StringThing>(std::move(text));
     return {ValueKind::string, {}, std::move(thing)};
 }
 
-std::string Interpreter::State::string() {
+std::string Interpreter::read_string() {
     const Depth guard(*this);
     if (!at_string()) expected("a string");
     const std::uint16_t function = next.code;
@@ -72,7 +72,7 @@ std::string Interpreter::State::string() {
     }
     if (function == string_code) {
         const std::string_view slice =
-            std::string_view(files[next.place.file]->text).substr(next.place.at + 1, next.raw->index);
+            std::string_view(texts[next.place.file]->text).substr(next.place.at + 1, next.raw->index);
         take();
         std::string text;
         for (std::size_t i = 0; i < slice.size(); ++i) {
@@ -100,10 +100,10 @@ std::string Interpreter::State::string() {
     const TextPlace at = last;
     expect('(');
     std::string text;
-    const auto integer = [&] { return static_cast<int>(std::clamp(number(), -2e9, 2e9)); };
+    const auto integer = [&] { return static_cast<int>(std::clamp(read_number(), -2e9, 2e9)); };
     switch (function) {
         case word("str"): {
-            const double value = number();
+            const double value = read_number();
             accept(',');
             const int length = integer();
             accept(',');
@@ -116,7 +116,7 @@ std::string Interpreter::State::string() {
             Components value;
             sum(value);
             accept(',');
-            const std::string between = string();
+            const std::string between = read_string();
             accept(',');
             const int length = integer();
             accept(',');
@@ -131,8 +131,8 @@ std::string Interpreter::State::string() {
             break;
         }
         case word("concat"):
-            while (!in.at(')')) {
-                text += string();
+            while (code() != ')') {
+                text += read_string();
                 accept(',');
                 if (text.size() > 1 << 20) fail(at, "this string is longer than a million characters");
             }
@@ -144,7 +144,7 @@ std::string Interpreter::State::string() {
             break;
         }
         case word("substr"): {
-            const std::string from = string();
+            const std::string from = read_string();
             accept(',');
             const int first = integer();
             accept(',');
@@ -158,7 +158,7 @@ std::string Interpreter::State::string() {
         }
         case word("strupr"):
         case word("strlwr"): {
-            text = string();
+            text = read_string();
             const bool up = function == word("strupr");
             for (char& c : text) {
                 if (up && c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
@@ -167,9 +167,10 @@ std::string Interpreter::State::string() {
             break;
         }
         default: {  // datetime
-            const std::time_t seconds = static_cast<std::time_t>(std::clamp(number(), -1e6, 1e6) * 86400 + 946684800);
+            const std::time_t seconds =
+                static_cast<std::time_t>(std::clamp(read_number(), -1e6, 1e6) * 86400 + 946684800);
             std::string format = "%Y-%m-%d %H:%M:%SZ";
-            if (accept(',')) format = string();
+            if (accept(',')) format = read_string();
             char buffer[256];
             const std::tm* parts = std::gmtime(&seconds);
             if (parts) text.assign(buffer, std::strftime(buffer, sizeof buffer, format.c_str(), parts));

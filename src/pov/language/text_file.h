@@ -2,10 +2,14 @@
 #pragma once
 #include <cstdint>
 #include <deque>
+#include <memory>
+#include <ostream>
 #include <string>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
+
+#include "pov/language/value.h"
 
 namespace strahl::pov {
 
@@ -47,6 +51,20 @@ struct TextFile {
 
     std::string path, text;
     std::vector<RawToken> tokens;  // the last one has end_code
+};
+
+/// A macro: its parameters, and where its text is.
+struct MacroThing : Thing {
+    std::uint32_t name = 0, file = 0, first = 0;  // the token after the parameters
+    std::vector<std::uint32_t> parameters;
+};
+
+/// A file that #fopen opened. The tokens of one that is read are numbers, vectors and strings.
+struct FileThing : Thing {
+    std::string path;
+    std::unique_ptr<TextFile> reading;
+    mutable std::size_t next = 0;
+    std::shared_ptr<std::ostream> writing;
 };
 
 }  // namespace strahl::pov

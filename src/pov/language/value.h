@@ -89,4 +89,8 @@ struct ArrayThing : Thing {
     }
 };
 
+/// Differences below this are none for POV-Ray's comparisons.
+inline constexpr double tiny = 1e-10;
+inline bool is_true(double value) { return value < -tiny || value > tiny; }
+
 }  // namespace strahl::pov

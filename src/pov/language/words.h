@@ -539,6 +539,7 @@ consteval std::uint16_t word(std::string_view text) {
 /// A sign or a reserved word as an argument, as in `at('{')` and `at("sphere")`. Any other word does not compile.
 struct TokenCode {
     std::uint16_t value;
+    constexpr TokenCode(std::uint16_t code) : value(code) {}
     constexpr TokenCode(char sign) : value(static_cast<unsigned char>(sign)) {}
     template <std::size_t size>
     consteval TokenCode(const char (&text)[size]) : value(word({text, size - 1})) {}

@@ -284,7 +284,7 @@ bool SceneMaker::shows_inside(const ObjectThing& object, const Shape& shape, con
     if (const auto* const own = std::get_if<SmoothTriangle>(&shape))
         return facing(own->a, own->b, own->c, own->normal_a + own->normal_b + own->normal_c) == mirrors;
     const bool prism = std::holds_alternative<Prism>(shape);
-    if ((prism && notes.in.options().as_text) || std::holds_alternative<SphereSweep>(shape))
+    if ((prism && notes.in.options.as_text) || std::holds_alternative<SphereSweep>(shape))
         notes.approximated(object.place, "which sides of its faces are inside");
     const bool turned = around.turned != object.inverse;
     if (prism) return turned != object.turned_surface;
@@ -293,7 +293,7 @@ bool SceneMaker::shows_inside(const ObjectThing& object, const Shape& shape, con
     if (object.word == word("prism") && !mesh->open())  // both caps of POV-Ray's face up
         notes.approximated(object.place, "which sides of its faces are inside");
     const bool flat_faces_back = mirrored == object.turned_surface;
-    // These have no inside that could be turned out; a patch gets its normals where it was moved to.
+    // Polygons and patches have no inside that could be turned out; a patch gets its normals where it was moved to.
     if (object.word == word("polygon")) return flat_faces_back != mirrors;
     if (object.word == word("bicubic_patch")) return !flat_faces_back;
     const MeshData& data = *mesh->data;
@@ -535,7 +535,7 @@ void SceneMaker::keep_surfaces(Primitive& whole, const Around& around, bool turn
     std::vector<Box> boxes;
     each_part(whole, [&](const Primitive& part) { boxes.push_back(world_bounds(part)); });
     if (!any_meet(boxes)) return;
-    if (own && !turned && !in.options().as_text) {
+    if (own && !turned && !in.options.as_text) {
         own->keeps = true;
         return;
     }
@@ -564,7 +564,7 @@ bool SceneMaker::close(Primitive& body, TextPlace place) {
 /// Gives an open mesh the inside that its inside_vector says, which always has the same direction in the scene.
 void SceneMaker::close_mesh(const ObjectThing& object, const Around& around, bool takes_away, Primitive& body) {
     const auto* const mesh = std::get_if<Mesh>(&body.shape);
-    if (!mesh || !mesh->open() || in.options().as_text) return;
+    if (!mesh || !mesh->open() || in.options.as_text) return;
     Steps steps = object.steps;
     append(steps, around.after);
     const DVec3 own = glm::inverse(glm::dmat3(matrix_of(steps))) * *object.inside_vector;
@@ -680,7 +680,7 @@ std::optional<SceneMaker::Part> SceneMaker::clipped(const ObjectThing& object, c
 void SceneMaker::set_single_planes(Primitive& body, TextPlace place) {
     auto* const mesh = std::get_if<Mesh>(&body.shape);
     const Material& own = materials[body.material];
-    if (!mesh || !own.patterned() || own.transmits() || in.options().as_text) return;
+    if (!mesh || !own.patterned() || own.transmits() || in.options.as_text) return;
     const auto [known, is_new] = single_planes.try_emplace(mesh->data);
     if (is_new) {
         in.count_bytes(3 * sizeof(DVec3) * mesh->data->triangles.size(), place);
@@ -695,7 +695,7 @@ void SceneMaker::push(Part part, const ObjectThing& object, const Around& around
     Looks flags = around;
     take_over(object, around, flags);
     if (object.word == word("mesh") || object.word == word("mesh2")) set_single_planes(part.primitive, object.place);
-    if (in.options().as_text && ends_in_sight(part.primitive, scene.camera.position))
+    if (in.options.as_text && ends_in_sight(part.primitive, scene.camera.position))
         notes.approximated(object.place, "a body is seen further away than 1e7");
     shown.push_back({flags.no_shadow, flags.no_image, flags.no_reflection, object.place});
     scene.primitives.push_back(std::move(part.primitive));
@@ -788,9 +788,9 @@ void SceneMaker::settle_spaces() {
     if (spaces > 0)
         for (Primitive& body : scene.primitives) settle(settle, body);
     constexpr int deep = 20;  // enough for rays through nine clear bodies
-    if (contents.max_trace_level < deep && !in.options().as_text) clear_overlapping();
+    if (contents.max_trace_level < deep && !in.options.as_text) clear_overlapping();
     for (const auto& [number, use] : uses)
-        if (use.needed && in.options().as_text)
+        if (use.needed && in.options.as_text)
             notes.approximated(use.place, "bodies that share an interior, or whose parts have their own");
 }
 

@@ -110,7 +110,7 @@ std::vector<SettledPair> settle_slanted_faces(Scene& scene) {
     std::vector<SlantedFace> faces;
     for (std::size_t i = 0; i < scene.primitives.size(); ++i) add_faces(scene.primitives[i], i, eye, faces);
     std::ranges::sort(faces, {}, &SlantedFace::at);
-    const bool bounded = scene.primitives.size() + scene.lights.size() > 2;  // fewer POV-Ray looks at in their order
+    const bool bounded = scene.primitives.size() + scene.lights.size() > 2;  // POV-Ray looks at fewer in their order
     std::vector<std::pair<std::size_t, std::size_t>> order;                  // numbers of faces: seen, and hidden
     std::size_t pairs = 0;
     for (std::size_t i = 0; i < faces.size(); ++i)

@@ -55,7 +55,7 @@ void SceneMaker::add_light(const ObjectThing& object, const Around& around) {
         light.fade_distance = own.fade_distance, light.fade_power = own.fade_power;
     light.shadowless = own.shadowless;
     approximated(own.dimmed && !contents.fogs.empty(), "fog does not dim a light");
-    const bool as_text = in.options().as_text;
+    const bool as_text = in.options.as_text;
     const double tightness = std::clamp(own.tightness.value_or(0), as_text ? 0 : -1e9, 1e9);
     approximated(as_text && own.sort != LightThing::Sort::point && own.tightness.value_or(0) < 0,
                  "a light that is brighter off its axis, of a tightness below 0, is as bright there");

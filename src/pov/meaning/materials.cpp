@@ -23,7 +23,7 @@ Color coefficients(const Color& c) { return max(signed_numbers(c), Color(0)); }
 /// Returns the index of refraction; one that can't be told from 1 is 1.
 double ior_of(const InteriorThing& interior, const NoteTaker& notes) {
     if (std::fabs(interior.ior - 1) < 1.5e-7) return 1;
-    return std::clamp(kept(interior.ior, notes.in.options().as_text), 1e-9, 1e9);
+    return std::clamp(kept(interior.ior, notes.in.options.as_text), 1e-9, 1e9);
 }
 
 bool same_finish(const LayerValues& a, const LayerValues& b) {
@@ -392,7 +392,7 @@ bool MaterialMaker::set_finish(Material& material, const FinishThing& finish, bo
 
 /// Sets the terms of a layer's finish.
 void MaterialMaker::set_layer(Material& layer, const FinishThing& finish) {
-    const bool as_text = notes.in.options().as_text;
+    const bool as_text = notes.in.options.as_text;
     const auto exponent = [&](double v) { return as_text ? coefficient(v) : signed_number(v); };
     const Color light = max(contents.ambient_light, Color(1e-9));
     const Color ambient = finish.ambient + finish.emission / light;

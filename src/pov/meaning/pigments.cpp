@@ -78,7 +78,7 @@ std::vector<ColorStop> PigmentMaker::stops_of(const Blend& blend) {
     std::vector<ColorStop> stops;
     double before = 0;
     for (const MapEntry& entry : in_order(blend.map ? blend.map->entries : usual_entries(blend))) {
-        const double own = kept(entry.at, notes.in.options().as_text);
+        const double own = kept(entry.at, notes.in.options.as_text);
         if (!stops.empty() && before >= 1 && own > before) break;
         ColorStop stop = stop_of(blend, entry, std::clamp(own, stops.empty() ? 0 : stops.back().at, 1.));
         // Cuts an interval that reaches beyond 0 or 1, and takes the colours that it has there.
@@ -153,7 +153,7 @@ ColorStop PigmentMaker::stop_of(const Blend& blend, const MapEntry& entry, doubl
     ColorStop stop{at, mean.color, mean.filter, mean.transmit};
     const auto* const nested = dynamic_cast<const PigmentThing*>(entry.thing.get());
     if (!nested || !nested->blend) return stop;
-    if (blend.uv && notes.in.options().as_text) {
+    if (blend.uv && notes.in.options.as_text) {
         notes.approximated(blend.place, "patterns among colours by uv are their mean colours");
         return stop;
     }
@@ -217,7 +217,7 @@ std::optional<SolidPattern> PigmentMaker::solid_of(const Blend& blend, bool bend
         if (!blend.steps.empty()) moves.push_back(glm::inverse(matrix_of(blend.steps)));
         solid = of_function(moved_values(std::move(moves), *solid));
     }
-    if (solid->function && notes.in.options().as_text) return std::nullopt;
+    if (solid->function && notes.in.options.as_text) return std::nullopt;
     if (solid->function) value_at(*solid, DVec3(0));  // calls functions in it that may be constants to be told of
     return solid;
 }
@@ -282,7 +282,7 @@ struct Channel : FunctionThing {
 /// scene cannot have it.
 bool PigmentMaker::set_channels(const std::shared_ptr<const FunctionThing>& colors, const Blend& blend,
                                 const Brightest& most, Pattern& pattern) {
-    if (!colors || notes.in.options().as_text || patterns_around + (most.filters ? 3 : 2) > most_nested) return false;
+    if (!colors || notes.in.options.as_text || patterns_around + (most.filters ? 3 : 2) > most_nested) return false;
     Blend own = blend;
     own.word = word("function"), own.image = nullptr, own.pigment = nullptr, own.values = nullptr;
     own.frequency = own.phase = 0, own.wave = std::nullopt;
@@ -464,14 +464,14 @@ Look PigmentMaker::shown_look_of(const PigmentThing& pigment, const Steps& way, 
             look.varies = look.pigment.clear();
             return look;
         }
-        if (!shown && patterns_around > 0 && !notes.in.options().as_text) return too_deep = true, look;
+        if (!shown && patterns_around > 0 && !notes.in.options.as_text) return too_deep = true, look;
         if (image.map_type > 2 || image.path.empty()) return as_mean("this picture");
         if (!shown) notes.approximated(blend.place, "a picture is opaque and still");
         const Interpreter& in = notes.in;
         const bool by_version = in.version_given() && in.version() >= 3.7;
         const double gamma = in.assumed_gamma && image.working == 0 ? 0 : in.assumed_gamma.value_or(by_version ? 1 : 0);
         std::shared_ptr<const Pixels> own_pixels = shown_pixels(image, gamma);
-        if (own_pixels != pixels && in.options().as_text) {
+        if (own_pixels != pixels && in.options.as_text) {
             notes.approximated(blend.place, "the colours of a picture are sRGB-encoded, or linear light if floats");
             own_pixels = pixels;
         }
@@ -541,7 +541,7 @@ Bump PigmentMaker::bump_of(const NormalThing& normal, const Steps& way, const Uv
     Pattern pattern{.kind = Noise{}, .colors = {}, .transformations = {}, .by_uv = blend.uv};
     const bool picture = blend.image && blend.word == word("bump_map"), facets = blend.word == word("facets");
     const auto own_bends = [&]() -> std::shared_ptr<const SolidFunction> {
-        if ((!blend.map && !picture && !facets && !blend.uv) || notes.in.options().as_text) return nullptr;
+        if ((!blend.map && !picture && !facets && !blend.uv) || notes.in.options.as_text) return nullptr;
         if (!blend.uv) return bends_of(normal, notes.in.noise_generator);
         NormalThing own = normal;
         own.blend.uv = false;
@@ -566,7 +566,7 @@ Bump PigmentMaker::bump_of(const NormalThing& normal, const Steps& way, const Uv
             solid = solid_of(blend, true);
         if (!solid) return none("'" + word_text(blend.word) + "'");
         pattern.kind = *solid;
-        bump.height = weighed ? 1 : kept(normal.amount, notes.in.options().as_text);
+        bump.height = weighed ? 1 : kept(normal.amount, notes.in.options.as_text);
         if (blend.uv && !weighed) notes.approximated(blend.place, "bumps by uv bend normals along u and v");
     }
     pattern.transformations = space_of(blend, way);

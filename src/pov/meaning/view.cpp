@@ -1,6 +1,7 @@
 // Makes the camera, the background and the settings of a scene.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "num/decimal.h"
@@ -283,14 +284,9 @@ void SceneMaker::set_planes() {
 /// Bodies around the eye, such as rooms, are taken to cast no shadows that are seen.
 void SceneMaker::tell_of_lights_on_surfaces(SeenPlaces& sight) const {
     constexpr double close = 1e-9;  // as a share of the light's coordinates
-    const auto is_in = [](const DVec3& p, const Box& box, double hair) {
+    const auto is_in = [](const DVec3& p, const Box& box, double hair, const auto& before) {
         bool in = true;
-        for (int c = 0; c < 3; ++c) in &= box.low[c] - hair <= p[c] && p[c] <= box.high[c] + hair;
-        return in;
-    };
-    const auto is_within = [](const DVec3& p, const Box& box) {
-        bool in = true;
-        for (int c = 0; c < 3; ++c) in &= box.low[c] < p[c] && p[c] < box.high[c];
+        for (int c = 0; c < 3; ++c) in &= before(box.low[c] - hair, p[c]) && before(p[c], box.high[c] + hair);
         return in;
     };
     std::vector<Box> boxes(scene.primitives.size());
@@ -302,9 +298,10 @@ void SceneMaker::tell_of_lights_on_surfaces(SeenPlaces& sight) const {
         const double hair = close * (1 + std::fabs(at.x) + std::fabs(at.y) + std::fabs(at.z));
         for (std::size_t k = 0; k < boxes.size(); ++k) {
             const Primitive& body = scene.primitives[k];
-            if (!is_in(at, boxes[k], hair) || is_in(scene.camera.position, boxes[k], 0)) continue;
+            if (!is_in(at, boxes[k], hair, std::less_equal())) continue;
+            if (is_in(scene.camera.position, boxes[k], 0, std::less_equal())) continue;
             const bool exact = std::holds_alternative<Cuboid>(body.shape) && body.transformations.empty();
-            if (exact && !is_within(at, boxes[k])) continue;
+            if (exact && !is_in(at, boxes[k], 0, std::less())) continue;
             bool around = false;
             for (const DVec3& step : {DVec3(hair, 0, 0), DVec3(0, hair, 0), DVec3(0, 0, hair)})
                 around |= contains(body, at + step) != contains(body, at - step);
@@ -346,7 +343,7 @@ Scene SceneMaker::make() {
             notes.left_out(kept_places[i],
                            "bodies of a composite beyond " + std::to_string(most_leaves) + " that are connected");
     SeenPlaces sight(scene);
-    if (!in.options().as_text) {
+    if (!in.options.as_text) {
         for (const std::size_t i : shared_by_parts(scene, sight))
             notes.approximated(kept_places[i],
                                "faces of parts in one place: POV-Ray's rounding speckles them, which are whole here");

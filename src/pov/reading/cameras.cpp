@@ -28,7 +28,7 @@ CameraThing PovReader::read_camera(Interpreter& in) {
     while (!in.at('}')) {
         if (read_step(in, camera.steps)) continue;
         const std::uint16_t code = in.code();
-        in.skip();
+        in.take();
         switch (code) {
             case word("location"):
                 camera.location = in.read_vector();

@@ -63,7 +63,7 @@ std::shared_ptr<const FunctionThing> PovReader::read_function(Interpreter& in) {
         return std::make_shared<TransformFunction>(matrix_of(steps));
     }
     const bool pattern = in.at("pattern");
-    in.skip();
+    in.take();
     const TextPlace place = in.last_place();
     PigmentThing own;
     if (!pattern) {

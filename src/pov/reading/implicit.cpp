@@ -37,7 +37,7 @@ Container read_container(Interpreter& in) {
     Container own;
     in.begin_block();
     own.ball = in.at("sphere");
-    in.skip();
+    in.take();
     in.begin_block();
     const DVec3 first = in.read_vector();
     if (own.ball) {
@@ -126,7 +126,7 @@ void PovReader::read_blob(Interpreter& in, ObjectThing& object) {
         }
         const bool cylinder = in.at("cylinder");
         if (!cylinder && !in.at("sphere")) break;
-        in.skip();
+        in.take();
         in.begin_block();
         lump.from = in.read_vector();
         lump.to = cylinder ? next_vector(in) : lump.from;
@@ -137,7 +137,7 @@ void PovReader::read_blob(Interpreter& in, ObjectThing& object) {
         ObjectThing part;
         while (!in.at('}')) {
             if (read_object_modifier(in, part)) continue;
-            in.skip();
+            in.take();
             if (in.at('{')) in.skip_block();
         }
         in.end_block();

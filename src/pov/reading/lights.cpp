@@ -28,7 +28,7 @@ constexpr std::array light_values{
 
 /// Reads light_source { ... }, at its word.
 std::shared_ptr<const ObjectThing> PovReader::read_light(Interpreter& in) {
-    in.skip();
+    in.take();
     auto object = std::make_shared<ObjectThing>();
     object->kind = ObjectKind::light;
     object->place = in.last_place();
@@ -56,7 +56,7 @@ std::shared_ptr<const ObjectThing> PovReader::read_light(Interpreter& in) {
             continue;
         }
         const std::uint16_t code = in.code();
-        in.skip();
+        in.take();
         switch (code) {
             case word("spotlight"):
             case word("cylinder"):
@@ -119,7 +119,7 @@ std::shared_ptr<const ObjectThing> PovReader::read_light(Interpreter& in) {
 
 /// Reads light_group { ... }: its lights shine on its bodies alone, and no others do unless it says so.
 std::shared_ptr<const ObjectThing> PovReader::read_light_group(Interpreter& in) {
-    in.skip();
+    in.take();
     auto group = std::make_shared<ObjectThing>();
     group->kind = ObjectKind::unite, group->place = in.last_place(), group->global_lights = false;
     in.begin_block();

@@ -40,7 +40,7 @@ std::shared_ptr<TextureThing> PovReader::kept_texture(const ObjectThing& object)
 /// Joins an object's texture and its interior_texture.
 void PovReader::join_textures(ObjectThing& object) {
     if (!object.inner) return;
-    // Both are in the space of the texture if they were moved alike, else in that of the object.
+    // Both textures are in the space of the texture if they were moved alike, else in that of the object.
     const bool alike = object.texture && object.texture->steps == object.inner->steps;
     std::shared_ptr<const TextureThing> inside = moved(*object.inner->texture, alike ? Steps() : object.inner->steps);
     if (object.uv) inside = by_uv(*inside);
@@ -144,22 +144,22 @@ bool PovReader::read_object_modifier(Interpreter& in, ObjectThing& object) {
     };
     switch (code) {
         case word("texture"):
-            in.skip();
+            in.take();
             return add_texture(object, read_texture(in)), true;
         case word("pigment"):
-            in.skip();
+            in.take();
             return change([&](LayerValues& layer) {
                 layer.place = in.last_place(), layer.blend.word = end_code;
                 read_pigment(in, layer.pigment);
             });
         case word("normal"):
-            in.skip();
+            in.take();
             return change([&](LayerValues& layer) { read_normal(in, layer.normal); });
         case word("finish"):
-            in.skip();
+            in.take();
             return change([&](LayerValues& layer) { read_finish(in, layer.finish); });
         case word("material"): {
-            in.skip();
+            in.take();
             const auto material = read_material(in);
             if (material->texture) add_texture(object, material->texture);
             if (material->interior) object.interior = material->interior;
@@ -167,18 +167,18 @@ bool PovReader::read_object_modifier(Interpreter& in, ObjectThing& object) {
             return true;
         }
         case word("interior"): {
-            in.skip();
+            in.take();
             auto interior = std::make_shared<InteriorThing>(object.interior ? *object.interior : InteriorThing());
             read_interior(in, *interior);
             object.interior = std::move(interior);
             return true;
         }
         case word("interior_texture"):
-            in.skip();
+            in.take();
             object.inner = PlacedTexture{read_texture(in), {}};
             return true;
         case word("inverse"):
-            in.skip();
+            in.take();
             object.inverse = !object.inverse;
             return true;
         case word("no_radiosity"):
@@ -186,38 +186,38 @@ bool PovReader::read_object_modifier(Interpreter& in, ObjectThing& object) {
         case word("split_union"):
         case word("sturm"):
         case word("cutaway_textures"):
-            in.skip();
+            in.take();
             in.read_flag();
             if (code == word("cutaway_textures"))
                 object.approximated("cutaway_textures: cut faces have the default texture");
             return true;
         case word("open"):
-            in.skip();
+            in.take();
             open_ends(object);
             return true;
         case word("uv_mapping"):
-            in.skip();
+            in.take();
             return object.uv = true;
         case word("uv_vectors"):
-            in.skip();
+            in.take();
             for (int i = 0; i < 4 && in.at_expression(); ++i) in.read_components(), in.skip_comma();
             return true;
         case word("photons"):
-            in.skip();
+            in.take();
             in.begin_block();
             while (!in.at('}') && !in.at_end()) {
                 object.photon_target |= in.at("target");
-                in.skip();
+                in.take();
             }
             in.end_block();
             return true;
         case word("radiosity"):
-            in.skip();
+            in.take();
             in.skip_block();
             return true;
         case word("bounded_by"):
         case word("clipped_by"): {
-            in.skip();
+            in.take();
             std::vector<std::shared_ptr<const ObjectThing>> bounds = read_object_block(in);
             if (!in.accept("clipped_by") && in.accept("bounded_by")) bounds = object.bounds;
             in.end_block();
@@ -248,7 +248,7 @@ std::shared_ptr<const ObjectThing> PovReader::read_object(Interpreter& in) {
     if (code == word("light_source")) return read_light(in);
     const auto parts = kind_of_parts(code);
     if (!parts && code != word("object") && !is_shape(code)) return nullptr;
-    in.skip();
+    in.take();
     auto object = std::make_shared<ObjectThing>();
     const TextPlace place = in.last_place();
     if (++bodies > most_bodies) in.fail(place, "the scene has more than " + std::to_string(most_bodies) + " bodies");

@@ -176,7 +176,7 @@ Warp PovReader::read_warp(Interpreter& in) {
     in.begin_block();
     Warp warp;
     const std::uint16_t code = in.code();
-    if (code != end_code && code != '}') in.skip();
+    if (code != end_code && code != '}') in.take();
     switch (code) {
         case word("turbulence"):
             warp = read_turbulence_warp(in);
@@ -223,7 +223,7 @@ void PovReader::read_list(Interpreter& in, Blend& blend, ValueKind level) {
         MapEntry entry;
         entry.at = double(map->entries.size());
         if (in.code() == nested_word(level)) {
-            in.skip();
+            in.take();
             in.begin_block();
             entry.thing = read_nested(in, level);
             in.end_block();
@@ -243,7 +243,7 @@ bool PovReader::read_pattern_word(Interpreter& in, Blend& blend, ValueKind level
     const std::uint16_t code = in.code();
     // The frequency of some is 0, which a pattern in their place keeps: its values do not repeat every 1.00001.
     const auto take = [&](bool never_repeats = false) {
-        in.skip();
+        in.take();
         if (never_repeats) blend.frequency = 0;
         blend.word = code, blend.place = in.last_place();
         blend.function = nullptr, blend.pigment = nullptr, blend.image = nullptr;
@@ -359,19 +359,19 @@ constexpr std::array modifier_values{
 /// Reads a word that changes how a pattern is laid out, or its map; reads nothing and returns false if none comes.
 bool PovReader::read_modifier(Interpreter& in, Blend& blend, ValueKind level) {
     const auto wave = [&](Wave own) {
-        in.skip();
+        in.take();
         blend.wave = own;
         return true;
     };
     const auto number = [&](double& value) {
-        in.skip();
+        in.take();
         value = in.read_number();
         return true;
     };
     const std::uint16_t code = in.code();
-    if (is_one_of(code, numbers_without_effect)) return in.skip(), in.read_number_or(0), true;
+    if (is_one_of(code, numbers_without_effect)) return in.take(), in.read_number_or(0), true;
     if (const auto own = std::ranges::find(numbers_not_shown, code, &Usual::code); own != numbers_not_shown.end()) {
-        in.skip();
+        in.take();
         if (in.read_number_or(1) != own->value) blend.ignored = code;
         return true;
     }
@@ -396,35 +396,35 @@ bool PovReader::read_modifier(Interpreter& in, Blend& blend, ValueKind level) {
             blend.exponent = in.read_number_or(1);
             return true;
         case word("uv_mapping"):
-            in.skip();
+            in.take();
             return blend.uv = true;
         case word("warp"):
-            in.skip();
+            in.take();
             blend.warps.push_back({std::exchange(blend.steps, {}), read_warp(in)});
             return true;
         case word("color_map"):
-            in.skip();
+            in.take();
             blend.map = in.at('{') ? read_map(in, ValueKind::none) : in.accept_thing<MapThing>(ValueKind::color_map);
             return true;
         case word("pigment_map"):
         case word("normal_map"):
         case word("texture_map"):
-            in.skip();
+            in.take();
             blend.map = read_map(in, code == word("pigment_map")  ? ValueKind::pigment
                                      : code == word("normal_map") ? ValueKind::normal
                                                                   : ValueKind::texture);
             return true;
         case word("slope_map"):
-            in.skip();
+            in.take();
             blend.slopes = read_map(in, ValueKind::slope_map);
             return true;
         case word("exponent"):
-            in.skip();
+            in.take();
             blend.fractal.exponent = std::clamp(in.read_integer(), 2, 33);
             return true;
         case word("interior"):
         case word("exterior"): {
-            in.skip();
+            in.take();
             const int type = in.read_integer();
             if (blend.word == word("pavement")) return true;
             in.skip_comma();
@@ -436,7 +436,7 @@ bool PovReader::read_modifier(Interpreter& in, Blend& blend, ValueKind level) {
             return true;
         }
         case word("altitude"):
-            in.skip();
+            in.take();
             in.read_vector();
             return true;
         default:

@@ -67,7 +67,7 @@ void PictureReader::load(Interpreter& in, ImageThing& image, bool of_colors, boo
             if (own.from_right) {  // POV-Ray takes them in the order of the file
                 turn_rows(own.values, std::size_t(own.width), 3);
                 turn_rows(own.opacity, std::size_t(own.width), 1);
-                if (in.options().as_text)
+                if (in.options.as_text)
                     in.remark(Remark::Kind::approximated, in.last_place(), "a picture is seen from its other side");
             }
             known.pixels = std::make_shared<const FilePixels>(std::move(own));
@@ -115,7 +115,7 @@ std::shared_ptr<const ImageThing> PictureReader::read(Interpreter& in, bool of_c
             in.skip_comma();
             continue;
         }
-        in.skip();
+        in.take();
         switch (code) {
             case word("map_type"):
                 image->map_type = in.read_integer();

@@ -17,7 +17,7 @@ void PovReader::read_settings(Interpreter& in) {
     in.begin_block();
     while (!in.at('}')) {
         const std::uint16_t code = in.code();
-        in.skip();
+        in.take();
         const TextPlace place = in.last_place();
         switch (code) {
             case word("assumed_gamma"): {
@@ -42,7 +42,7 @@ void PovReader::read_settings(Interpreter& in) {
                 break;
             case word("charset"):
                 utf8 = in.at("utf8");
-                in.skip();
+                in.take();
                 break;
             case word("irid_wavelength"):
                 in.remark(Remark::Kind::approximated, in.last_place(), "irid_wavelength is the usual one");
@@ -81,7 +81,7 @@ void PovReader::read_settings(Interpreter& in) {
 static Color read_background(Interpreter& in, double& opacity) {
     FilterColor own = in.read_color();
     const bool clear = in.version_given() && in.version() >= 3.7;
-    const float opaque = clear && !in.options().alpha ? 1 - own.transmit : 1;
+    const float opaque = clear && !in.options.alpha ? 1 - own.transmit : 1;
     opacity = clear ? std::clamp(1 - decimal(own.transmit), 0., 1.) : 0;
     own.red *= opaque, own.green *= opaque, own.blue *= opaque;
     return color_of(own);
@@ -95,11 +95,11 @@ bool PovReader::read_item(Interpreter& in) {
     }
     switch (in.code()) {
         case word("camera"):
-            in.skip();
+            in.take();
             contents.camera = read_camera(in);
             return true;
         case word("background"):
-            in.skip();
+            in.take();
             in.form = "background { rgb <red, green, blue> }";
             in.begin_block();
             contents.background = read_background(in, contents.background_opacity);
@@ -107,14 +107,14 @@ bool PovReader::read_item(Interpreter& in) {
             in.form = "";
             return true;
         case word("global_settings"):
-            in.skip();
+            in.take();
             return read_settings(in), true;
         case word("fog"):
-            in.skip();
+            in.take();
             contents.fogs.push_back(read_fog(in));
             return true;
         case word("sky_sphere"):
-            in.skip();
+            in.take();
             contents.sky = read_sky(in);
             return true;
         case word("light_group"):
@@ -122,13 +122,13 @@ bool PovReader::read_item(Interpreter& in) {
         case word("rainbow"):
         case word("media"): {
             const char* const what = in.at("media") ? "media" : "a rainbow";
-            in.skip();
+            in.take();
             in.remark(Remark::Kind::left_out, in.last_place(), what);
             in.skip_block();
             return true;
         }
         case word("max_trace_level"):
-            in.skip();
+            in.take();
             contents.max_trace_level = in.read_integer();
             return true;
         default:
@@ -171,7 +171,7 @@ NamedValue PovReader::read_thing(Interpreter& in) {
         MapWord{word("density_map"), ValueKind::density_map, ValueKind::none},
     };
     if (const auto map = std::ranges::find(maps, in.code(), &MapWord::code); map != maps.end()) {
-        in.skip();
+        in.take();
         return value(map->kind, read_map(in, map->level));
     }
     switch (in.code()) {
@@ -180,34 +180,34 @@ NamedValue PovReader::read_thing(Interpreter& in) {
             return kind >= ValueKind::pigment ? in.take_value() : NamedValue{};
         }
         case word("pigment"): {
-            in.skip();
+            in.take();
             PigmentThing pigment = default_texture->layers.back().pigment;
             read_pigment(in, pigment);
             return value(ValueKind::pigment, std::move(pigment));
         }
         case word("normal"): {
-            in.skip();
+            in.take();
             NormalThing normal = default_texture->layers.back().normal;
             read_normal(in, normal);
             return value(ValueKind::normal, std::move(normal));
         }
         case word("finish"): {
-            in.skip();
+            in.take();
             FinishThing finish = default_texture->layers.back().finish;
             read_finish(in, finish);
             return value(ValueKind::finish, std::move(finish));
         }
         case word("texture"): {
-            in.skip();
+            in.take();
             auto texture = read_texture(in);
             while (in.accept_here("texture")) texture = layered(*texture, *read_texture(in));
             return value(ValueKind::texture, std::move(texture));
         }
         case word("material"):
-            in.skip();
+            in.take();
             return value(ValueKind::material, read_material(in));
         case word("interior"): {
-            in.skip();
+            in.take();
             InteriorThing interior;
             read_interior(in, interior);
             return value(ValueKind::interior, std::move(interior));
@@ -218,12 +218,12 @@ NamedValue PovReader::read_thing(Interpreter& in) {
             const ValueKind kind = in.at("media")     ? ValueKind::media
                                    : in.at("density") ? ValueKind::density
                                                       : ValueKind::rainbow;
-            in.skip();
+            in.take();
             in.skip_block();
             return value(kind, std::make_shared<Thing>());
         }
         case word("camera"):
-            in.skip();
+            in.take();
             return value(ValueKind::camera, read_camera(in));
         case word("transform"): {
             TransformThing transform;
@@ -231,10 +231,10 @@ NamedValue PovReader::read_thing(Interpreter& in) {
             return value(ValueKind::transform, std::move(transform));
         }
         case word("fog"):
-            in.skip();
+            in.take();
             return value(ValueKind::fog, read_fog(in));
         case word("sky_sphere"):
-            in.skip();
+            in.take();
             return value(ValueKind::sky_sphere, read_sky(in));
         default:
             break;

@@ -27,7 +27,7 @@ void skip_arguments(Interpreter& in) {
     while (depth > 0 || !in.at('}')) {
         if (in.at_end()) in.expect('}');
         depth += in.at('{') ? 1 : in.at('}') ? -1 : 0;
-        in.skip();
+        in.take();
     }
 }
 
@@ -315,7 +315,7 @@ void PovReader::read_mesh(Interpreter& in, ObjectThing& object) {
     std::map<const TextureThing*, std::size_t> numbers;  // of textures, from 1 on
     while (in.at("triangle") || in.at("smooth_triangle")) {
         const bool smooth = in.at("smooth_triangle");
-        in.skip();
+        in.take();
         in.count_bytes(bytes_of_triangle, in.last_place());
         in.begin_block();
         DVec3 points[3], normals[3];

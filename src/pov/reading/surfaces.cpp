@@ -230,7 +230,7 @@ bool PovReader::read_surface(Interpreter& in, std::uint16_t code, ObjectThing& o
             const bool open = in.accept("open");
             if (!conic && !open) {
                 std::vector<Contour> contours = contours_of(kind, points);
-                // It is turned up: y becomes z, and z becomes -y.
+                // The body is turned up: y becomes z, and z becomes -y.
                 const auto turn = [](Point2& p) { p[1] = -p[1]; };
                 for (Contour& own : contours) {
                     turn(own.start);
@@ -393,7 +393,7 @@ bool PovReader::read_surface(Interpreter& in, std::uint16_t code, ObjectThing& o
                 } else {
                     const std::string name = name_of_code(in.code());  // in quotes
                     if (name.size() < 2 || !own.take_word(name.substr(1, name.size() - 2))) break;
-                    in.skip();
+                    in.take();
                 }
             }
             if (const char* const fault = own.fault()) {
@@ -477,7 +477,7 @@ void PovReader::read_height_field(Interpreter& in, ObjectThing& object) {
             if (!in.accept("srgb")) in.read_number();
         } else if (in.at("gif") || in.at("tga") || in.at("pot") || in.at("png") || in.at("pgm") || in.at("ppm") ||
                    in.at("jpeg") || in.at("tiff") || in.at("sys") || in.at("bmp") || in.at("exr") || in.at("hdr"))
-            in.skip();
+            in.take();
         else
             break;
     }

@@ -130,7 +130,7 @@ constexpr std::array finish_values{
 void read_finish_word(Interpreter& in, FinishThing& finish, Albedos& albedos) {
     if (accept_value(in, finish_values, finish)) return;
     const std::uint16_t code = in.code();
-    in.skip();
+    in.take();
     switch (code) {
         case word("ambient"):
             finish.ambient = read_rgb(in);
@@ -242,7 +242,7 @@ bool PovReader::read_old_texture_word(Interpreter& in, LayerValues& layer) {
     } else {
         Blend& blend = layer.pigment.blend;
         if (!read_pattern_word(in, blend, ValueKind::pigment)) return read_modifier(in, blend, ValueKind::pigment);
-        blend.wave = Wave::ramp;  // of marble and wood as well
+        blend.wave = Wave::ramp;  // also for marble and wood
     }
     return true;
 }
@@ -268,7 +268,7 @@ void PovReader::read_interior(Interpreter& in, InteriorThing& interior) {
         if (Steps steps; read_step(in, steps)) continue;
         if (accept_value(in, interior_values, interior)) continue;
         const std::uint16_t code = in.code();
-        in.skip();
+        in.take();
         switch (code) {
             case word("fade_color"):
                 interior.fade_color = color_of(in.read_color());
@@ -364,7 +364,7 @@ void PovReader::read_material_map(Interpreter& in, LayerValues& layer) {
         if (texture && std::exchange(first, false))
             layer = texture->layers.back();
         else if (!texture)
-            in.skip();
+            in.take();
     }
     in.end_block();
     layer.blend.ignored = word("material_map");

@@ -26,19 +26,19 @@ MatrixStep read_matrix(Interpreter& in) {
 bool PovReader::read_step(Interpreter& in, Steps& steps) {
     switch (in.code()) {
         case word("translate"):
-            in.skip();
+            in.take();
             steps.push_back(Translate{in.read_vector()});
             return true;
         case word("rotate"):
-            in.skip();
+            in.take();
             steps.push_back(Rotate{in.read_vector()});
             return true;
         case word("scale"):
-            in.skip();
+            in.take();
             steps.push_back(Scale{read_factors(in)});
             return true;
         case word("matrix"):
-            in.skip();
+            in.take();
             steps.push_back(read_matrix(in));
             return true;
         case word("transform"):
@@ -46,7 +46,7 @@ bool PovReader::read_step(Interpreter& in, Steps& steps) {
         default:
             return false;
     }
-    in.skip();
+    in.take();
     if (const auto own = in.accept_thing<TransformThing>(ValueKind::transform)) return append(steps, own->steps), true;
     in.begin_block();
     Steps block;

@@ -45,7 +45,7 @@ template <class T, std::size_t size>
 bool accept_value(Interpreter& in, const std::array<ValueWord<T>, size>& words, T& thing) {
     const auto known = std::ranges::find(words, in.code(), &ValueWord<T>::code);
     if (known == words.end()) return false;
-    in.skip();
+    in.take();
     known->read(in, thing);
     return true;
 }

@@ -75,7 +75,7 @@ struct ObjectThing : Thing {
     std::optional<bool> no_shadow, no_image, no_reflection, both_sides;
     std::optional<bool> global_lights;  // of a light_group
     bool inverse = false, hollow = false;
-    bool thin = false;                                        // it is nothing, as no ray meets it
+    bool thin = false;                                        // it has no extent: no ray meets it
     bool negative = false;                                    // it is a sphere of a negative radius
     bool photon_target = false;                               // photons are aimed at it, if there are any
     std::optional<DVec3> inside_vector;                       // of a mesh, in the scene

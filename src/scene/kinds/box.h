@@ -21,7 +21,7 @@ struct BoxKernel {
     Ball ball() const {
         const DVec3 x(row_x), y(row_y), z(row_z);
         const double volume = dot(x, cross(y, z));
-        const DVec3 u = cross(y, z) / volume, v = cross(z, x) / volume, w = cross(x, y) / volume;  // half the edges
+        const DVec3 u = cross(y, z) / volume, v = cross(z, x) / volume, w = cross(x, y) / volume;  // halves of edges
         double square = 0;
         for (const DVec3& diagonal : {u + v + w, u + v - w, u - v + w, u - v - w})
             square = std::max(square, dot(diagonal, diagonal));

@@ -66,8 +66,8 @@ template <class T>
 struct ContourPiece {
     T ax, ay, cx, cy, hx, hy, ex, ey, dx, dy;
 
-    /// Converts it to numbers of more digits, and makes the last of them such that it ends at c: as rounded, it does
-    /// not.
+    /// Converts it to numbers of more digits, and changes the last one so that the piece ends at c: rounded numbers
+    /// miss it.
     template <class R>
     ContourPiece<R> as() const {
         ContourPiece<R> all{R(ax), R(ay), R(cx), R(cy), R(hx), R(hy), R(ex), R(ey), R(dx), R(dy)};

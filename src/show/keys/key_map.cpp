@@ -113,7 +113,7 @@ std::optional<Command> KeyMap::command_of_key(int key, int scancode, int modifie
     const char letter = letter_of(key, scancode);
     if (letter != 0) code = letter;
     const bool printed = letter != 0 || number > 0 || (key > GLFW_KEY_SPACE && key <= GLFW_KEY_WORLD_2);
-    if (printed && letter == 0 && number == 0) return std::nullopt;  // its character counts
+    if (printed && letter == 0 && number == 0) return std::nullopt;  // known by its character
     if (printed && third_level && !(held & GLFW_MOD_CONTROL)) return std::nullopt;
     for (const int with : {held, held & ~GLFW_MOD_SHIFT})
         if (auto command = find({code, with})) {

@@ -12,7 +12,7 @@ enum class SecondKind { none, povray, one_ray, extended, in_motion, flight, dept
 
 struct Divider {
     SecondKind second = SecondKind::none;
-    bool difference = false;  // of the second picture from the first is seen instead of it, amplified
+    bool difference = false;  // is the amplified difference of both shown in place of the second picture?
     double at = .5;           // share of the picture's width to its left
 
     /// Goes on to the next kind of second picture; after the last one, and before the first, there is none.

@@ -43,7 +43,7 @@ void TrackLanes::look(const TimelineView& view) {
             if (same_file && std::ranges::find(before, name) == before.end())
                 chosen = name, chosen_row = 0, scrolls = true;
     }
-    // One of them is always chosen: the timeline must not grow between the clicks of a double click.
+    // A track is always chosen: the timeline must not grow between the clicks of a double click.
     if (!followed.empty() && std::ranges::find(followed, chosen) == followed.end()) chosen = followed[0];
     if (!ImGui::IsAnyItemActive()) value_held = false;
 }

@@ -39,7 +39,7 @@ class TrackLanes {
     int chosen_row = 0;  // row of the track's key, if it has one there
     enum class ClickedKey { none, track, motion } clicked = ClickedKey::none;
     SceneMotion clicked_motion;      // the motion that has the clicked key
-    std::size_t clicked_number = 0;  // and the key's number there
+    std::size_t clicked_number = 0;  // the number of the clicked key in it
     bool scrolls = false;            // should the lanes scroll to the chosen one?
     bool key_dragged = false;
     double low = 0, high = 1;            // the values that its lane shows; constant during a drag

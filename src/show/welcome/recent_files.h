@@ -6,7 +6,7 @@
 
 namespace strahl {
 
-/// So many scenes are remembered.
+/// How many scenes are remembered.
 inline constexpr std::size_t most_recent_files = 12;
 
 /// Returns $XDG_STATE_HOME/strahl/recent, by default ~/.local/state/strahl/recent, see user_file(). It has an absolute

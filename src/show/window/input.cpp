@@ -20,14 +20,8 @@ Input& input_of(GLFWwindow* window) { return *static_cast<Input*>(glfwGetWindowU
 }  // namespace
 
 Input::Input(Screen& screen, const Session& session, Panels& panels, Pace& pace, const KeyMap& keys, bool fixed,
-             InputHandlers handlers)
-    : screen(screen),
-      session(session),
-      panels(panels),
-      pace(pace),
-      keys(keys),
-      fixed(fixed),
-      handlers(std::move(handlers)) {
+             InputReceiver& receiver)
+    : screen(screen), session(session), panels(panels), pace(pace), keys(keys), fixed(fixed), receiver(receiver) {
     GLFWwindow* const window = screen.window();
     glfwSetWindowUserPointer(window, this);
     glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int modifiers) {
@@ -40,11 +34,11 @@ Input::Input(Screen& screen, const Session& session, Panels& panels, Pace& pace,
     });
     glfwSetScrollCallback(window, [](GLFWwindow* w, double, double y) { input_of(w).on_wheel(y); });
     glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
-        if (count > 0) input_of(w).handlers.drop(paths[0]);
+        if (count > 0) input_of(w).receiver.drop(paths[0]);
     });
     glfwSetWindowCloseCallback(window, [](GLFWwindow* w) {
         glfwSetWindowShouldClose(w, GLFW_FALSE);
-        input_of(w).handlers.perform({Action::quit});
+        input_of(w).receiver.perform({Action::quit});
     });
     glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { input_of(w).pace.redraw(); });
     glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { input_of(w).pace.redraw(); });
@@ -55,7 +49,7 @@ Input::Input(Screen& screen, const Session& session, Panels& panels, Pace& pace,
 void Input::settle() {
     screen.pointer = pointer.place(), screen.left_down = left_down;
     const int before = ImGui::GetFrameCount();
-    for (int i = 0; i < to_settle && ImGui::GetFrameCount() < settled; ++i) handlers.draw();
+    for (int i = 0; i < to_settle && ImGui::GetFrameCount() < settled; ++i) receiver.draw();
     if (ImGui::GetFrameCount() != before) pace.redraw(1);  // the panels still show what was known before the command
     show_events();
 }
@@ -107,14 +101,14 @@ void Input::on_key(int key, int scancode, int action, int modifiers) {
     }
     used = false;
     if (action != GLFW_RELEASE && for_help(key, scancode, modifiers)) return;
-    if ((panels.gallery || panels.asking) && action != GLFW_RELEASE && handlers.browse(key))
+    if ((panels.gallery || panels.asking) && action != GLFW_RELEASE && receiver.browse(key))
         return used = true, pace.redraw(after_input);
     const auto push = keys.push_of_key(key);
     used = push.has_value();
     const bool third_level = glfwGetKey(window, GLFW_KEY_RIGHT_ALT);
     if (action == GLFW_REPEAT) {
         const auto command = push ? std::nullopt : keys.command_of_key(key, scancode, modifiers, third_level);
-        if (command && command->action == Action::step) handlers.perform(*command);
+        if (command && command->action == Action::step) receiver.perform(*command);
         return;
     }
     controls.faster = with_shift();
@@ -126,7 +120,7 @@ void Input::on_key(int key, int scancode, int action, int modifiers) {
     if (push && !combined && !fixed && !panels.gallery && !panels.asking)
         controls.press(*push);
     else if (const auto command = keys.command_of_key(key, scancode, modifiers, third_level))
-        used = true, unsettle(fixed ? 0 : to_settle), handlers.perform(*command);
+        used = true, unsettle(fixed ? 0 : to_settle), receiver.perform(*command);
 }
 
 void Input::release_keys() {
@@ -144,7 +138,7 @@ void Input::on_character(unsigned character) {
     // On some layouts a key that moves the camera has a character printed on it that is a command, too.
     if (used) return;
     if (panels.help_shown()) return panels.search(character);
-    if (const auto command = keys.command_of_character(character)) handlers.perform(*command);
+    if (const auto command = keys.command_of_character(character)) receiver.perform(*command);
 }
 
 void Input::on_button(int button, int action, int modifiers) {
@@ -164,20 +158,19 @@ void Input::on_button(int button, int action, int modifiers) {
     if (button != GLFW_MOUSE_BUTTON_LEFT || pointer.middle_held()) return;
     if (action == GLFW_PRESS && panels.help_shown()) return void(panels.toggle(Action::help));
     if (action == GLFW_PRESS && !on_panel()) {
-        held = fixed ? Hold::nothing : handlers.points_at(pointed().x, pointed().y);
-        if (held == Hold::handle) handlers.hold(pointed().x, pointed().y);
+        held = fixed ? Hold::nothing : receiver.points_at(pointed());
+        if (held == Hold::handle) receiver.hold(pointed());
         if (held != Hold::divider) pointer.press({x, y});
     } else {
         let_go();
         // A handle that was not dragged does not keep the user from choosing what is behind it.
-        if (pointer.release() && !fixed)
-            unsettle(to_settle), handlers.click(pointed().x, pointed().y, modifiers & GLFW_MOD_SHIFT);
+        if (pointer.release() && !fixed) unsettle(to_settle), receiver.click(pointed(), modifiers & GLFW_MOD_SHIFT);
     }
 }
 
 /// Lets go of what is held.
 void Input::let_go() {
-    if (std::exchange(held, Hold::nothing) == Hold::handle) handlers.let_go();
+    if (std::exchange(held, Hold::nothing) == Hold::handle) receiver.let_go();
 }
 
 bool Input::with_control() const {
@@ -207,7 +200,7 @@ bool Input::on_panel() const {
 void Input::show_hold() {
     const Hold hold = held != Hold::nothing ? held
                       : on_panel() || fixed ? Hold::nothing
-                                            : handlers.points_at(pointed().x, pointed().y);
+                                            : receiver.points_at(pointed());
     look.show(screen.window(), hold);
 }
 
@@ -219,10 +212,7 @@ void Input::on_cursor(double x, double y) {
     if (panels.take_input()) pace.redraw();
     show_hold();
     if (held == Hold::divider || (held == Hold::handle && way))
-        return handlers.pull(held, pointed().x, pointed().y,
-                             with_control() ? Snap::grid
-                             : with_shift() ? Snap::surface
-                                            : Snap::none);
+        return receiver.pull(held, pointed(), with_control() ? Snap::grid : with_shift() ? Snap::surface : Snap::none);
     if (!way || fixed || held != Hold::nothing) return;
     int width = 1;
     glfwGetWindowSize(screen.window(), &width, nullptr);
@@ -236,7 +226,7 @@ void Input::on_wheel(double notches) {
     if (ImGui::GetFrameCount() + 1 < settled) settle();  // notches add up until the next drawing
     if (panels.take_input())
         ImGui_ImplGlfw_ScrollCallback(screen.window(), 0, notches), pace.redraw(after_input), unsettle(1);
-    if (!fixed && !on_panel()) handlers.turn_wheel(notches, with_control());
+    if (!fixed && !on_panel()) receiver.turn_wheel(notches, with_control());
 }
 
 void Input::read_gamepad() {
@@ -250,7 +240,7 @@ void Input::read_gamepad() {
     for (std::size_t i = 0; i < buttons.size(); ++i) {
         const bool down = pad.buttons[i] == GLFW_PRESS;
         if (std::exchange(buttons[i], down) || !down) continue;
-        if (const auto command = command_of_button(static_cast<int>(i))) handlers.perform(*command);
+        if (const auto command = command_of_button(static_cast<int>(i))) receiver.perform(*command);
     }
 }
 

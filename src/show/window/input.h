@@ -1,7 +1,6 @@
 // Turns keys, the mouse and a gamepad into commands and into movements of the camera.
 #pragma once
 #include <array>
-#include <functional>
 #include <glm/vec2.hpp>
 #include <map>
 #include <optional>
@@ -19,25 +18,36 @@
 
 namespace strahl {
 
-/// Functions that are called, while events are processed, for what the user does besides moving the camera.
-struct InputHandlers {
-    std::function<void(Command)> perform;
-    std::function<void()> draw;                       // draws the window at once
-    std::function<bool(int)> browse;                  // takes a key for the gallery or a question, or returns false
-    std::function<void(double, bool)> turn_wheel;     // notches, up is positive; true with Ctrl
-    std::function<void(std::string)> drop;            // the path of a file that is dropped onto the window
-    std::function<void(double, double, bool)> click;  // x and y in pixels of the window; true with Shift
-    std::function<Hold(double, double)> points_at;    // what is there to be held
-    std::function<void(double, double)> hold;         // takes hold of the handle there
-    std::function<void(Hold, double, double, Snap)> pull;  // moves what is held
-    std::function<void()> let_go;                          // called when the handle is let go
+/// Does what the user asks for besides moving the camera; called while events are processed. Points are in pixels of
+/// the window.
+struct InputReceiver {
+    virtual void perform(Command command) = 0;
+    virtual void draw() = 0;  // draws the window at once
+    /// Takes a key for the gallery or a question, or returns false.
+    virtual bool browse(int key) = 0;
+    /// Takes turns of the wheel, upwards positive.
+    virtual void turn_wheel(double notches, bool with_control) = 0;
+    /// Takes a file that is dropped onto the window.
+    virtual void drop(const std::string& path) = 0;
+    virtual void click(glm::dvec2 point, bool with_shift) = 0;
+    /// Returns what the pointer can take hold of at a point.
+    virtual Hold points_at(glm::dvec2 point) = 0;
+    /// Takes hold of the handle at a point.
+    virtual void hold(glm::dvec2 point) = 0;
+    /// Moves what is held to a point.
+    virtual void pull(Hold what, glm::dvec2 point, Snap snap) = 0;
+    /// Lets go of the handle.
+    virtual void let_go() = 0;
+
+  protected:
+    ~InputReceiver() = default;
 };
 
 class Input {
   public:
     /// Receives the events of the screen's window from now on. If `fixed` the user cannot move the camera.
     Input(Screen& screen, const Session& session, Panels& panels, Pace& pace, const KeyMap& keys, bool fixed,
-          InputHandlers handlers);
+          InputReceiver& receiver);
     Input(const Input&) = delete;
 
     /// Looks at the gamepad, which has no events: the left stick moves, the right one turns, the triggers go down and
@@ -81,7 +91,7 @@ class Input {
     Pace& pace;
     const KeyMap& keys;
     const bool fixed;
-    const InputHandlers handlers;
+    InputReceiver& receiver;
     Controls controls;
     Pointer pointer;
     PointerLook look;

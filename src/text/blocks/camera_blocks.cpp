@@ -37,7 +37,7 @@ void CameraBlocks::camera(std::string_view word) {
         }
         chosen = &parameter, projection = static_cast<Projection>(at - projection_words.begin());
         if (!angular(projection)) continue;
-        // Its number takes the place of `fov` and `angle`.
+        // The number of such a projection takes the place of `fov` and `angle`.
         Parameter &fov = *std::ranges::find(parameters, "fov", &Parameter::name),
                   &angle = *std::ranges::find(parameters, "angle", &Parameter::name);
         if (fov.given() || angle.given())

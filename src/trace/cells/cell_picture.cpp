@@ -36,7 +36,7 @@ void CellPicture::begin(const Scene& scene, const View& view, const Lattice& new
     camera = view.camera;
     moments = view.moments ? static_cast<int>(view.moments->size()) : 0;
     const auto flies = [&](const Shot& moment) { return moment.camera != camera; };
-    const bool layers_in_time = view.moments && view.layers.any();  // nets alone average these
+    const bool layers_in_time = view.moments && view.layers.any();  // which only nets can average
     thin.reset();
     if (!has_lens(camera) && !layers_in_time && (!view.moments || std::ranges::none_of(*view.moments, flies)))
         thin.emplace(scene, view);
@@ -60,7 +60,7 @@ std::unique_ptr<CellPicture::InWork> CellPicture::make() {
 void CellPicture::refine(int i, int finest, const Job& job, const TraceAt& trace, const TraceLensRays& trace_lens,
                          const BrightSpots& spots, LayerTile* layers) {
     const TilePlace& place = places[i];
-    if (std::exchange(begun[i], true) && !made[i]) return;  // finished before
+    if (std::exchange(begun[i], true) && !made[i]) return;  // an earlier pass has finished it
     const bool first = !made[i];
     if (first) made[i] = make();
     auto& [cells, nets, by_nets] = *made[i];

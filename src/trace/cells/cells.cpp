@@ -103,7 +103,7 @@ void Cells::divide(const Cell& cell) {
 void Cells::refine(int pixels, const TracePoints& trace) {
     const int finest = pixels * unit;
     std::vector<Cell> round = std::exchange(waiting, {});
-    for (const Cell& cell : round)  // what stood for it meanwhile
+    for (const Cell& cell : round)  // takes back what stood for an unfinished cell
         if (cell.size == unit) std::fill_n(&sums[pixel_of(cell)], 3, 0);
     while (!round.empty()) {
         for (Cell& cell : round)
@@ -271,7 +271,7 @@ void Cells::look_beside(Cell& cell) {
     // Footprints of patterns reach beyond edges, so that both parts may be off in the same way.
     const double most = allowed < contrast ? allowed : 2 * allowed;
     std::array<double, 3> color{};
-    std::vector<int> used[2];  // of layers
+    std::vector<int> used[2];  // samples of each part, for layers
     for (int part = 0; part < 2; ++part) {
         double sum[4] = {}, low[4], high[4], count = 0;
         const auto add = [&](int sample) {
@@ -396,7 +396,7 @@ std::array<double, 3> Cells::mean(const Cell& cell) const {
         for (int c = 0; c < 3; ++c) {
             for (int k = 0; k < 4; ++k) color[c] += value(k, c);
             color[c] *= .25;
-            // With the middle, of four triangles.
+            // Where the middle is known, the mean of the four triangles around it.
             if (cell.middle >= 0) color[c] = (2 * color[c] + value(4, c)) / 3;
         }
         return color;
@@ -433,13 +433,13 @@ void Cells::finish_smooth(const Cell& cell) {
     if (layers) average_layers(cell);
 }
 
-/// Averages layers as mean() does light.
+/// Averages layers by the weights that mean() gives the samples' light.
 void Cells::average_layers(const Cell& cell) {
     const double s = double(cell.size) / unit, of_corner = s * s * (cell.middle < 0 ? 1. / 4 : 1. / 6);
     std::array<int, 5> all{cell.corners[0], cell.corners[1], cell.corners[2], cell.corners[3], cell.middle};
     const int count = cell.middle < 0 ? 4 : 5, pixel = static_cast<int>(pixel_of(cell) / 3);
     const auto weight = [&](int k) { return k < 4 ? of_corner : s * s / 3; };
-    // Takes the same out of weights as without_pattern() takes out of the mean, which is a sum of samples by weights.
+    // Changes the weights of samples so that their sum is the mean of without_pattern().
     std::array<double, 3> off{}, color{}, per{};
     const bool patterned = count == 5 && shows_pattern(cell);
     const auto color_of = [&](int k, std::size_t c) { return double(samples[all[k]].color[c]); };

@@ -118,7 +118,7 @@ void LatticeCells::fill(int x, int y, int size, const std::array<std::uint32_t, 
         const auto [left, left_other] = along(0, 3, row);
         const auto [right, right_other] = along(1, 2, row);
         std::uint32_t sum = left * n + half, other = left_other * n + half;
-        const std::uint32_t step = right - left, other_step = right_other - left_other;  // borrows cancel in the sums
+        const std::uint32_t step = right - left, other_step = right_other - left_other;  // may wrap; sums are right
         std::uint32_t* to = color_at(x, y + row);
         for (int column = 0; column < columns; ++column, sum += step, other += other_step)
             to[column] = (sum >> shift & channels) | (other >> shift & channels) << 8;
@@ -186,7 +186,7 @@ void LatticeCells::trace(const Lattice& own, const FilledLattice& of, const Thin
     traced.resize(rest.size());
     if (!rest.empty()) trace(rest, traced.data());
     for (std::size_t i = 0; i < rest.size(); ++i) *color_at(rest[i].x, rest[i].y) = traced[i];
-    // Over what neighbours asked for, so that a pixel depends on its own cell alone.
+    // Filled colours replace those that neighbours asked for: a pixel depends on its own cell alone.
     for (const LatticeCell& cell : filled) fill(cell);
 }
 

@@ -81,7 +81,7 @@ std::vector<float> LayerTile::values(std::span<const T> rgb) const {
         const auto put = [&](int first, int count, double weight) {
             for (int c = first; c < first + count; ++c) all.push_back(static_cast<float>(sum[c] / weight));
         };
-        // Geometry is averaged over what shows a body.
+        // Distances, positions and normals are averaged over the part of the pixel that shows a body.
         const double covered = pixel.covered > 0 ? pixel.covered : 1;
         const std::size_t start = all.size();
         for (int c = 0; c < 3; ++c) all.push_back(static_cast<float>(rgb[3 * i + static_cast<std::size_t>(c)]));

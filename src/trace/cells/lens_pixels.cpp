@@ -297,7 +297,7 @@ void LensPixels::trace_nets(std::span<const NetPart> parts, const TraceLensRays&
     for (const NetPart& part : parts) {
         const LensPixel& pixel = pixels[static_cast<std::size_t>(part.pixel)];
         const double x = left + part.pixel % columns - .5, y = top + part.pixel / columns - .5;
-        double rest = 1;  // the share of rays that meet no target
+        double rest = 1;  // the share of the pixel's rays that meet no target
         for (const Target& target : pixel.targets) rest -= target.share;
         std::vector<std::pair<AimedRay, std::uint32_t>> found;  // with the numbers of their points
         // Adds what was found, so weighted that it counts in the pixel by this share: also in layers, which are

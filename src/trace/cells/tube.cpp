@@ -260,7 +260,7 @@ CapsuleTree::CapsuleTree(const Scene& scene, bool with_facets) {
             bodies.push_back(body);
         }
     }
-    // In a CAD model of 2,710 triangles finer pieces bring no more.
+    // Finer pieces did not help in a CAD model of 2,710 triangles.
     constexpr double finest = 1. / 128, most_pieces = 1e5;
     const double shortest = std::max(finest * length(box.size()), lengths / most_pieces);
     for (std::size_t i = 0; i < facets.size(); ++i)
@@ -438,7 +438,7 @@ std::optional<FlatPart> CapsuleTree::flat_part(const Tube& tube, const RayBundle
     part.share = polygons.size() == 1 ? largest : area_of_union(polygons);
     glm::dvec2 from = part.places[0];
     for (const int k : {1, 2}) {
-        // Not by std::hypot, whose last bit is another one in each system's library.
+        // Squares are compared, since the last bit of std::hypot differs between systems.
         const auto squared = [&](const auto& end) { return glm::dot(end[0] - from, end[0] - from); };
         const auto& [end, middle] = *std::ranges::max_element(ends, {}, squared);
         constexpr double inside = .6;  // of the way to the corner: arcs of rings bend by up to .125 of their width

@@ -312,7 +312,7 @@ class HierarchyBuilder {
         return {part.extents.all, part.begin, LeafCode::make(first_of(part)->form, part.count())};
     }
 
-    /// Cuts a part down to leaves. It comes behind its halves.
+    /// Cuts a part down to leaves, and appends its halves and then itself.
     void grow(BinaryNode part, std::vector<OpenedPart>& opened) {
         OpenedPart whole = opened_part(part);
         if (!part.leaf) {

@@ -45,7 +45,7 @@ template <class T>
 auto CameraRays<T>::ray(Real x, Real y, Real across, Real below, int eye) const -> CameraRay<Real> {
     const auto [u, v] = place(x, y);
     CameraRay<Real> own = camera_ray(view.camera, frame, u, v, eye);
-    if (across != 0 || below != 0) {  // to the point in focus that all of the lens sees there
+    if (across != 0 || below != 0) {  // aims at the point in focus that all of the lens sees there
         const Vec3<Real> off =
             Real(view.camera.aperture) * (across * Vec3<Real>(frame.right) + below * Vec3<Real>(frame.down));
         own.way = Real(sharp) * own.way - off, own.start = own.start + off;

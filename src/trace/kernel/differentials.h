@@ -112,7 +112,7 @@ template <class S, class P>
     S turned = next.loose;
     for (int i = 0; i < 2; ++i) {
         const Vec3<S>&turn = notes.turn[i], &before = notes.beside.direction[i];
-        const S change = -dot(before, normal) - dot(hit.direction, turn);  // of the cosine
+        const S change = -dot(before, normal) - dot(hit.direction, turn);  // by which the cosine changes
         next.direction[i] = fma(steep * change, normal, fma(share, turn, scale(ratio, before)));
         turned = fma(S(4), sqrt(dot(turn, turn)), turned);
     }

@@ -105,7 +105,7 @@ void push_through(const Shading<S, P>& shading, Hit<S> hit, const S& t, const Ca
     on.mask = on.mask & (on.weight >= S(shading.world.finishes.bailout));
     Element<S>* const pixels = shading.refracted.pixel + shading.refracted.count;
     push_carried(shading, shading.refracted, hit, on, notes, carried);
-    if (notes_layers(shading)) compress(pixels, hit.pixel, on.mask);  // they came as they did before
+    if (notes_layers(shading)) compress(pixels, hit.pixel, on.mask);  // their way from the eye goes on
 }
 
 /// Queues the rays that go on from hits with finishes, and are not pruned. `t` is the length of the rays that hit.

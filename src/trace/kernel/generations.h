@@ -80,7 +80,7 @@ template <class S, class T, class Widening>
 /// Returns the bodies that rays of a pack can meet, and perhaps more.
 template <class S, class T, class Widening>
 STRAHL_INLINE BodySet cull_packet(const World<T>& world, const Ray<S>& ray, Mask<S> active, const Widening& widening) {
-    constexpr int few = 16;  // bodies, which take no longer to test than to cull
+    constexpr int few = 16;  // so many bodies take no longer to test than to cull
     const BodySet set = cull_cone(world, ray, active, widening);
     if (set != ~BodySet(0) || width<S> == 1 || world.bins <= few) return set;
     return cull_quarters(world, ray, active, widening);
@@ -124,7 +124,7 @@ void intersect(const World<T>& world, const RayQueue<T>& rays, HitList<T>& hits,
                const PixelBatch<T>& batch) {
     for (int k = 0; k <= world.bins; ++k) hits.count[k] = 0;
     const auto pack_of = [&](int i) { return rays_at<S>(rays, i); };
-    constexpr int packs = 8;  // culled before any is traced: the stalls of one do not hold up the next
+    constexpr int packs = 8;  // so many are culled before one is traced, so that the processor need not wait for each
     for (int first = 0; first < rays.count; first += packs * width<S>) {
         const int last = std::min(rays.count, first + packs * width<S>);
         BodySet sets[packs];

@@ -106,7 +106,7 @@ STRAHL_INLINE Vec3<S> illumination(const Shading<S, P>& shading, const Hit<S>& h
         if (light.special) [[unlikely]] {
             if (light.area) P::area(shading, hit, light, notes.own);
             Vec3<S> copy = sum;
-            if (light.area && !light.soft)
+            if (light.area && !light.rectangle.soft)
                 add_area_light(shading, hit, i, hit.active & ((strongest > faint) | glossy), notes, copy);
             else
                 add_special_light(shading, hit, i, S(faint), notes, copy);
@@ -123,7 +123,7 @@ STRAHL_INLINE Vec3<S> illumination(const Shading<S, P>& shading, const Hit<S>& h
         S cosine = facing * inverse;
         S highlight = zero;
         if (any(glossy)) highlight = highlight_of(hit, reflected, l, glossy);
-        // Shadows only matter where there is light to lose.
+        // Looks for shadows only where there is light to lose.
         Mask<S> faces = hit.active & (cosine > zero) & (fma(possible, cosine, highlight) > faint);
         auto own = P::light(notes.own, hit, light, length, cosine, S(dot(reflected, l)), highlight);
         if (none(P::lit(faces, hit, own))) continue;
@@ -138,7 +138,7 @@ STRAHL_INLINE Vec3<S> illumination(const Shading<S, P>& shading, const Hit<S>& h
         if (world.patterns.bends) [[unlikely]]
             P::side(notes.own, notes.flat, Vec3<S>(l), own, faces);
         if (light.spot) [[unlikely]] {
-            faces = faces & (spot_share(light, Vec3<S>(l)) > zero);
+            faces = faces & (spot_share(light.cone, Vec3<S>(l)) > zero);
             P::spot(shading, hit, light, own, Vec3<S>(l), cosine, highlight, notes.own);
             if (none(P::lit(faces, hit, own))) continue;
         }
@@ -153,13 +153,13 @@ STRAHL_INLINE Vec3<S> illumination(const Shading<S, P>& shading, const Hit<S>& h
             start.medium = hit.medium, start.mediums = &mediums(shading.workspace);
         Vec3<S> share = P::arriving(shading, hit, own, l, distance, faces, cosine, highlight, start, notes.own);
         if (shading.has_notes) [[unlikely]] {
-            // A light that only the bent normal faces is behind the surface.
+            // A light that the bent normal faces and the surface does not is behind the surface.
             if (world.patterns.bends && !through)
                 share = select(dot(notes.flat, l) > S(0), share, splat<S>(Vec3<Element<S>>(0)));
             if (notes_sights(shading)) note_light(shading, hit, notes, i, Vec3<S>(share), S(dot(reflected, l)), faces);
         }
         if (light.spot) [[unlikely]]
-            share = scale(spot_share(light, Vec3<S>(l)), share);
+            share = scale(spot_share(light.cone, Vec3<S>(l)), share);
         cosine = select(faces, cosine, zero);  // at the light itself it is NaN
         highlight = select(faces, highlight, zero);
         for (int c = 0; c < 3; ++c)

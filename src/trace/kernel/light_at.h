@@ -32,7 +32,8 @@ Vec3<S> soft_share(const Shading<S, P>& shading, const Hit<S>& hit, int number, 
     const LitHits<S> hits{lanes,     outside,     hit.position, normal,     flat,
                           reflected, hit.surface, hit.weight,   strength,   S(0),
                           S(1),      S(1),        hit.bin,      hit.medium, &mediums(shading.workspace)};
-    const AreaMeans<S> means = world.lights[number].columns > 0 && !world.lights[number].jitter
+    const AreaKernel<T>& area = world.lights[number].rectangle;
+    const AreaMeans<S> means = area.columns > 0 && !area.jitter
                                    ? AreaLightCalls<S>::grid_means(world, number, hits, strength, visibility<S>)
                                    : AreaLightCalls<S>::means(world, number, hits, error, visibility<S>);
     shading.counts.shadow += means.rays;
@@ -72,11 +73,11 @@ template <class S, class P>
     at.faces = hit.active & (way.cosine > zero);
     // As in POV-Ray a light without shadows also lights bent normals on the side away from it, and so do those points
     // of a grid that face the surface; and others unless the body itself hides them.
-    if (world.patterns.bends && !through && !light.shadowless && light.columns == 0)
+    if (world.patterns.bends && !through && !light.shadowless && light.rectangle.columns == 0)
         at.faces = at.faces & (both | (dot(flat, way.l) > zero));
     if (none(at.faces)) return at;
-    if (light.spot) at.strength = spot_share(light, way.l);
-    if (light.beam > 0) at.strength = share_of_beam(light, hit.position, way.l, way.distance);
+    if (light.spot) at.strength = spot_share(light.cone, way.l);
+    if (light.beam.radius > 0) at.strength = share_of_beam(light.beam, hit.position, way.l, way.distance);
     if (light.fade_per > 0) at.strength = at.strength * faded_share(light, way.distance);
     at.faces = at.faces & (at.strength > zero);
     return at;

@@ -290,7 +290,7 @@ struct StartAcross {
         return set;
     }
 };
-/// Finds these bounds; only worlds with a bin for each item have shadows.
+/// Finds these bounds; null shadows where items have no bins of their own.
 template <class S>
 STRAHL_INLINE StartAcross<S> start_across(const World<Element<S>>& world, const Ray<S>& ray, const Start<S>& start) {
     const LightKernel<Element<S>>& light = world.lights[start.light];

@@ -2,9 +2,9 @@
 #pragma once
 #include <algorithm>
 
+#include "trace/kernel/kernel.h"
 #include "trace/kernel/query.h"
 #include "trace/kernel/surface_at.h"
-#include "trace/kernel/workspace.h"
 #include "trace/patterns/triangle_of.h"
 
 namespace strahl::inline STRAHL_LEVEL {

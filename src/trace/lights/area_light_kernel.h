@@ -44,18 +44,18 @@ struct AreaCells {
 
 /// Returns the edges of a light's grid, turned if it turns to what it lights. `middle` is the way to its middle.
 template <class T>
-std::pair<Vec3<T>, Vec3<T>> edges_of_grid(const LightKernel<T>& light, const Vec3<T>& middle) {
-    if (!light.orient) return {light.u, light.v};
+std::pair<Vec3<T>, Vec3<T>> edges_of_grid(const AreaKernel<T>& area, const Vec3<T>& middle) {
+    if (!area.orient) return {area.u, area.v};
     const Vec3<T> l = scale(T(1) / sqrt(dot(middle, middle)), middle);
     const Vec3<T> across = cross(l, abs(abs(l.z) - T(1)) < T(.01) ? Vec3<T>(0, 1, 0) : Vec3<T>(0, 0, 1));
-    const T size = sqrt(dot(light.u, light.u));
+    const T size = sqrt(dot(area.u, area.u));
     const Vec3<T> u = scale(size / sqrt(dot(across, across)), across);
     return {u, cross(l, u)};
 }
 /// Returns the ways to places on a light's grid that are a and b times its edges u and v off its middle.
 template <class S, class T>
-Vec3<S> way_on_grid(const LightKernel<T>& light, const Vec3<T>& middle, const Vec3<T>& u, const Vec3<T>& v, S a, S b) {
-    if (light.circular) {
+Vec3<S> way_on_grid(const AreaKernel<T>& area, const Vec3<T>& middle, const Vec3<T>& u, const Vec3<T>& v, S a, S b) {
+    if (area.circular) {
         a += S(T(.001)), b += S(T(.001));
         const S inwards = max(abs(a), abs(b)) / sqrt(a * a + b * b);
         a *= inwards, b *= inwards;
@@ -76,10 +76,10 @@ struct SpreadGrid {
     SpreadEdge across, down;
     bool adapts;  // does it depend on the light of their corners whether quarters of the grid are divided?
 
-    explicit SpreadGrid(const LightKernel<T>& light)  // one with a grid
-        : across(edge_of(light.columns)),
-          down(edge_of(light.rows)),
-          adapts(light.adaptive < 31 && (std::max(light.columns, light.rows) - 1) >> light.adaptive > 1) {}
+    explicit SpreadGrid(const AreaKernel<T>& area)  // one with a grid
+        : across(edge_of(area.columns)),
+          down(edge_of(area.rows)),
+          adapts(area.adaptive < 31 && (std::max(area.columns, area.rows) - 1) >> area.adaptive > 1) {}
 
     static SpreadEdge edge_of(int points) {
         SpreadEdge edge;
@@ -110,15 +110,15 @@ struct SpreadGrid {
 template <class T>
 class GatheredPoints {
   public:
-    GatheredPoints(const SpreadGrid<T>& spread, const LightKernel<T>& light)
-        : spread(spread), light(light), points(std::size_t(light.columns) * light.rows), sums(points.size()) {}
+    GatheredPoints(const SpreadGrid<T>& spread, const AreaKernel<T>& area)
+        : spread(spread), area(area), points(std::size_t(area.columns) * area.rows), sums(points.size()) {}
 
     /// Adds a cell, whose light is between these shares.
     void add(int x, int y, int size, const Vec3<T>& mean, const Vec3<T>& low, const Vec3<T>& high) {
         for (int i = x; i < x + size; ++i)
             for (int k = y; k < y + size; ++k) {
                 const int column = spread.across.points[i], row = spread.down.points[k];
-                const std::size_t number = std::size_t(column) * light.rows + row;
+                const std::size_t number = std::size_t(column) * area.rows + row;
                 const T part = T(1) / T(spread.across.shares[column] * spread.down.shares[row]);
                 JitteredPoint<T>& own = points[number];
                 const bool is_first = sums[number] == Vec3<T>(0) && own.chance == T(0);
@@ -136,12 +136,12 @@ class GatheredPoints {
             // Shadows of several colours have more than two shares: their mean stays.
             if (own.chance > T(0)) own.high = own.low + scale(T(1) / own.chance, sums[i] - own.low);
         }
-        return AdaptiveMean<T>(points, light.columns, light.rows, light.adaptive, color).mean();
+        return AdaptiveMean<T>(points, area.columns, area.rows, area.adaptive, color).mean();
     }
 
   private:
     const SpreadGrid<T>& spread;
-    const LightKernel<T>& light;
+    const AreaKernel<T>& area;
     std::vector<JitteredPoint<T>> points;  // `chance` is at first the share of the point that is gathered
     std::vector<Vec3<T>> sums;
 };
@@ -174,19 +174,19 @@ class AreaSum {
                 hits.mediums} {
         const LightKernel<T>& light = world.lights[number];
         middle = light.position - position;
-        std::tie(u, v) = edges_of_grid(light, middle);
+        std::tie(u, v) = edges_of_grid(light.rectangle, middle);
         first = middle - scale(T(.5), u + v);
         brightest = lane(hits.weight, k) * (lane(hits.diffuse, k) + specular) *
                     max(largest(light.color), largest(Vec3<T>(0) - light.color));
-        soft = light.soft;
+        soft = light.rectangle.soft;
         if (!spread || !spread->adapts) return;
-        points.emplace(*spread, light), color = scale(lane(hits.diffuse, k), light.color), gray = false;
+        points.emplace(*spread, light.rectangle), color = scale(lane(hits.diffuse, k), light.color), gray = false;
         coarsest = AreaCells::largest / 2;  // what single points see counts more
     }
 
     void add_up(T error) {
-        const LightKernel<T>& light = world.lights[start.light];
-        const Vec3<T> across = scale(reach(light, light.columns), u), down = scale(reach(light, light.rows), v);
+        const AreaKernel<T>& own = world.lights[start.light].rectangle;
+        const Vec3<T> across = scale(reach(own, own.columns), u), down = scale(reach(own, own.rows), v);
         const Vec3<T> corner = middle - scale(T(.5), across + down);
         const Vec3<T> ways[4]{corner, corner + across, corner + across + down, corner + down};
         int faced = 0;
@@ -234,8 +234,8 @@ class AreaSum {
 
     /// Returns how long an edge of the outline is, times that of the light: as points jitter, or are off the middle of
     /// their circles.
-    static T reach(const LightKernel<T>& light, int points) {
-        return light.jitter && points > 1 ? T(points) / T(points - 1) * T(light.circular ? 1.004 : 1) : T(1);
+    static T reach(const AreaKernel<T>& area, int points) {
+        return area.jitter && points > 1 ? T(points) / T(points - 1) * T(area.circular ? 1.004 : 1) : T(1);
     }
     /// Returns true if the highlight of any point of the rectangle may be visible.
     bool may_shine(const Vec3<T> (&ways)[4]) const {
@@ -282,7 +282,8 @@ class AreaSum {
             xs[k] = spread ? spread->across.places[x] : T(x), ys[k] = spread ? spread->down.places[y] : T(y);
         }
         const S x = load_lanes<S>(xs), y = load_lanes<S>(ys);
-        const Vec3<S> way = spread ? way_on_grid(world.lights[start.light], middle, u, v, x, y) : way_to(x, y);
+        const Vec3<S> way =
+            spread ? way_on_grid(world.lights[start.light].rectangle, middle, u, v, x, y) : way_to(x, y);
         const S distance = sqrt(dot(way, way));
         const Mask<S> before = dot(splat<S>(flat), way) > S(0);
         Mask<S> faces = first_lanes<S>(lanes) & (distance > S(0));
@@ -320,7 +321,7 @@ class AreaSum {
     /// all light comes to all of them. Then the mean share is known.
     bool is_even() {
         const T own = shares[0][0];
-        if (!(own == T(0) || (own == T(1) && world.lights[start.light].soft))) return false;
+        if (!(own == T(0) || (own == T(1) && world.lights[start.light].rectangle.soft))) return false;
         for (int y = 0; y <= side; y += coarsest)
             for (int x = 0; x <= side; x += coarsest)
                 for (int c = 0; c < channels(); ++c)
@@ -462,16 +463,16 @@ class GridSum {
   public:
     GridSum(const World<T>& world, int number, const LitHits<S>& hits, Visibility<S> visibility)
         : world(world),
-          light(world.lights[number]),
+          area(world.lights[number].rectangle),
           number(number),
           hits(hits),
           visibility(visibility),
-          known(std::size_t(light.columns) * light.rows),
+          known(std::size_t(area.columns) * area.rows),
           shares(known.size()) {
         // Divides what is divided for every hit. Its points are traced together, so that packs are fuller.
-        parts.assign(1, {0, 0, light.columns - 1, light.rows - 1});
+        parts.assign(1, {0, 0, area.columns - 1, area.rows - 1});
         want_corners();
-        for (int level = 0; level < light.adaptive && !parts.empty(); ++level)
+        for (int level = 0; level < area.adaptive && !parts.empty(); ++level)
             refine([](const GridPart&) { return true; });
         first_known = known, first_wanted = wanted, first_parts = parts, first_whole = whole, first_weight = weight;
     }
@@ -480,8 +481,8 @@ class GridSum {
     Vec3<T> mean(int k, const Vec3<T>& color) {
         const auto at = [k](const Vec3<S>& v) { return Vec3<T>(lane(v.x, k), lane(v.y, k), lane(v.z, k)); };
         position = at(hits.position), flat = at(hits.flat), surface = lane(hits.surface, k);
-        middle = light.position - position;
-        std::tie(u, v) = edges_of_grid(light, middle);
+        middle = world.lights[number].position - position;
+        std::tie(u, v) = edges_of_grid(area, middle);
         outside = bits(hits.outside) >> k & 1;
         start = {number,      hits.bin, first_lanes<S>(outside ? width<S> : 0), ~BodySet(0), S(lane(hits.medium, k)),
                  hits.mediums};
@@ -494,7 +495,7 @@ class GridSum {
         }
         Vec3<T> sum(0);
         for (const auto& [part, share] : whole)
-            for (const int corner : part.corners(light.rows)) sum = fma(share, shares[corner], sum);
+            for (const int corner : part.corners(area.rows)) sum = fma(share, shares[corner], sum);
         return sum;
     }
     std::int64_t rays = 0;
@@ -515,12 +516,12 @@ class GridSum {
     }
     bool mixed(const GridPart& part, const Vec3<T>& color) const {
         std::array<Vec3<T>, 4> own;
-        std::ranges::transform(part.corners(light.rows), own.begin(), [&](int corner) { return shares[corner]; });
+        std::ranges::transform(part.corners(area.rows), own.begin(), [&](int corner) { return shares[corner]; });
         return differs(own, color);
     }
     /// Returns true if all points of the grid are in front of the surface, and no body can be in between.
     bool nothing_before() {
-        const T around = light.circular ? T(1.004) : T(1);  // circles are off their middle by .001
+        const T around = area.circular ? T(1.004) : T(1);  // circles are off their middle by .001
         const Vec3<T> across = scale(around, u), down = scale(around, v), first = middle - scale(T(.5), across + down);
         const Vec3<T> ways[4]{first, first + across, first + across + down, first + down};
         for (const Vec3<T>& way : ways)
@@ -530,7 +531,7 @@ class GridSum {
     /// Notes the corners of parts to which no shadow rays went.
     void want_corners() {
         for (const GridPart& part : parts)
-            for (const int corner : part.corners(light.rows))
+            for (const int corner : part.corners(area.rows))
                 if (!known[corner]) known[corner] = 1, wanted.push_back(corner);
     }
     void trace_wanted() {
@@ -541,8 +542,8 @@ class GridSum {
     void trace_pack(const int* points, int lanes) {
         alignas(64) T numbers[width<S>] = {};
         std::copy_n(points, lanes, numbers);
-        const S number = load_lanes<S>(numbers), column = floor((number + S(T(.5))) / S(T(light.rows)));
-        const Vec3<S> way = way_to(column, number - column * S(T(light.rows)));
+        const S number = load_lanes<S>(numbers), column = floor((number + S(T(.5))) / S(T(area.rows)));
+        const Vec3<S> way = way_to(column, number - column * S(T(area.rows)));
         const S distance = sqrt(dot(way, way));
         const Mask<S> active = first_lanes<S>(lanes) & (distance > S(0));
         // A body is in the way of light from behind its own surface.
@@ -555,13 +556,13 @@ class GridSum {
             shares[points[k]] = {lane(arrives.x, k), lane(arrives.y, k), lane(arrives.z, k)};
     }
     Vec3<S> way_to(const S& column, const S& row) const {
-        const S a = light.columns > 1 ? column / S(T(light.columns - 1)) - S(T(.5)) : S(0);
-        const S b = light.rows > 1 ? row / S(T(light.rows - 1)) - S(T(.5)) : S(0);
-        return way_on_grid(light, middle, u, v, a, b);
+        const S a = area.columns > 1 ? column / S(T(area.columns - 1)) - S(T(.5)) : S(0);
+        const S b = area.rows > 1 ? row / S(T(area.rows - 1)) - S(T(.5)) : S(0);
+        return way_on_grid(area, middle, u, v, a, b);
     }
 
     const World<T>& world;
-    const LightKernel<T>& light;
+    const AreaKernel<T>& area;
     const int number;
     const LitHits<S>& hits;
     Visibility<S> visibility;
@@ -595,7 +596,7 @@ AreaMeans<S> AreaLightCalls<S>::means(const World<T>& world, int light, const Li
                                       Visibility<S> visibility) {
     alignas(64) T lanes[9][width<S>] = {};
     AreaMeans<S> result;
-    const LightKernel<T>& own = world.lights[light];
+    const AreaKernel<T>& own = world.lights[light].rectangle;
     const std::optional<SpreadGrid<T>> spread = own.jitter ? std::optional(SpreadGrid<T>(own)) : std::nullopt;
     for (unsigned left = bits(hits.lanes); left; left &= left - 1) {
         const int k = std::countr_zero(left);

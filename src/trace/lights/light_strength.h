@@ -11,13 +11,13 @@ namespace strahl::inline STRAHL_LEVEL {
 /// Returns the share of its light that a spotlight sends along -l. 1 - cosine is computed from the difference of the
 /// directions: in a narrow cone, cosines have few digits.
 template <class S>
-[[gnu::noinline]] S spot_share(const LightKernel<Element<S>>& light, const Vec3<S>& l) {
+[[gnu::noinline]] S spot_share(const SpotKernel<Element<S>>& cone, const Vec3<S>& l) {
     using T = Element<S>;
-    const Vec3<S> off = l + splat<S>(light.axis);
+    const Vec3<S> off = l + splat<S>(cone.axis);
     const S from_axis = dot(off, off) * S(T(.5)), cosine = S(1) - from_axis;
-    const S u = min(max((S(light.falloff) - from_axis) * S(light.per), S(0)), S(1));
-    S share = select(from_axis > S(light.radius), u * u * fma(S(-2), u, S(3)), S(1));
-    if (light.tightness != 0) share = share * signed_power(max(cosine, S(0)), light.tightness);
+    const S u = min(max((S(cone.falloff) - from_axis) * S(cone.per), S(0)), S(1));
+    S share = select(from_axis > S(cone.radius), u * u * fma(S(-2), u, S(3)), S(1));
+    if (cone.tightness != 0) share = share * signed_power(max(cosine, S(0)), cone.tightness);
     return select(cosine > S(0), share, S(0));
 }
 
@@ -38,16 +38,16 @@ template <class S>
 
 /// Returns the share of a light with a beam at points, in the direction `l` to it and so far from its plane.
 template <class S>
-[[gnu::noinline]] S share_of_beam(const LightKernel<Element<S>>& light, const Vec3<S>& position, const Vec3<S>& l,
+[[gnu::noinline]] S share_of_beam(const BeamKernel<Element<S>>& beam, const Vec3<S>& position, const Vec3<S>& l,
                                   const S& distance) {
-    const Vec3<S> off = fma(distance, l, position - splat<S>(light.axis));
-    const S s = S(1) - sqrt(dot(off, off)) * S(1 / light.beam), zero(0);
+    const Vec3<S> off = fma(distance, l, position - splat<S>(beam.on_axis));
+    const S s = S(1) - sqrt(dot(off, off)) * S(1 / beam.radius), zero(0);
     S share = select((s > zero) & (distance > zero), S(1), zero);
-    if (light.core > 0 && light.core < light.beam) {
-        const S u = min(max(s * S(light.beam / (light.beam - light.core)), zero), S(1));
+    if (beam.core > 0 && beam.core < beam.radius) {
+        const S u = min(max(s * S(beam.radius / (beam.radius - beam.core)), zero), S(1));
         share = share * u * u * fma(S(-2), u, S(3));
     }
-    return light.tightness == 0 ? share : share * power_or_zero(s, light.tightness);
+    return beam.tightness == 0 ? share : share * power_or_zero(s, beam.tightness);
 }
 
 }  // namespace strahl::inline STRAHL_LEVEL

@@ -174,7 +174,7 @@ void smoothed_values(const SolidPattern& solid, const double (&at)[3][ValueGrid:
 template <class T>
 T finest_detail(const PatternKernel<T>& pattern) {
     const bool noisy = pattern.form == PatternForm::noise || pattern.turbulence != 0;
-    return noisy ? finest_octave(pattern, T(least_strength)) : T(1);
+    return noisy ? finest_octave(pattern.octaves, T(least_strength)) : T(1);
 }
 
 /// Finds mean colours of noise, layers or rings around p: from their values on a grid over the footprint, between which

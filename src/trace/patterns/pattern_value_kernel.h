@@ -63,23 +63,23 @@ template <class S>
     return mix(along_x[0], along_x[1], t.x) * S(T(1) / T(6));
 }
 template <class S>
-STRAHL_INLINE S octaves_at(const PatternKernel<Element<S>>& pattern, const Vec3<S>& p) {
+STRAHL_INLINE S octaves_at(const OctavesKernel<Element<S>>& octaves, const Vec3<S>& p) {
     using T = Element<S>;
     S sum(0);
     T strength = 1, fineness = 1;
-    for (int i = 0; i < pattern.octaves; ++i) {
+    for (int i = 0; i < octaves.count; ++i) {
         sum = fma(S(strength), noise_at(scale(S(fineness), p)), sum);
-        strength *= pattern.omega, fineness *= pattern.lambda;
+        strength *= octaves.omega, fineness *= octaves.lambda;
     }
     return sum;
 }
 
 /// Returns how many times finer than the first octave the finest one is that has more than `least` of its strength.
 template <class T>
-T finest_octave(const PatternKernel<T>& pattern, T least) {
+T finest_octave(const OctavesKernel<T>& octaves, T least) {
     T finest = 1, strength = 1;
-    for (int i = 1; i < pattern.octaves && pattern.lambda > T(1) && (strength *= pattern.omega) >= least; ++i)
-        finest *= pattern.lambda;
+    for (int i = 1; i < octaves.count && octaves.lambda > T(1) && (strength *= octaves.omega) >= least; ++i)
+        finest *= octaves.lambda;
     return finest;
 }
 /// Returns how much of an octave is left, from 1 to 0, if points are `step` of its cells apart. All of it is if its
@@ -95,13 +95,14 @@ STRAHL_INLINE S left_of_octave(const S& step) {
 template <class S>
 [[gnu::noinline]] S smoothed_value(const PatternKernel<Element<S>>& pattern, const Vec3<S>& p, const S& step) {
     using T = Element<S>;
+    const OctavesKernel<T>& octaves = pattern.octaves;
     const bool noise = pattern.form == PatternForm::noise;
     S sum(0);
     T strength = noise ? T(1) : pattern.turbulence, fineness = 1;
-    for (int i = 0; i < pattern.octaves && strength != 0; ++i) {
+    for (int i = 0; i < octaves.count && strength != 0; ++i) {
         const S left = left_of_octave(S(fineness) * step);
         if (!none(left > S(0))) sum = fma(S(strength) * left, noise_at(scale(S(fineness), p)), sum);
-        strength *= pattern.omega, fineness *= pattern.lambda;
+        strength *= octaves.omega, fineness *= octaves.lambda;
     }
     if (noise) return sum + S(T(.5));
     return sum + (pattern.form == PatternForm::layers ? p.x : sqrt(fma(p.x, p.x, p.y * p.y)));
@@ -134,10 +135,11 @@ LostOctaves<S> lost_octaves(const PatternKernel<Element<S>>& pattern, const Vec3
                             const Vec3<S>& down, const S (&steps)[2], const S (&lengths)[2]) {
     using T = Element<S>;
     constexpr T variance = T(.0121);  // of one octave, over all of space
+    const OctavesKernel<T>& octaves = pattern.octaves;
     const S one(1), step = max(steps[0], steps[1]);
     S squares(0), missed(0), all(0), unseen(0);
     T strength = pattern.form == PatternForm::noise ? T(1) : pattern.turbulence, fineness = 1, total = 0;
-    for (int i = 0; i < pattern.octaves && strength != 0; ++i) {
+    for (int i = 0; i < octaves.count && strength != 0; ++i) {
         const S fine(fineness), own = fine * step;
         const S lost = lost_of_octave(left_of_octave(own), fine * steps[0], fine * steps[1]);
         const S flat = variance_in_plane(scale(fine, p), scale(fine, across), scale(fine, down));
@@ -146,7 +148,7 @@ LostOctaves<S> lost_octaves(const PatternKernel<Element<S>>& pattern, const Vec3
         const S varies = S(strength * strength) / cells, share = min(own, one);
         missed = fma(varies * share, share, missed), all = all + varies;
         unseen = fma(varies, unseen_of_cell(own, false), unseen), total += strength * strength;
-        strength *= pattern.omega, fineness *= pattern.lambda;
+        strength *= octaves.omega, fineness *= octaves.lambda;
     }
     return {sqrt(squares), select(all > S(0), sqrt(missed / all), min(step, one)),
             total > 0 ? unseen / S(total) : S(0)};
@@ -199,7 +201,7 @@ template <class S>
     using T = Element<S>;
     S value(0);
     const auto moved = [&](const S& x) {
-        return pattern.turbulence == 0 ? x : fma(S(pattern.turbulence), octaves_at(pattern, p), x);
+        return pattern.turbulence == 0 ? x : fma(S(pattern.turbulence), octaves_at(pattern.octaves, p), x);
     };
     switch (pattern.form) {
         case PatternForm::checker:
@@ -212,7 +214,7 @@ template <class S>
             value = max(fraction(p.x) - S(pattern.border), S(0));
             break;
         case PatternForm::noise:
-            value = min(max(octaves_at(pattern, p) + S(T(.5)), S(0)), S(1));
+            value = min(max(octaves_at(pattern.octaves, p) + S(T(.5)), S(0)), S(1));
             break;
         case PatternForm::layers:
             value = wave(moved(p.x));

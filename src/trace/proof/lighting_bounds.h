@@ -87,7 +87,8 @@ template <class S>
 template <class S>
 STRAHL_INLINE void add_unknown_light(const ProvedShading<S>& shading, const Hit<S>& hit,
                                      const LightKernel<Element<S>>& light, HitBounds<S>& known) {
-    const Element<S> bright = (light.fade_per > 0 ? 2 : 1) * (light.tightness < 0 ? Element<S>(1e9f) : 1);
+    const Element<S> tightness = std::min(light.cone.tightness, light.beam.tightness);
+    const Element<S> bright = (light.fade_per > 0 ? 2 : 1) * (tightness < 0 ? Element<S>(1e9f) : 1);
     known.off = fma(S(bright * proving(shading.limits).slack.gain) * most_of(splat<S>(light.color)),
                     largest(hit.material.diffuse) + known.diffuse + hit.material.specular, known.off);
 }
@@ -106,23 +107,23 @@ STRAHL_INLINE S light_error(const Hit<S>& hit, const LitBounds<S>& lit, const S&
 /// monotonically with x, so it is between its values at the ends of x's interval, and exactly 0 beyond the larger
 /// angle. The exponent counts as a highlight's does.
 template <class S>
-[[gnu::noinline]] S spot_error(const LightKernel<Element<S>>& light, const Vec3<S>& l, const S& turn) {
+[[gnu::noinline]] S spot_error(const SpotKernel<Element<S>>& cone, const Vec3<S>& l, const S& turn) {
     using T = Element<S>;
     constexpr auto u = unit_error<S>;
-    const Vec3<S> off = l + splat<S>(light.axis);
-    const S from_axis = dot(off, off) * S(T(.5)), q = turn + S(4 * u), way = S(light.falloff) - from_axis;
-    const T most = light.radius + light.falloff;
+    const Vec3<S> off = l + splat<S>(cone.axis);
+    const S from_axis = dot(off, off) * S(T(.5)), q = turn + S(4 * u), way = S(cone.falloff) - from_axis;
+    const T most = cone.radius + cone.falloff;
     const S wrong = fma(S(1.01) * q, sqrt(from_axis + from_axis) + q, S(8 * u) * (from_axis + S(most))) +
-                    abs(way) * S(light.radius < light.falloff ? 8 * u * most * light.per : T(0));
+                    abs(way) * S(cone.radius < cone.falloff ? 8 * u * most * cone.per : T(0));
     const auto share = [&](const S& at) {
-        const S part = min(max(at * S(light.per), S(0)), S(1));
+        const S part = min(max(at * S(cone.per), S(0)), S(1));
         return part * part * fma(S(-2), part, S(3));
     };
     S error = share(way + wrong) - share(way - wrong) + S(8 * u);
-    if (light.tightness != 0) {
-        const S base = S(1) - from_axis, p(max(light.tightness, T(1))), x = p * wrong / base;
+    if (cone.tightness != 0) {
+        const S base = S(1) - from_axis, p(max(cone.tightness, T(1))), x = p * wrong / base;
         const Mask<S> mild = (base > S(1e-3f)) & (x < S(.5));
-        error = light.tightness < 0 ? S(1e9f) : error + select(mild, fma(x, x, x) + S(.51 * u) * (p + S(8)), S(1));
+        error = cone.tightness < 0 ? S(1e9f) : error + select(mild, fma(x, x, x) + S(.51 * u) * (p + S(8)), S(1));
     }
     return select(way + wrong < S(0), S(0), select(error < S(1), error, S(1)));
 }
@@ -135,7 +136,7 @@ STRAHL_INLINE void add_spot_error(const ProvedShading<S>& shading, const Hit<S>&
     const S most = fma(diffuse, max(cosine, S(0)), highlight) + error, color = most_of(splat<S>(light.color));
     const Mask<S> told = lit.ray.turn >= S(0);
     known.off = fma(S(proving(shading.limits).slack.gain) * color * most,
-                    select(told, spot_error(light, l, lit.ray.turn), S(1)), known.off);
+                    select(told, spot_error(light.cone, l, lit.ray.turn), S(1)), known.off);
 }
 
 /// Returns the lanes in which it is undecided how much of a light arrives: also those with a surface in the way that

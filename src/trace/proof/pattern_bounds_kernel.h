@@ -108,18 +108,18 @@ STRAHL_INLINE Mask<S> brick_told(const Vec3<Element<S>>& mortar, const OffPlace<
 /// 17 u at most and count up to 15 times at each of three steps, slopes and means 25 u; of that a sixth. Places have 1
 /// for each octave before. Beyond 2^40 cells lack the digits for their hashes.
 template <class S>
-[[gnu::noinline]] S octaves_error(const PatternKernel<Element<S>>& pattern, const OffPlace<S>& place) {
+[[gnu::noinline]] S octaves_error(const OctavesKernel<Element<S>>& octaves, const OffPlace<S>& place) {
     using T = Element<S>;
     constexpr T u = unit_error<S>;
     const S off = place.off.x + place.off.y + place.off.z, size = norm1(place.p);
     S error(0);
     Mask<S> known = first_lanes<S>(width<S>);
     T strength = 1, fineness = 1;
-    for (int i = 0; i < pattern.octaves; ++i) {
+    for (int i = 0; i < octaves.count; ++i) {
         const S own = S(T(2.33) * fineness) * fma(S(T(i + 1) * u), size, off);
-        error = fma(S(strength), select(own < S(T(1.5)), own, S(T(1.5))) + S(T(160 + 2 * pattern.octaves) * u), error);
+        error = fma(S(strength), select(own < S(T(1.5)), own, S(T(1.5))) + S(T(160 + 2 * octaves.count) * u), error);
         known = known & (S(fineness) * size < S(T(0x1p40)));
-        strength *= pattern.omega, fineness *= pattern.lambda;
+        strength *= octaves.omega, fineness *= octaves.lambda;
     }
     return select(known, error, S(std::numeric_limits<T>::infinity()));
 }
@@ -133,7 +133,7 @@ template <class S>
     const S any(std::numeric_limits<T>::infinity());
     const auto& [p, off] = place;
     const auto wave_error = [&](const S& x, const S& wrong) {
-        const S moved = pattern.turbulence == 0 ? S(0) : S(pattern.turbulence) * octaves_error(pattern, place);
+        const S moved = pattern.turbulence == 0 ? S(0) : S(pattern.turbulence) * octaves_error(pattern.octaves, place);
         return fma(S(2), wrong + moved + S(u) * abs(x), S(4 * u));
     };
     switch (pattern.form) {
@@ -144,7 +144,7 @@ template <class S>
         case PatternForm::ramp:
             return select(near_whole(p.x, off.x), any, off.x + S(2 * u));
         case PatternForm::noise:
-            return octaves_error(pattern, place) + S(u);
+            return octaves_error(pattern.octaves, place) + S(u);
         case PatternForm::layers:
             return wave_error(p.x, off.x);
         case PatternForm::rings: {

@@ -25,7 +25,7 @@ template <class S>
     using T = Element<S>;
     LitBounds<S> lit{};
     lit.doubt = first_lanes<S>(0);
-    if (light.area || light.beam > 0 || light.starts || light.tightness < 0) {
+    if (light.area || light.beam.radius > 0 || light.starts || light.cone.tightness < 0) {
         // A hit with finishes sends back at most `scattered` of the light of all lights together.
         lit.known = false;
         add_unknown_light(shading, hit, light, known);
@@ -36,11 +36,11 @@ template <class S>
     lit = bound_lit(known, hit, light, length, at.way.cosine, S(0), S(0));
     lit.highlight = S(0);
     const Mask<S> near = !(lit.distance < S(T(.25)) * length);
-    if (shading.world.patterns.bends && !light.shadowless && light.columns == 0) {
+    if (shading.world.patterns.bends && !light.shadowless && light.rectangle.columns == 0) {
         Mask<S> faces = at.faces;
         bound_side_of_light(known, flat, at.way.l, lit, faces);
     }
-    if (light.spot) lit.strength = select(near, S(1), spot_error(light, at.way.l, lit.ray.turn));
+    if (light.spot) lit.strength = select(near, S(1), spot_error(light.cone, at.way.l, lit.ray.turn));
     if (light.fade_per > 0) {
         const S fading = select(near, S(2), fading_error(light, S(2), at.way.distance, lit.distance));
         lit.strength = fma(S(2), lit.strength, fading);

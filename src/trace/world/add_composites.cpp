@@ -340,7 +340,7 @@ void WorldArrays<T>::add_composites(const Scene& scene, const Placement& placeme
     for (const Hierarchy& own : composites.mesh_hierarchies) add_columns(own, pool);
     auto& [list, leaves, balls, steps, planes, hierarchies, face_keys, leaf_faces] = composites;
     leaf_faces.assign(surfaces, -1);
-    // Also where each item has a bin, all leaves of a form share one.
+    // All leaves of a form share a bin, also where each item has one of its own.
     std::array<std::int32_t, Forms::size> first_bins, leaf_bins;
     for (int form = 0, bin = 0; form < Forms::size; bin += forms[form++].count) {
         first_bins[form] = world.bin_per_item ? bin : form, leaf_bins[form] = form;

@@ -33,7 +33,7 @@ struct PutItems {
         if constexpr (requires { kernel.number; }) items[i].shape.number = static_cast<T>(i);
         if constexpr (requires { kernel.first; }) items[i].shape.first = first_piece;
         if constexpr (requires { kernel.bounds(); })
-            own.boxes[i] = item_box(kernel.bounds(), number);  // one of many of a body
+            own.boxes[i] = item_box(kernel.bounds(), number);  // a triangle, say: one of the body's many items
         else
             own.boxes[i] = item_box(box, number);
         before.surfaces += faces;
@@ -69,16 +69,18 @@ void PieceArrays<T>::add(const Scene& scene) {
 template <class T>
 void WorldArrays<T>::add_items(const Scene& scene, const Placement& placement, ThreadPool& pool, bool proves) {
     const auto size = static_cast<std::int32_t>(scene.primitives.size());
+    const bool shares = meshes && !proves;
+    const auto shared = shares ? meshes->find(scene) : typename SharedMeshes<T>::ByPrimitive();
     /// Returns how many triangles a mesh has that worlds share, and of all else 0.
-    const auto shared_faces = [&](const Primitive& body) {
-        const bool shared = meshes && !proves && meshes->find(scene, body);
-        return shared ? static_cast<int>(std::get<Mesh>(body.shape).data->triangles.size()) : 0;
+    const auto shared_faces = [&](std::int32_t i) {
+        if (!shares || !shared[i]) return 0;
+        return static_cast<int>(std::get<Mesh>(scene.primitives[i].shape).data->triangles.size());
     };
     std::vector<ItemCounts> before(size / share_items + 2);
     share_out(pool, size, share_items, [&](std::int32_t first, std::int32_t last) {
         ItemCounts own;
         for (std::int32_t i = first; i < last; ++i) {
-            if (const int faces = shared_faces(scene.primitives[i]))
+            if (const int faces = shared_faces(i))
                 CountItems<T>{own, faces}(SharedMeshKernel<T>{});
             else
                 count_items<T>(scene.primitives[i], own);
@@ -127,7 +129,7 @@ void WorldArrays<T>::add_items(const Scene& scene, const Placement& placement, T
                 for (int c = 0; c < 3; ++c) reach = std::max({reach, std::abs(box.low[c]), std::abs(box.high[c])});
             std::int32_t leaf = leaf_of(i);
             const T material = static_cast<T>(material_of(primitive, leaf));
-            if (const int faces = shared_faces(primitive)) {
+            if (const int faces = shared_faces(i)) {
                 PutItems<T>{*this, own, box, material, faces, 0}(SharedMeshKernel<T>{});
                 continue;
             }
@@ -149,7 +151,7 @@ void WorldArrays<T>::add_items(const Scene& scene, const Placement& placement, T
         reaches[first / share_items] = reach;
     });
     reach = *std::max_element(reaches.begin(), reaches.end());
-    if (meshes && !proves) place_meshes(scene, placement);
+    if (shares) place_meshes(scene, placement, shared);
     for (const LargeMesh& own : large) {
         const auto count = static_cast<std::int32_t>(own.mesh.data->points.size());
         const Buffer<Vec3<T>> points = uninitialized_buffer<Vec3<T>>(count);
@@ -168,7 +170,8 @@ void WorldArrays<T>::add_items(const Scene& scene, const Placement& placement, T
 }
 
 template <class T>
-void WorldArrays<T>::place_meshes(const Scene& scene, const Placement& placement) {
+void WorldArrays<T>::place_meshes(const Scene& scene, const Placement& placement,
+                                  const typename SharedMeshes<T>::ByPrimitive& shared) {
     constexpr int form = place_of<SharedMeshForm>(Forms{});
     const auto* item = reinterpret_cast<const Item<SharedMeshForm, T>*>(forms[form].numbers.get());
     const auto into = [](const Placement& own) {
@@ -178,9 +181,10 @@ void WorldArrays<T>::place_meshes(const Scene& scene, const Placement& placement
     const auto map_of = [](const glm::dmat4& m) {
         return PlaceMap<T>{{cast<T>(DVec3(m[0])), cast<T>(DVec3(m[1])), cast<T>(DVec3(m[2]))}, cast<T>(DVec3(m[3]))};
     };
-    for (const Primitive& body : scene.primitives) {
-        const auto* const own = meshes->find(scene, body);
+    for (std::size_t i = 0; i < shared.size(); ++i) {
+        const auto* const own = shared[i];
         if (!own) continue;
+        const Primitive& body = scene.primitives[i];
         const glm::dmat4 out = into(placement) * matrix(body.transformations) * glm::inverse(into(own->placement));
         const glm::dmat4 in = glm::inverse(out);
         const glm::dmat3 turn(in);
@@ -210,18 +214,23 @@ void SharedMeshes<T>::add(const Scene& scene, ThreadPool& pool, int lanes) {
 }
 
 template <class T>
-const typename SharedMeshes<T>::OwnWorld* SharedMeshes<T>::find(const Scene& scene, const Primitive& body) const {
+typename SharedMeshes<T>::ByPrimitive SharedMeshes<T>::find(const Scene& scene) const {
     constexpr double most_uneven = 16;
-    if (!can_be_shared(scene, body)) return nullptr;
-    const auto found = worlds.find(std::get<Mesh>(body.shape).data);
-    if (found == worlds.end()) return nullptr;
-    const World<T>& world = found->second.built->world();
-    const glm::dmat3 m(matrix(body.transformations)), inverse = glm::inverse(m);
     const auto largest = [](const glm::dmat3& all) {
         return std::max({length(all[0]), length(all[1]), length(all[2])});
     };
-    const bool even = largest(m) * largest(inverse) < most_uneven;
-    return even && world.nodes && world.loop_count == 0 ? &found->second : nullptr;
+    const auto world_of = [&](const Primitive& body) -> const OwnWorld* {
+        if (!can_be_shared(scene, body)) return nullptr;
+        const auto found = worlds.find(std::get<Mesh>(body.shape).data);
+        if (found == worlds.end()) return nullptr;
+        const World<T>& world = found->second.built->world();
+        const glm::dmat3 m(matrix(body.transformations)), inverse = glm::inverse(m);
+        const bool even = largest(m) * largest(inverse) < most_uneven;
+        return even && world.nodes && world.loop_count == 0 ? &found->second : nullptr;
+    };
+    ByPrimitive found(scene.primitives.size());
+    std::ranges::transform(scene.primitives, found.begin(), world_of);
+    return found;
 }
 
 std::int64_t surfaces_apart(const Scene& scene) {

@@ -121,7 +121,7 @@ void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement
                                                              static_cast<std::int32_t>(materials.size()));
             leaf_materials.push_back(entry->second);
             if (!is_new) {
-                // The same matrix by other steps may be another one in exact arithmetic.
+                // Equal matrices made by other steps may differ in exact arithmetic.
                 const int known = entry->second - world.patterns.first;
                 if (compared) compare(*material.rgb.pattern, ways[own_way].material, placement, false, list[known]);
                 if (proves && any_bent) compare(material, ways[own_way].material, placement, false, bends[known]);

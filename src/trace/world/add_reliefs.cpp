@@ -4,7 +4,7 @@
 namespace strahl {
 namespace {
 
-/// Sets what both reliefs have. Returns the largest factor by which the space of the pattern is scaled.
+/// Sets what bumps and normal maps have in common. Returns the largest factor by which the pattern's space is scaled.
 template <class T>
 double set_relief(const Relief& relief, const glm::dmat4& to_world, const Placement& placement,
                   ReliefKernel<T>& kernel) {
@@ -62,7 +62,7 @@ BendKernel<T> WorldArrays<T>::bend_of(const Material& material, const glm::dmat4
     };
     finish(material.normal, own.map.pattern);
     finish(material.bump, own.bump.pattern);
-    // Means of a bump's values are those of colours from black to white.
+    // A bump's pattern gets the colours black and white, so that means of its colours are means of its values.
     own.bump.pattern.first_stop = static_cast<std::int32_t>(patterns.stops.size()), own.bump.pattern.stops = 2;
     for (int value = 0; value < 2; ++value)
         patterns.stops.push_back({.at = T(value), .per = 1 / T(value), .color = Vec3<T>(T(value))});

@@ -119,7 +119,7 @@ void WorldArrays<T>::make_hierarchy(ThreadPool& pool, bool whole) {
     hierarchy = moving && !world.transparent
                     ? moving->fit(std::move(boxes), starts, rounding(reach), pool)
                     : build_hierarchy(std::move(boxes), size, rounding(reach), pool, world.transparent ? 1 : lanes);
-    if (!moving && size > share_items) os::trim_memory();  // what moves needs as much again soon
+    if (!moving && size > share_items) os::trim_memory();  // a moving scene would need this memory again at once
 
     if (!copies.empty())
         for (std::int32_t* item = hierarchy.order.get(); item < hierarchy.order.get() + size; ++item)

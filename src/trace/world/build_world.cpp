@@ -50,7 +50,8 @@ template <class T>
 LightKernel<T> light_kernel(const Light& light, const Placement& placement) {
     using M = Made<T>;
     const Vec3<M> position = (cast<M>(light.position) - cast<M>(placement.origin)) * M(placement.scale);
-    LightKernel<T> kernel{Vec3<T>(position), cast<T>(light.color)};
+    LightKernel<T> kernel{};
+    kernel.position = Vec3<T>(position), kernel.color = cast<T>(light.color);
     if (light.direction) {
         if constexpr (std::is_same_v<M, Extended>)
             kernel.position = -quick_unit(extended(*light.direction));
@@ -65,23 +66,22 @@ LightKernel<T> light_kernel(const Light& light, const Placement& placement) {
             const double own = length(given);
             return cast<T>(std::max(own * placement.scale, shortest) / own * given);
         };
-        kernel.area = true;
+        AreaKernel<T>& area = kernel.rectangle;
+        kernel.area = true, area.soft = light.soft;
         // Edges may lose their right angle if the light moves and is scaled unevenly. Those of a grid need none.
         const DVec3 along = normalize(light.area->u);
         const double slant = light.area->columns > 0 ? 0 : dot_product(light.area->v, along);
-        kernel.u = edge(light.area->u);
-        kernel.v = edge(light.area->v - slant * along);
-        kernel.columns = light.area->columns, kernel.rows = light.area->rows;
-        kernel.adaptive = static_cast<std::int32_t>(light.adaptive);
-        kernel.circular = light.circular, kernel.orient = light.orient, kernel.jitter = light.jitter;
+        area.u = edge(light.area->u), area.v = edge(light.area->v - slant * along);
+        area.columns = light.area->columns, area.rows = light.area->rows;
+        area.adaptive = static_cast<std::int32_t>(light.adaptive);
+        area.circular = light.circular, area.orient = light.orient, area.jitter = light.jitter;
     }
     if (light.direction && light.from) {
         kernel.starts = true;
         const DVec3 start = (*light.from - placement.origin) * placement.scale;
         kernel.start = static_cast<T>(-dot_product(normalize(*light.direction), start));
-        kernel.beam = static_cast<T>(light.beam * placement.scale);
-        kernel.core = static_cast<T>(light.core * placement.scale);
-        kernel.axis = cast<T>(start), kernel.tightness = static_cast<T>(light.tightness);
+        kernel.beam = {cast<T>(start), static_cast<T>(light.beam * placement.scale),
+                       static_cast<T>(light.core * placement.scale), static_cast<T>(light.tightness)};
     }
     if (light.spot) {
         const auto less_cosine = [](double degrees) {  // 1 - cos(degrees)
@@ -89,17 +89,17 @@ LightKernel<T> light_kernel(const Light& light, const Placement& placement) {
             return 2 * sine * sine;
         };
         const M radius = less_cosine(light.spot->radius), falloff = less_cosine(light.spot->falloff);
+        SpotKernel<T>& cone = kernel.cone;
         kernel.spot = true;
         if constexpr (std::is_same_v<M, Extended>)
-            kernel.axis = quick_unit(extended(light.spot->look_at) - extended(light.position));
+            cone.axis = quick_unit(extended(light.spot->look_at) - extended(light.position));
         else
-            kernel.axis = cast<T>(normalize(light.spot->look_at - light.position));
-        kernel.radius = static_cast<T>(radius), kernel.falloff = static_cast<T>(falloff);
-        kernel.per = static_cast<T>(1 / (falloff - radius));
-        kernel.tightness = static_cast<T>(light.spot->tightness);
+            cone.axis = cast<T>(normalize(light.spot->look_at - light.position));
+        cone.radius = static_cast<T>(radius), cone.falloff = static_cast<T>(falloff);
+        cone.per = static_cast<T>(1 / (falloff - radius));
+        cone.tightness = static_cast<T>(light.spot->tightness);
     }
     kernel.shadowless = light.shadowless;
-    kernel.soft = light.soft;
     if (light.fades()) {
         kernel.fade_per = static_cast<T>(1 / (light.fade_distance * placement.scale));
         kernel.fade_power = static_cast<T>(light.fade_power);
@@ -120,7 +120,7 @@ FogKernel<T> fog_kernel(const Fog& fog, const Placement& placement) {
     own.omega = static_cast<float>(fog.omega), own.lambda = static_cast<float>(fog.lambda), own.depth = fog.depth;
     own.least = static_cast<T>(fog.transmit);
     own.tint = cast<T>(Color(1 - fog.filter) + fog.filter * fog.color);
-    own.base = -1;  // below all heights
+    own.base = -1;  // all points are below the ground fog's top
     if (fog.altitude > 0 && length(fog.up) > 0) {
         const DVec3 up = normalize(fog.up);
         // Lower fog is not seen, and heights in its units would overflow.
@@ -324,7 +324,7 @@ void WorldArrays<T>::share(const WorldArrays& other) {
         const FormItems<T>& theirs = other.forms[form];
         const std::size_t fields = traits[form++].fields;
         if (own.count != theirs.count || own.in_hierarchy != theirs.in_hierarchy) return;
-        if (composites.list.empty()) take(own.numbers, theirs.numbers, own.count * fields);  // parts point to numbers
+        if (composites.list.empty()) take(own.numbers, theirs.numbers, own.count * fields);  // leaves point to them
         take(own.columns, theirs.columns, own.in_hierarchy * fields);
         group.items = reinterpret_cast<const Item<Form, T>*>(own.numbers.get());
         group.columns = own.columns.get();
@@ -356,7 +356,7 @@ void WorldArrays<T>::set_distances(const Settings& settings, const Placement& pl
         world.shadow_rays = ShadowRays::past_near;
     }
     const double passed_over = settings.passed_over * placement.scale;
-    // Leaves it out where rounding is as large: there rays would meet the surface again that they start on.
+    // Leaves the distance 0 where rounding is as large: there rays would meet the surface again that they start on.
     if (!proves && passed_over > 1024 * std::numeric_limits<T>::epsilon() * reach) {
         world.passed_over = static_cast<T>(passed_over);
         world.passed_in_shadows = static_cast<T>(10 * passed_over);
@@ -372,19 +372,19 @@ WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, Thre
     : moving(moving), images(std::move(kept)), lanes(lanes), meshes(meshes) {
     // Each step needs what those before it have made.
     add_materials(scene);
-    add_finishes(scene, placement);          // of these materials
+    add_finishes(scene, placement);          // the finishes of these materials
     add_patterns(scene, placement, proves);  // with more materials: one for each space that a pattern is in
     point_at_patterns();
-    add_lights(scene, placement);  // in the groups that finishes name
+    add_lights(scene, placement);  // their groups are numbered by add_finishes
     if (scene.fog) world.fog = fog_kernel<T>(*scene.fog, placement);
     world.background = cast<T>(scene.background.color);
     world.materials = materials.data();
     list_transparent(scene);
 
-    add_items(scene, placement, pool, proves);         // which have the numbers of materials
-    set_distances(scene.settings, placement, proves);  // in proportion to how far the items reach
+    add_items(scene, placement, pool, proves);         // items have the numbers of materials
+    set_distances(scene.settings, placement, proves);  // they depend on how far the items reach
     arrange_items(pool, proves);
-    add_composites(scene, placement, pool, proves);  // whose leaves follow the items of their forms
+    add_composites(scene, placement, pool, proves);  // their leaves follow the items of their forms
     world.sort_bins = sort_bins.data();
     world.bins = references[0].bin = static_cast<int>(sort_bins.size());
     fill_groups();

@@ -85,11 +85,12 @@ class SharedMeshes {
         Placement placement;
         std::unique_ptr<const BuiltWorld<T>> built;
     };
+    using ByPrimitive = std::vector<const OwnWorld*>;
     /// Adds the meshes of a scene, but for those that are there. `lanes` are those of the kernel.
     void add(const Scene& scene, ThreadPool& pool, int lanes);
-    /// Returns the world of a body's mesh; null if the body has to be made as others are: unless it is a large mesh
-    /// that casts whole shadows, placed by a matrix that loses few digits.
-    const OwnWorld* find(const Scene& scene, const Primitive& body) const;
+    /// Returns the worlds of a scene's meshes; null for bodies that have to be made as others are: all but large meshes
+    /// that cast whole shadows, placed by a matrix that loses few digits.
+    ByPrimitive find(const Scene& scene) const;
 
   private:
     std::unordered_map<std::shared_ptr<const MeshData>, OwnWorld> worlds;

@@ -35,7 +35,7 @@ std::vector<std::int32_t> duplicates(const T* items, std::int32_t count, std::si
         for (std::int32_t i = first; i < last; ++i) {
             constexpr std::uint64_t factor = 0x9E3779B97F4A7C15u;
             std::uint64_t hash = 0;
-            for (const T v : numbers(i)) {  // 0 is added because -0 equals it
+            for (const T v : numbers(i)) {  // adding 0 makes -0 and 0, which are equal, the same bits
                 hash = (hash ^ std::bit_cast<std::uint64_t>(static_cast<double>(v) + 0.)) * factor;
                 hash ^= hash >> 29;
             }
@@ -65,7 +65,7 @@ std::vector<std::int32_t> duplicates(const T* items, std::int32_t count, std::si
             if (shared[item >> unused_bits]) suspects.push_back(item);
         });
         std::sort(suspects.begin(), suspects.end());
-        std::vector<Hashed> kept;  // of the same bits, all different
+        std::vector<Hashed> kept;  // items with the same hash and different numbers
         for (const Hashed item : suspects) {
             if (!kept.empty() && kept[0] >> 32 != item >> 32) kept.clear();
             if (std::none_of(kept.begin(), kept.end(),

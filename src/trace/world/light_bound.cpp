@@ -152,7 +152,7 @@ Bound bound_for(const Scene& given, int depth) {
     const double most_gain = gain(scene);
     for (const Material& m : scene.materials)
         own.push_back(own_light(scene, m, most_gain, true)), sent.push_back(sent_on(m));
-    constexpr int deepest = 256;  // of rays that go straight on through clear surfaces and hidden bodies
+    constexpr int deepest = 256;  // generations, if rays go straight on through clear surfaces and hidden bodies
     const auto is_clear = [](const Material& m) {
         return m.seen == 0 || m.mirrored == 0 || (m.transmits() && m.rgb.clear());
     };
@@ -164,7 +164,7 @@ Bound bound_for(const Scene& given, int depth) {
             most = std::max(most, tint * (own[i] + sent[i] * bound.brightest.back()));
         bound.brightest.push_back(most);
     }
-    // A geometric series.
+    // The bound for any number of generations is a geometric series.
     for (std::size_t i = 0; i < own.size(); ++i) {
         const double lost = 1 - tint * sent[i];
         const double series = lost > 0 ? tint * own[i] / lost : std::numeric_limits<double>::infinity();

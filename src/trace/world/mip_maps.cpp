@@ -14,7 +14,7 @@ struct Covered {
     std::int32_t first, count = 0;
     double shares[4];
     Covered(std::int64_t i, std::int64_t size, std::int64_t smaller) {
-        const std::int64_t begin = i * size, end = begin + size;  // in parts of a pixel, `smaller` of them
+        const std::int64_t begin = i * size, end = begin + size;  // in units of which a pixel has `smaller`
         first = static_cast<std::int32_t>(begin / smaller);
         for (std::int64_t at = first; at * smaller < end; ++at)
             shares[count++] = static_cast<double>(std::min((at + 1) * smaller, end) - std::max(at * smaller, begin)) /

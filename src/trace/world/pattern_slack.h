@@ -14,7 +14,7 @@ template <class T>
 void compare_pattern(const Pattern& pattern, std::span<const Transformation> steps, const Placement& placement,
                      const DVec3& period, double border, bool replace, PatternKernel<T>& kernel);
 
-/// Does the same with the numbers of a relief's kernel that are not its pattern's.
+/// Compares and replaces the numbers of a relief's kernel that are not its pattern's.
 template <class T>
 void compare_relief(const Bump& bump, std::span<const Transformation> steps, bool replace, BumpKernel<T>& kernel);
 template <class T>

@@ -86,8 +86,8 @@ struct KernelSpace {
     /// Takes the numbers of a sum of noises. Returns whether the sum repeats itself as noise does.
     bool sum(const Octaves& octaves, double turbulence) {
         kernel.turbulence = static_cast<T>(turbulence);
-        kernel.octaves = static_cast<std::int32_t>(octaves.octaves);
-        kernel.omega = static_cast<T>(octaves.omega), kernel.lambda = static_cast<T>(octaves.lambda);
+        kernel.octaves = {static_cast<std::int32_t>(octaves.octaves), static_cast<T>(octaves.omega),
+                          static_cast<T>(octaves.lambda)};
         return octaves.lambda == std::floor(octaves.lambda);
     }
 };
@@ -140,7 +140,7 @@ void compare(const Pattern& pattern, const std::vector<Transformation>& body, co
         kernel.slack.moved = std::max(before.moved, kernel.slack.moved);
     }
 }
-/// Does the same for a kernel that bends normals.
+/// Notes for proofs how far a kernel is off that bends normals.
 template <class T>
 void compare(const Material& material, const std::vector<Transformation>& body, const Placement& placement, bool first,
              BendKernel<T>& kernel);

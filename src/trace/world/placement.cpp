@@ -49,7 +49,7 @@ Extent extent_of(const Scene& scene) {
     const Camera& camera = scene.camera;
     const double way = std::max(length(camera.position - extent.centre), length(camera.position - camera.look_at));
     extent.size = std::max(2 * (spread + quantile(sizes, 2)), least_share * way);
-    // And squares of coordinates must be numbers in float. In files these end at 1e9: few scenes need a look.
+    // Squares of coordinates must stay finite in float. In files coordinates end at 1e9: few scenes need a look.
     constexpr double most_units = 0x1p60, enough_for_files = 0x1p-28;
     if (extent.size < enough_for_files)
         extent.size = std::max(extent.size, reach_from(extent.centre, scene) / most_units);

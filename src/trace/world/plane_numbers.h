@@ -39,7 +39,7 @@ struct PlaneNumbers {
     explicit PlaneNumbers(const HalfSpace& space) : normal(space.normal) {
         const DVec3& n = space.normal;
         side = n.x > 0 || (n.x == 0 && (n.y > 0 || (n.y == 0 && n.z > 0))) ? 1 : -1;
-        normal = side * n + DVec3(0.);  // 0 is added because -0 equals it
+        normal = side * n + DVec3(0.);  // adding 0 makes -0 and 0, which are equal, the same bits
         distance = dot_product(normal, space.point) + 0.;
     }
     bool operator==(const PlaneNumbers& other) const { return normal == other.normal && distance == other.distance; }

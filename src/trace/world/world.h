@@ -53,26 +53,44 @@ struct MaterialKernel {
 /// them one after the other; all surfaces one after the other.
 enum class ShadowRays : std::int32_t { whole, past_near, followed_where_dimmed, followed };
 
+/// The cone of a spotlight, whose angles are given as 1 less their cosines.
+template <class T>
+struct SpotKernel {
+    Vec3<T> axis{0};
+    T radius = 0, falloff = 0;  // the angles up to which all light shines, and beyond which none does
+    T per = 0;                  // 1 over their difference
+    T tightness = 0;
+};
+/// A light that is a rectangle around its position, see Light.
+template <class T>
+struct AreaKernel {
+    Vec3<T> u{0}, v{0};  // its edges
+    bool soft = false;
+    std::int32_t columns = 0, rows = 0, adaptive = 0;  // of a soft light's grid; 0 without one
+    bool circular = false, orient = false, jitter = false;
+};
+/// Parallel light around an axis, see Light.
+template <class T>
+struct BeamKernel {
+    Vec3<T> on_axis{0};                     // a point of the axis
+    T radius = 0, core = 0, tightness = 0;  // radius 0: there is no axis, and light everywhere
+};
 /// A light; parallel light has the direction towards it as its position.
 template <class T>
 struct LightKernel {
     Vec3<T> position, color;
     T finite = 1, far = 1;  // 0 and infinity for parallel light
-    bool spot = false;
-    Vec3<T> axis{0};  // of the spot, or a point of the axis of a beam. Of a spot the next two are 1 less the cosines of
-                      // its radius and its falloff
-    T radius = 0, falloff = 0, per = 0;  // per: 1 over their difference
-    T tightness = 0;
+    Vec3<T> u{0}, v{0};     // of parallel light that is no rectangle: unit vectors across it
+    bool spot = false;      // does it have this cone?
+    SpotKernel<T> cone;
     bool special = false;  // has any of what follows
     bool shadowless = false;
-    T fade_per = 0, fade_power = 0;   // fade_per: 1 over the distance; 0 if the light does not fade
-    bool area = false, soft = false;  // soft: see Light
-    Vec3<T> u{0}, v{0};               // edges of a rectangle around its position, or unit vectors across parallel light
-    std::int32_t columns = 0, rows = 0, adaptive = 0;  // of a soft light with a grid, see Light
-    bool circular = false, orient = false, jitter = false;
+    T fade_per = 0, fade_power = 0;  // fade_per: 1 over the distance; 0 if the light does not fade
+    bool area = false;               // is it this rectangle?
+    AreaKernel<T> rectangle;
     bool starts = false;  // parallel light from the plane of the points p with position . p = start
     T start = 0;
-    T beam = 0, core = 0;    // of parallel light around an axis, see Light; 0: it shines everywhere
+    BeamKernel<T> beam;      // of such light
     std::int32_t group = 0;  // see FinishKernel
 };
 
@@ -330,7 +348,7 @@ struct PlaceMap {
 /// A mesh in a world that other worlds share, as it is placed in this one. Its triangle i is surface i there.
 template <class T>
 struct PlacedMesh {
-    World<T> mesh;
+    const World<T>& mesh;
     PlaceMap<T> in, out, normals;    // from this world into that one, back, and of normals but for their length
     std::int32_t surface, surfaces;  // the first surface in this world, and how many there are
 };

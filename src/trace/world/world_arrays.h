@@ -217,7 +217,8 @@ struct WorldArrays {
     // add_items.cpp
     void add_items(const Scene& scene, const Placement& placement, ThreadPool& pool, bool proves);
     /// Notes where the meshes are that other worlds have.
-    void place_meshes(const Scene& scene, const Placement& placement);
+    void place_meshes(const Scene& scene, const Placement& placement,
+                      const typename SharedMeshes<T>::ByPrimitive& shared);
     // arrange_items.cpp
     void arrange_items(ThreadPool& pool, bool proves);
     std::vector<std::int32_t> cut_boxes(const std::array<std::int32_t, Forms::size + 1>& starts, ThreadPool& pool);

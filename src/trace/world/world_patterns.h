@@ -53,16 +53,25 @@ struct PatternSlack {
     T apart = 0;                                    // the most by which two of its colours differ in a channel
     T largest = 0;                                  // the largest channel of a colour
 };
+/// The octaves of a pattern's noise: each is `omega` times as strong as the one before, and `lambda` times as fine.
+template <class T>
+struct OctavesKernel {
+    std::int32_t count;
+    T omega, lambda;
+};
 /// The pattern of a material in the space of one body, whose point p = rows * world + offset.
 template <class T>
 struct PatternKernel {
     PatternForm form;
     bool by_uv;  // if true, p is the uv place, not a point of the world
     bool nests;  // some of its stops have patterns
-    std::int32_t first_stop, stops, octaves;
+    std::int32_t first_stop, stops;
     Vec3<T> rows[3], offset;
-    Vec3<T> mortar;  // the mortar's share of a brick along each axis
-    T border, turbulence, omega, lambda;
+    // Of one form each, or of several:
+    Vec3<T> mortar;            // of bricks: the mortar's share of one along each axis
+    T border;                  // of ramps: how far before its whole numbers a ramp begins anew
+    OctavesKernel<T> octaves;  // of noise, and of the noise that moves layers and rings
+    T turbulence;              // by how much it moves these
     ImageKernel<T> image;
     const SolidPattern* solid;
     PlacesKernel places;

@@ -74,7 +74,7 @@ void Disk::apply(const Event& event) {
     }
     if (event.what == "rename" || event.what == "unlink") return pending.push_back(event);
     const auto found = known.find(event.inode);
-    if (found == known.end()) return;  // of another folder, or a pipe
+    if (found == known.end()) return;  // a file of another folder, or a pipe
     Inode& inode = inodes[static_cast<std::size_t>(found->second)];
     if (event.what == "link" || event.what == "create") {
         pending.push_back(event);
@@ -106,7 +106,7 @@ Disk::State Disk::cut(std::mt19937& random) const {
     for (const auto& [name, id] : state.names) {
         const Inode& inode = inodes[static_cast<std::size_t>(id)];
         std::string bytes = inode.durable;
-        // None of what is pending, all of it, its beginning, or any of it.
+        // Keeps none of the pending writes, all of them, the first ones, or some at random.
         const std::size_t which = up_to(3), first = up_to(inode.pending.size());
         for (std::size_t i = 0; i < inode.pending.size(); ++i)
             if (which == 1 || (which == 2 && i < first) || (which == 3 && up_to(1) == 1))

@@ -24,7 +24,7 @@ using Names = std::map<std::string, int>;
 /// synced. Changes of names reach it in their order, some of them perhaps only when the folder is synced.
 class Disk {
   public:
-    /// With the files that are in this folder.
+    /// Begins with the files that are in this folder.
     explicit Disk(const std::filesystem::path& folder);
 
     void apply(const Event& event);

@@ -123,7 +123,7 @@ int faults(Attacker& attacker, const Plan& plan) {
     std::vector<Ran> good(all.size());
     std::vector<Trial> trials;
     std::set<std::uint64_t> known;
-    // A short attack has no time for all cases.
+    // Tries as many cases as there is time for.
     for (std::size_t i = 0; i < all.size() && (plan.only >= 0 || now() < start + plan.seconds / 4); ++i)
         add_trials(attacker, all[i], good[i], known, trials);
     mix(trials);

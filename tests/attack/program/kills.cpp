@@ -64,7 +64,7 @@ void at_random(Attacker& attacker, const Case& attacked, const Ran& good, double
 int kills(Attacker& attacker, const Plan& plan) {
     const double start = now(), end = start + plan.seconds;
     Tally tally;
-    // Random kills take over after half of the time.
+    // In the second half of the time it is killed at random moments.
     const long called = at_every_call(attacker, start + plan.seconds / 2, tally);
     attacker.control().only_named = false;
     std::mt19937 random(1);

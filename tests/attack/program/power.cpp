@@ -16,7 +16,7 @@ std::string verdict_of(const Files& left, const Files& before, const Files& good
         copied |= name.ends_with(".copy") && picture != good.end() && bytes == picture->second;
     }
     for (const auto& [name, bytes] : left) {
-        if (name.ends_with(".checkpoint")) continue;  // of its bands each is whole or absent: the next run shows that
+        if (name.ends_with(".checkpoint")) continue;  // each of its bands is whole or absent, which the next run shows
         if (name.starts_with(".strahl-") || whole(name, bytes, before, good)) continue;
         if (!copied) return name + " is not whole: " + std::to_string(bytes.size()) + " bytes";
     }

@@ -10,13 +10,13 @@ bool whole(const std::string& name, const std::string& bytes, const Files& befor
     const auto old = before.find(name), done = good.find(name);
     if (old != before.end() && bytes == old->second) return true;
     if (done == good.end()) return false;
-    // Statistics hold times.
+    // Statistics contain times, which differ from run to run.
     return name.ends_with(".json") ? bytes.starts_with("{") && bytes.ends_with("}\n") : bytes == done->second;
 }
 
 std::string verdict(const Case& attacked, const Ran& good, const Ran& ran, const Control& control) {
     const bool kill = control.done && control.harm != Harm::error && control.harm != Harm::cut;
-    // In somebody else's code, or, with 127, in the loader on its behalf. Some libraries end the program by exit().
+    // Another library's code met the harm or, with 127, the loader for it. Some libraries end the program by exit().
     const bool quietly = control.watched == Watched::loading && ran.status > 0 && ran.err.empty();
     const bool died = control.foreign && (ran.status < 0 || ran.status == 127 || quietly);
     if (ran.status == -1000 && !died) return "it did not end within 20 s";

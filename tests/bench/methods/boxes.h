@@ -18,7 +18,7 @@ Answer<S> ordered(const Question<S>& q) {
     }
     return {select(near <= far, near, infinite<S>()), q.o};
 }
-/// Ends ordered by minimum and maximum.
+/// Finds the nearer end of each axis by minimum and maximum.
 template <class S>
 Answer<S> sorted(const Question<S>& q) {
     S near(0), far = infinite<S>();

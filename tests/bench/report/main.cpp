@@ -187,7 +187,9 @@ int main(int argc, char** argv) try {
     if (argc != 3) throw std::invalid_argument("bench_report ROWS.tsv MACHINE > results.md");
     const auto worlds = summarize(read_rows(argv[1]));
     std::cout
-        << "# Strahl compared with other programs\n\nMeasured by tests/bench/run on: " << argv[2]
+        << "# Strahl compared with other programs\n\nFor those who ask how fast Strahl is beside other programs.\n\n"
+           "Measured by tests/bench/run on: "
+        << argv[2]
         << ".\n\nTimes are wall time for building the hierarchy and tracing, without start-up, parsing and writing; "
            "medians of all\nrounds. Ratios say how many times as long as Strahl a program takes in the same round.\n\n";
     write_overview(worlds, {"float", "double"}, {"embree", "tachyon", "povray"});

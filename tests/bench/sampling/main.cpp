@@ -219,7 +219,7 @@ int table(int width, int grid, std::span<char*> scenes) {
 }  // namespace
 }  // namespace strahl
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
     using namespace strahl;
     const std::span all(argv, static_cast<std::size_t>(argc));
     const auto number = [&](int i, int otherwise) { return argc > i ? std::atoi(argv[i]) : otherwise; };
@@ -233,4 +233,6 @@ int main(int argc, char** argv) {
                "       bench_sampling --table WIDTH GRID SCENE[@TIME]...\n"
                "GRID 0: no reference, so that errors are only estimated"),
            2;
+} catch (const strahl::FileError& error) {
+    return std::fprintf(stderr, "%s\n", error.what()), 3;
 }

@@ -19,8 +19,8 @@ void put(const char* words, const DVec3& v, const char* after = "\n") {
     std::printf("%s %.9g %.9g %.9g%s", words, v.x, v.y, v.z, after);
 }
 
-/// It counts pixels from 1: number i of n looks through left + i / n * (right - left), half a pixel past the middle.
-/// Its right is the left of a right-handed world: the picture plane is turned over instead.
+/// Tachyon counts pixels from 1: number i of n looks through left + i / n * (right - left), half past the middle.
+/// Tachyon's right is the left of a right-handed world: the picture plane is turned over instead.
 void put_camera(const Camera& camera, int width, int height, int depth) {
     const CameraFrame frame = frame_of(camera, static_cast<double>(width) / height);
     const double right = 2 * frame.tan_x / width, up = 2 * frame.tan_y / height;
@@ -38,7 +38,7 @@ void put_material(int number, const Material& m, const DVec3& ambient_light) {
     put(" COLOR", m.rgb.color, " TEXFUNC 0\n");
 }
 
-/// Its cylinders are tubes: the ends are discs of their own.
+/// Tachyon's cylinders are tubes: the ends are discs of their own.
 void put_cylinder(const bench::Body<Cylinder>& body) {
     const Cylinder& c = body.shape;
     put("FCYLINDER BASE", c.base, "");

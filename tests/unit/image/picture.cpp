@@ -30,7 +30,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
 
-/// Values around and beyond 0 to 1.
+/// Returns a picture of values from 0 to 1 and beyond.
 Picture noise(int width, int height, int channels = 3) {
     Picture picture{width, height, channels, {}, 32};
     std::minstd_rand random(width * 1000 + height);
@@ -193,7 +193,7 @@ TEST_CASE("alpha is a channel like any other") {
     const Scratch folder;
     Picture picture = noise(5, 3, 4);
     for (double& v : picture.values) v = quantise(v, false, 65535) / 65535.;
-    picture.values[3] = 0;  // invisible, and still a colour
+    picture.values[3] = 0;  // an alpha of 0: the colour is not seen, and is kept nevertheless
     write_picture(picture, folder / "a.png", {16, false});
     const Picture back = read_picture(folder / "a.png");
     CHECK(back.channels == 4);
@@ -234,7 +234,7 @@ TEST_CASE("BMP files of other programs: rows from the top, longer headers, palet
         CHECK(read(header, 2, 24, first + second).values == from_bottom);
         CHECK(read(header, -2, 24, first + second).values == from_top);
     }
-    // The library reads this one.
+    // A run-length encoded .bmp of 8 bits is read by the library.
     const Picture coloured = read(40, 1, 8, std::string("\xff\0\0\0\0\0\xff\0\1\0\0\0", 12));
     CHECK(coloured.values == std::vector<double>{1, 0, 0, 0, 0, 1});
 }

@@ -130,7 +130,7 @@ TEST_CASE("mtl: where a picture is not opaque light comes through") {
     CHECK(opacity(leaf, .25, .25) == 1);
     CHECK(opacity(leaf, .75, .25) == 0);
     CHECK(opacity(leaf, .5, .75) == .5);
-    // It goes on beyond the edges.
+    // The picture repeats itself beyond its edges.
     CHECK(opacity(leaf, 1.25, -.75) == 1);
     CHECK(opacity(leaf, 1, .5) == .5);
     REQUIRE(leaf.rgb.pattern->colors.size() == 2);

@@ -202,7 +202,7 @@ TEST_CASE("errors are where strahl check says") {
     const Json pov = diagnostics_of("camera { location <0,0,-9> }\n/* ä */ spere { 0, 1 }\n", "file:///nowhere/a.pov");
     REQUIRE(pov.size() == 1);
     CHECK(pov[0].at("range") == range(1, 8, 13));
-    // What an error declares is missing afterwards: that is not told once more.
+    // A declaration with an error declares nothing; that its name is unknown later is no further message.
     const Json several = diagnostics_of(
         "#declare A = 2 +* 3;\n#declare M = material { txture { } }\nsphere { 0, A }\nspere { 0, 1 }\n"
         "box { 0, 1 material { M } }\nplane { y, 0 pigmnet { rgb 1 } }\ncamera { location <0,0,-9> }\n",
@@ -212,7 +212,7 @@ TEST_CASE("errors are where strahl check says") {
         CHECK(several[std::size_t(number)].at("range").at("start").at("line") == line);
         CHECK(several[std::size_t(number)].at("severity") == 1);
     }
-    // A loop that is broken ends the search.
+    // After an error in a loop no more errors are sought.
     CHECK(diagnostics_of("#while (Foo)\nspere { 0, 1 }\n#end\nspere { 0, 1 }\n", "file:///nowhere/a.pov").size() == 1);
 }
 

@@ -36,7 +36,7 @@ TEST_CASE("other rates are the fraction that is written") {
     is("25", "25/1"), is("25.", "25/1"), is("25.00", "25/1"), is("12.5", "25/2"), is(".5", "1/2"),
         is("0.001", "1/1000");
     is("24000/1001", "24000/1001"), is("120000:1001", "120000/1001"), is("50/2", "25/1"), is("1000000", "1000000/1");
-    // Not quite, or too few digits to tell.
+    // Rates that are not quite n/1001, or have too few digits to tell, are taken as they are written.
     is("59.9", "599/10"), is("59.95", "1199/20"), is("29.96", "749/25"), is("24.98", "1249/50"),
         is("23.977", "23977/1000");
     is("119.881", "119881/1000"), is("16.666667", "16666667/1000000");

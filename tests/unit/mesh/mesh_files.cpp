@@ -109,7 +109,7 @@ TEST_CASE("places in a picture") {
     CHECK(obj.places == std::vector<MeshData::Place>{{.5, .25}, {1, 0}, {-2, 3}, {7, 7}});
     CHECK(obj.corner_places == std::vector<Corners>{{1, 0, 2}, {3, 3, 0}, {3, 0, 0}});
     CHECK(obj.place_numbers() == obj.corner_places.data());
-    // A triangle without a surface goes with its places; faces without any are at the origin.
+    // A triangle without area is dropped, and its places with it; faces without places have those at the origin.
     const MeshData mixed =
         read("a.obj", points + places + "f 1 2 3\nf 1/1 1/1 2/2\nf 1//1 2//1 4//1\nf 2/1 3/2 4/3\nvn 0 0 1\n");
     CHECK(mixed.corner_places == std::vector<Corners>{{3, 3, 3}, {3, 3, 3}, {0, 1, 2}});

@@ -19,7 +19,7 @@ struct BlankLayer : SceneLayer {
     NamedValue read_thing(Interpreter& in) override {
         const ValueKind kind = in.at("texture") ? ValueKind::texture : ValueKind::object;
         if (!in.at("sphere") && !in.at("texture")) return {};
-        in.skip();
+        in.take();
         in.skip_block();
         while (kind == ValueKind::texture && in.accept_here("texture")) in.skip_block();
         return {kind, {}, std::make_shared<Blank>()};

@@ -81,7 +81,7 @@ TEST_CASE("what is computed is left out, and does not count for another argument
     CHECK(literals("sphere { 0, 1 #if (1) translate 2 #end }", "sphere") == "");
     CHECK(literals("sphere { 0, 1 translate 2 - 1 }", "sphere") == "centre 0; radius 1");
     CHECK(literals("sphere { /* 5 */ 0, 1 // 7\n }", "sphere") == "centre 0; radius 1");
-    // Whatever is missing at its end, or in it.
+    // No piece that is missing from the text makes the search fail.
     const std::string whole =
         "#declare A = <1, -2>; sphere { <0, -1, 2*(3)>, A[1] texture { A \"b\" pigment { rgb <1, 2> } } #if (1) 5 #end "
         "}";
@@ -104,7 +104,7 @@ TEST_CASE("names that are declared once are followed") {
           "centre 0; declare R, line 1: radius 2.5; declare Gold, line 2: pigment rgb 1, .8, .3; "
           "declare Gold, line 2: finish phong .5");
     CHECK(literals(text, "sphere { R") == "declare R, line 1: centre 2.5");
-    // One that names itself.
+    // A declaration that names itself does not make the search endless.
     CHECK(literals("#declare A = texture { A finish { phong 1 } }; sphere { 0, 1 texture { A } }", "sphere").size() >
           9);
 }

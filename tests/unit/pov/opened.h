@@ -17,7 +17,7 @@ inline pov::OpenedPov opened(const std::string& text, bool camera = true) {
     return open_pov((camera ? "camera { right -4/3*x } " : "") + text, options, read);
 }
 
-/// Opens a scene that a file says exactly.
+/// Opens a scene, and checks that nothing in it is approximated or left out.
 inline Scene whole(const std::string& text, bool camera = true) {
     const pov::OpenedPov all = opened(text, camera);
     for (const pov::PovNote& note : all.notes) CHECK_MESSAGE(false, note.message.told());

@@ -88,6 +88,17 @@ TEST_CASE("the clock runs as POV-Ray has it") {
     all = pov::Animation::of(ini, {});
     CHECK(all.clock_at(1 / 25.) == doctest::Approx(1.5));
     CHECK(all.frames() == std::pair(2, 3));
+    // A single frame is a film of one frame, at the first value of the clock, or at that which the file gives.
+    ini = {};
+    ini.initial_frame = ini.final_frame = 3, ini.initial_clock = 2, ini.final_clock = 7;
+    all = pov::Animation::of(ini, {});
+    CHECK(all.frames() == std::pair(0, 0));
+    CHECK(all.seconds == 1 / 25.);
+    CHECK(all.clock_at(0) == 2);
+    CHECK(all.declared_at(0).front() == std::pair<std::string, double>("clock_delta", 5));
+    CHECK(all.declared_at(0).back() == std::pair<std::string, double>("frame_number", 3));
+    ini.clock = 4;
+    CHECK(pov::Animation::of(ini, {}).clock_at(0) == 4);
     const pov::Animation plain = pov::Animation::of({}, 4.);
     CHECK(plain.clock_at(1) == .25);
     CHECK(pov::Animation::of({}, {}).seconds == 10);

@@ -140,7 +140,7 @@ TEST_CASE("POV-Ray: what only its finishes have") {
            "no_reflection");
     CHECK((deep.fade_distance == 2 && deep.fade_power == 1001 && deep.fade_color == Color(.5, 1, 0)));
     CHECK((deep.seen == 0 && deep.mirrored == 0 && deep.shadow == 1));
-    // Of two bodies in one place rays meet the first alone.
+    // Rays meet only the first of two bodies in one place.
     const pov::OpenedPov twins = opened("sphere { 0, 1 no_image } sphere { 0, 1 }");
     CHECK((twins.scene.primitives.size() == 1 && material(twins.scene).seen == 1));
     const Material layered = of("texture { pigment { rgb <1, .5, .5> } } texture { pigment { rgbf <0, 0, 1, .5> } }");
@@ -175,12 +175,12 @@ TEST_CASE("POV-Ray: textures that differ in their finishes are mixed by their sh
           std::vector<ColorStop>{{.2f, Color(1)}, {.6f, Color(0)}, {.6f, Color(1)}, {1, Color(0)}});
     CHECK(mixed.coats[0].share.pattern->colors ==
           std::vector<ColorStop>{{.2f, Color(0)}, {.6f, Color(1)}, {.6f, Color(0)}, {1, Color(1)}});
-    // Tiles begin with the second, and textures of one finish remain one pattern of pigments.
+    // Tiles begin with the second texture; textures with one finish become one pattern of pigments.
     CHECK(of("tiles { texture { A } tile2 texture { B } }").rgb == Pigment(Color(0, 1, 0)));
     CHECK(of("checker texture { A } texture { A pigment { rgb z } }").coats.empty());
     CHECK(of("checker texture { A } texture { A pigment { rgbt <0, 0, 1, .5> } }").coats.size() == 1);
     CHECK(of("average texture_map { [1 A] [1 A] }").coats.empty());
-    // One that stands in several places of maps counts once, also where turbulence moves it.
+    // A texture that stands in several places of maps counts once, also where turbulence moves it.
     const std::string inner =
         "#declare C = texture { pigment { granite } normal { bumps } } #declare N = texture { bozo "
         "texture_map { [0 C] [.3 B] [.6 C] [.9 B] } turbulence 1 scale 1.5 } ";

@@ -827,7 +827,7 @@ TEST_CASE("POV-Ray: letters are solid, and follow each other as in POV-Ray") {
     CHECK_FALSE(ring.contains(box.centre()));
     CHECK(pov::letters_of(font, "\xC3\x84\xE2\x82\xAC", true).size() == 2);
     CHECK(pov::letters_of(font, "\xC3\x84").at(1).contours->pieces.empty());
-    // Its map for the Macintosh has another hyphen, which is kerned: by 49 thousandths, as POV-Ray's max_extent tells.
+    // The font's map for the Macintosh has another hyphen, kerned by 49 thousandths, as POV-Ray's max_extent tells.
     const auto second = folders[0] + "/cyrvetic.ttf";
     const double plain = pov::letters_of(second, "V-", true).at(1).x;
     CHECK(pov::letters_of(second, "V-").at(1).x == doctest::Approx(plain - .049));
@@ -961,7 +961,7 @@ TEST_CASE("POV-Ray: blobs are exact") {
         says(notes_of("\nblob { threshold 0 sphere { 0, 1, 1 } }"), "left out: a blob: its threshold is not above 0"));
     const std::string layers = "texture { pigment { rgb 1 } } texture { pigment { rgbt .5 } }";
     CHECK(says(notes_of("\nblob { sphere { 0, 1, 2 " + layers + " } }"), "approximated: the parts of a blob have"));
-    // Those of one finish are one layer, and others are layers with shares.
+    // Parts with one finish become one layer of a blob, and those with others layers with shares.
     const Scene layered = whole(
         "blob { sphere { 0, 1, 2 pigment { rgb x } } sphere { x, 1, 1 finish { phong 1 } } sphere { y, 1, 1 } "
         "sphere { z, 1, 1 pigment { rgbt <1, 1, 1, .5> } } pigment { rgb z } }");

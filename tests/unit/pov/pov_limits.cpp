@@ -121,7 +121,7 @@ TEST_CASE("reading stops at once if it shall") {
     options.stop = &stop;
     BlankLayer layer;
     Interpreter in("#declare i = 0; #while (1) #declare i = i + 1; #end", options, layer);
-    CHECK_THROWS_AS(in.skip(), Interrupted);
+    CHECK_THROWS_AS(in.take(), Interrupted);
 }
 
 TEST_CASE("include files: where they are looked for, and what may be read") {

@@ -182,7 +182,7 @@ TEST_CASE("bodies made of bodies: a material for each part, or one for all of a 
     CHECK(has(bodies(convert(lens("material { refraction .5 ior 2 }", "material { reflection 0 }"))), "{ ior 2 }"));
     CHECK(has(bodies(convert(lens("material { refraction .5 ior 2 }", "material { rgb <0, 0, 1> reflection 0 }"))),
               "  sphere { <0, 0.5, 1>, 1\n    texture {\n      pigment { rgb <0, 0, 1> }"));
-    // So if all parts share a material that is not the whole's.
+    // That interior is the whole's also where all parts share another material.
     const std::string part = "sphere { <0, 0, 1>, 1 material { ior 1.2 } } ";
     CHECK(has(bodies(convert(camera + light + "union { " + part + part + glass + " }")), "{ ior 1.5 }"));
     CHECK(has(convert(camera + "union { sphere { <0, 0, 1>, 1 } sphere { <0, 1, 1>, 1 } }").pov, "\nmerge {\n"));

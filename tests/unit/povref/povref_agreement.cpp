@@ -70,14 +70,14 @@ TEST_CASE("edges are lines: a face that rounding sprinkles is no edge") {
         "camera { position <0, -6, 0> look_at <0, 0, 0> sky <0, 0, 1> angle 40 }\n"
         "background { color <0, 0, 0> }\n";
     const std::string ambient = " ambient 1 diffuse 0 specular 0 reflection 0 }";
-    // It lies where the checks change, so that rounding decides in each pixel.
+    // The plane lies where its checks change, so that rounding decides in each pixel.
     const Scene sprinkled =
         parse_scene(light +
                         "plane { <0, 0, 0>, <.86602540378443864676, .5, 0>, <0, 0, 1> material { rgb checker { "
                         "<1, 0, 0>, <0, 1, 0> scale 9 translate <4, 9e-10, 4> rotate <0, 0, 30> }" +
                         ambient + " }",
                     "sprinkled");
-    // Its left edge passes through the middles of a column of pixels.
+    // The body's left edge passes through the middles of a column of pixels.
     const Scene edge =
         parse_scene(light + "box { <0, -1, -9>, <9, 1, 9> material { rgb <1, 0, 0>" + ambient + " }", "edge");
     for (const bool line : {false, true}) {

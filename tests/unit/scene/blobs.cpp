@@ -51,20 +51,7 @@ TEST_CASE("blobs: many lumps are a sum, however they are grouped, and lumps in p
         own.radius = dice.in(.3, .7);
     }
     const Blob body{.4, std::make_shared<const BlobData>(lumps)};
-    const PlacedPieces<Blob, double> placed(body);
-    int compared = 0;
-    for (int n = 0; n < 60; ++n) {
-        const DVec3 from = 9. * dice.direction(), way = normalize(dice.vector(-3, 3) - from);
-        const auto found = placed.crossings({Vec3<double>(from), Vec3<double>(way), -1.});
-        auto wanted = referee::crossings<long double>(body, {from, way}, -1).list;
-        std::ranges::sort(wanted, {}, [](const auto& own) { return own.t; });
-        REQUIRE(found.size() == wanted.size());
-        for (std::size_t i = 0; i < found.size(); ++i, ++compared)
-            CHECK(std::fabs(static_cast<double>(found[i] - wanted[i].t)) < 1e-9);
-        const DVec3 p = dice.vector(-3, 3);
-        CHECK(body.contains(p) == referee::contains<long double>(body, p));
-    }
-    CHECK(compared > 200);
+    compare_many(body, dice, 3, 200, [&] { return dice.vector(-3, 3); });
     // A ray along the plane in which the cylinder of a lump ends counts each piece once.
     const Blob line{.5, std::make_shared<const BlobData>(std::vector<Lump>{{{0, 0, 0}, {0, 0, 2}}})};
     const auto across =

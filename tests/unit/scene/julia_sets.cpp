@@ -71,7 +71,7 @@ TEST_CASE("Julia sets: rays enter where the referee says, and the field grows al
     Dice dice{2};
     int hits = 0, missed = 0, far = 0, wrong = 0;
     for (const JuliaFractal& own : some_sets()) {
-        if (own.step > JuliaStep::cube) continue;  // those have parts thinner than steps, or two sorts of inside
+        if (own.step > JuliaStep::cube) continue;  // other sets have parts thinner than steps, or two sorts of inside
         for (int n = 0; n < 60; ++n) {
             const DVec3 from = 5. * dice.direction(), way = normalize(dice.vector(-.6, .6) - from);
             Vec3<double> normal;
@@ -91,7 +91,7 @@ TEST_CASE("Julia sets: rays enter where the referee says, and the field grows al
         }
     }
     CHECK(hits > 150);
-    CHECK(missed + far < 5);  // of what is thinner than the steps
+    CHECK(missed + far < 5);  // rays step over parts that are thinner than a step
     CHECK(wrong == 0);
 }
 

@@ -31,7 +31,7 @@ void compare_lathes(double error) {
             DVec3 to = point_near_body(dice), from = 5. * dice.direction();
             if (m == 0) from = {to.x, 5, to.z};                // along the axis
             if (m == 1) from = {from.x, to.y, from.z};         // level
-            if (m == 2) from = {from.x, to.y + 1e-5, from.z};  // nearly
+            if (m == 2) from = {from.x, to.y + 1e-5, from.z};  // nearly level
             if (m == 3) from = {from.x, to.y + 1e-2, from.z};
             if (m == 4) to = {0, to.y, 0};  // through the axis
             if (m == 5) from = {to.x + 1e-5, 5, to.z};

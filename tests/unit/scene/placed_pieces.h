@@ -84,6 +84,27 @@ void compare_crossings(const auto& body_of, const auto& ray_of, double error) {
     CHECK(grazed < 4);
 }
 
+/// Compares with the referee where rays cross a body of many pieces within `reach` of the origin, more often than
+/// `least`, and whether points point_of() are inside. Returns how many are.
+int compare_many(const auto& body, Dice& dice, double reach, int least, const auto& point_of) {
+    const PlacedPieces<std::remove_cvref_t<decltype(body)>, double> placed(body);
+    int compared = 0, inside = 0;
+    for (int n = 0; n < 60; ++n) {
+        const DVec3 from = 9. * dice.direction(), way = normalize(dice.vector(-reach, reach) - from);
+        const auto found = placed.crossings({Vec3<double>(from), Vec3<double>(way), -1.});
+        auto wanted = referee::crossings<long double>(body, {from, way}, -1).list;
+        std::ranges::sort(wanted, {}, [](const auto& own) { return own.t; });
+        REQUIRE(found.size() == wanted.size());
+        for (std::size_t i = 0; i < found.size(); ++i, ++compared)
+            CHECK(std::fabs(static_cast<double>(found[i] - wanted[i].t)) < 1e-9);
+        const DVec3 p = point_of();
+        CHECK(body.contains(p) == referee::contains<long double>(body, p));
+        inside += body.contains(p);
+    }
+    CHECK(compared > least);
+    return inside;
+}
+
 /// Checks that rays which go on from their first crossing of a body meet the others, and that rays back meet nothing.
 void check_rays_on_pieces(const auto& body_of, const auto& ray_of) {
     Dice dice{3};

@@ -229,7 +229,7 @@ TEST_CASE("ease slows the flight down at its keys, on the same way") {
     CHECK(speed(path, 0) == doctest::Approx(speed(even, 0)));
     for (const Keyframe& key : path.keys)
         CHECK(camera_at(path, scene_camera, key.time) == camera_of(key, scene_camera));
-    // It is never anywhere else than the flight without ease, which is at the same place at another time, and goes on.
+    // A flight with ease passes the places of one without ease, at other times, and never stops.
     double before = 0;
     for (double time = 3.1; time < 6; time += .1) {
         const double t = (time - 3) / 3, over = t - .25 * t * (1 - t) * (1 - t) + t * t * (1 - t);

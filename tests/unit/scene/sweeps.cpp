@@ -54,20 +54,6 @@ TEST_CASE("sweeps: many pieces are one body, however they are grouped") {
     for (int i = 0; i < 120; ++i)
         balls.push_back({{2 * std::cos(.4 * i), 2 * std::sin(.4 * i), .05 * i - 3}, dice.in(.05, .25), false});
     const SphereSweep body{std::make_shared<const SweepData>(balls)};
-    const PlacedPieces<SphereSweep, double> placed(body);
-    int compared = 0, inside = 0;
-    for (int n = 0; n < 60; ++n) {
-        const DVec3 from = 9. * dice.direction(), way = normalize(dice.vector(-2, 2) - from);
-        const auto found = placed.crossings({Vec3<double>(from), Vec3<double>(way), -1.});
-        auto wanted = referee::crossings<long double>(body, {from, way}, -1).list;
-        std::ranges::sort(wanted, {}, [](const auto& own) { return own.t; });
-        REQUIRE(found.size() == wanted.size());
-        for (std::size_t i = 0; i < found.size(); ++i, ++compared)
-            CHECK(std::fabs(static_cast<double>(found[i] - wanted[i].t)) < 1e-9);
-        const DVec3 p = balls[static_cast<std::size_t>(dice.upto(119))].centre + dice.vector(-.3, .3);
-        CHECK(body.contains(p) == referee::contains<long double>(body, p));
-        inside += body.contains(p);
-    }
-    CHECK(compared > 100);
-    CHECK(inside > 3);
+    const auto near = [&] { return balls[static_cast<std::size_t>(dice.upto(119))].centre + dice.vector(-.3, .3); };
+    CHECK(compare_many(body, dice, 2, 100, near) > 3);
 }

@@ -151,10 +151,10 @@ TEST_CASE("a number follows the panel, within its range, and undo takes back a w
     CHECK(editor.edited.undo(false, order) == "radius of sphere 1");
     editor.look(*scene);
     CHECK(value_of(editor, "radius").numbers[0] == 2.75);
-    order.change();  // of something else, after which there is nothing to redo
+    order.change();  // a change of something else: now there is nothing to redo
     CHECK(!editor.edited.undo(false, order));
     // A value that stands elsewhere is not touched before the user has said which is meant.
-    CHECK(editor.open_to_change(value_of(editor, "ior")));  // the default: becomes the body's own
+    CHECK(editor.open_to_change(value_of(editor, "ior")));  // asked twice, it becomes the body's own
     CHECK(set("ior", {1.2}));
     CHECK(set("ior", {1.3}, true));
     CHECK(editor.edited.text().find("rgb <1,.2,.2>  ior 1.3 }") != std::string::npos);
@@ -201,9 +201,9 @@ TEST_CASE("changes stay when others change other lines of the file, and give way
     CHECK(edited.text() == "new\na\ntheirs\nc\nD\n");
     CHECK(edited.undo(true, order));
     CHECK(!edited.changed());
-    CHECK(!edited.undo(true, order));  // of a line that is another one now
+    CHECK(!edited.undo(true, order));  // the line that was changed has other text now
     CHECK(edited.undo(false, order));
-    CHECK(!edited.reload(edited.text()));  // it was written
+    CHECK(!edited.reload(edited.text()));  // the file has the changes: nothing is left to write
     CHECK(!edited.changed());
     CHECK(edited.undo(true, order));
     CHECK(edited.changed());
@@ -347,7 +347,7 @@ TEST_CASE("numbers that stand in a text for POV-Ray are changed there; of severa
         return *std::ranges::find(values, name, &BodyValue::name);
     };
     CHECK(editor.open_to_change(value("pigment rgb")));
-    CHECK(!editor.open_to_change(value("rgb")));  // that of the scene
+    CHECK(!editor.open_to_change(value("rgb")));  // the scene's default colour
     CHECK(!editor.open_to_change(value("radius")));
     editor.allow("declare R, line 1");
     EditOrder order;

@@ -28,7 +28,7 @@ TEST_CASE("keys make a path that can be pasted and flown") {
     CHECK(pasted->flythrough->keys.size() == 3);
     CHECK(pasted->flythrough->loop);  // it came back to where it began
     CHECK(pasted->flythrough->duration == 6);
-    // From its start, even if another flight came before.
+    // Flies from the start, even if another flight came before.
     CHECK(session.perform({Action::play}, 5).note == "flying from 0 s");
     CHECK(session.flight.path() == pasted->flythrough);
 }
@@ -145,7 +145,7 @@ TEST_CASE("values of a key are typed, and a drag of it is undone at once") {
     CHECK(session.change_key(2, key, false, 0).note == "these values make no camera");
     key.fov = 30, key.ease = 1.1;
     CHECK(session.change_key(2, key, false, 0).note == "these values make no camera");
-    // Set anew, a key keeps its ease.
+    // A key that is set once more keeps its ease.
     key.ease = .5;
     CHECK(session.change_key(2, key, false, 0).note == "");
     session.camera.position = {1, 2, 7};

@@ -26,10 +26,10 @@ TEST_CASE("a flight follows the clock at any frame rate and can be paused") {
     session.perform({Action::pause}, 30);
     session.follow(30.5);
     CHECK(session.camera == camera_at(*session.scene->flythrough, session.scene->camera, 3.5));
-    CHECK(session.follow(31.5));  // over
+    CHECK(session.follow(31.5));  // the flight ends
     CHECK(!session.flight.flying());
     CHECK(session.camera.position == DVec3(-3, 0, 0));
-    session.perform({Action::play}, 40);  // from its beginning again
+    session.perform({Action::play}, 40);  // flies from the beginning again
     CHECK(session.camera.position == DVec3(1, 0, 0));
     session.follow(40.5);
     CHECK(session.steer({.right = 0.1}, 40.5).note == "flight ended at 0.5 s; F continues");
@@ -64,7 +64,7 @@ TEST_CASE("what moves plays without a flythrough, and the camera is free meanwhi
     CHECK(session.perform({Action::pause}, 14.25).note == "paused at 4.25 s");
     CHECK(session.time == 4.25);
     session.perform({Action::pause}, 20);
-    CHECK(session.follow(21));  // over
+    CHECK(session.follow(21));  // the flight ends
     CHECK(!session.flight.flying());
     CHECK(session.camera == there);
     CHECK(session.go_to(1.5, 30));

@@ -36,7 +36,7 @@ TEST_CASE("turning keeps the position, the distance to look_at, and a level hori
     CHECK(dot_product(after.forward, before.right) > 0.01);
     CHECK(after.forward.z > before.forward.z + 0.03);
     CHECK(std::abs(std::asin(after.forward.z) - std::asin(before.forward.z) - 0.05) < 1e-9);
-    // Straight up is never reached, and the way back is the same.
+    // The camera stops one degree before straight up; turning back by the same angles ends at the same view.
     Camera up = camera;
     for (int i = 0; i < 100; ++i) up = fly(up, {.upwards = 0.1});
     CHECK(degenerate(up) == nullptr);

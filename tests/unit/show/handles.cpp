@@ -82,7 +82,7 @@ TEST_CASE("handles move what is dragged to the pointer: across the view, and alo
         const glm::dvec2 from = point_of(handles, handle);
         CHECK(handles.at(from, 4) == handle);
         CHECK(std::abs(pixels_between(from, middle)) <= 110);
-        // To where the axis is seen further out.
+        // Drags the handle to a point of its axis that is further out.
         DVec3 far = centre;
         far[axis] += 2.5;
         const glm::dvec2 way = *place_in(view, far) - middle;
@@ -215,7 +215,7 @@ TEST_CASE("lights have marks that can be chosen and dragged; those that move or 
         const DVec3 other = by_target ? spot.position : spot.spot->look_at;
         CHECK(length(other - position_of(*scene, {1, !by_target})) > 1);
     }
-    // Its circles open its cone: the outer one as far as the pointer says, the inner one no further than that.
+    // The light's circles open its cone: the outer one as far as the pointer says, the inner one no further than that.
     editor.choose(target, *scene);
     const Light& aimed = scene->lights[1];
     const Handles cone(aimed.position, *aimed.spot, view);

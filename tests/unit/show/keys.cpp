@@ -59,7 +59,7 @@ TEST_CASE("keys give commands, with Shift the same ones unless there are others"
     CHECK(given(keys, GLFW_KEY_F12, ctrl) == Command{Action::film});
     CHECK(!given(keys, GLFW_KEY_TAB, GLFW_MOD_ALT));
     CHECK(!given(keys, GLFW_KEY_W));
-    CHECK(!given(keys, GLFW_KEY_COMMA));  // its character counts
+    CHECK(!given(keys, GLFW_KEY_COMMA));  // known by its character, whatever key gives it
     CHECK(!keys.command_of_key(GLFW_KEY_G, 0, 0, true));
     CHECK(keys.command_of_character(',') == Command{Action::coarser});
     CHECK(!keys.command_of_character('f'));

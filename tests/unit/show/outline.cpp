@@ -98,7 +98,7 @@ TEST_CASE("the picture lacks what is hidden, until bodies come or go; the outlin
     CHECK(tools.editor().body().kind == "cylinder in difference");
     tools.apply(OutlinerInput{.choose = row("spotlight 2")});
     CHECK(tools.editor().light() == LightPoint{1, false});
-    // Also a scene that has other bodies meanwhile shows all of them.
+    // Once the scene has other bodies, all are shown.
     tools.apply(OutlinerInput{.hide = row("sphere 1")});
     session.replace(shown_scene(), false);
     CHECK(tools.scene_shown() == session.scene);

@@ -134,9 +134,9 @@ TEST_CASE("the resolution settles at the budget and stays there") {
     CHECK(levels[4] < finest_level);
     for (int i = 5; i < 100; ++i) CHECK(levels[i] == levels[4]);
     CHECK(2 * budget / all * count(pixels_of(levels[4], 640, 480)) <= budget);
-    // Finer only with headroom: a level that would take 0.9 of the budget is not tried ...
+    // Becomes finer only with time to spare: a level that would take 0.9 of the budget is not tried ...
     CHECK(run(resolution, 100, 0.9 * budget / all, budget).back() == finest_level - 1);
-    // ... but is kept if it is in use.
+    // ... but such a level is kept if it is in use.
     run(resolution, 100, 0.5 * budget / all, budget);
     CHECK(run(resolution, 100, 0.9 * budget / all, budget).back() == finest_level);
     CHECK(run(resolution, 100, 1e-3, budget).back() == 0);

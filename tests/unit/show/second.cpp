@@ -100,7 +100,7 @@ TEST_CASE("a picture of one ray, and one in long double, are what the tracer mak
         ++stages;
         CHECK(made.differing == 0);
         CHECK(made.image.pixels.size() == 300);
-        // Averages are of as many rays as each precision chooses: their difference is no step, but 16 times it shows.
+        // Each precision chooses its own number of rays: averages differ by less than a step, which is shown 16 times.
         for (const std::uint32_t pixel : made.difference.pixels) CHECK((pixel & 0xff) <= 16);
     });
     CHECK(stages == 2);

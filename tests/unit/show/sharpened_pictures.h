@@ -36,7 +36,7 @@ struct Pictures {
         else
             expand(traced, steps_of(level), whole, pool);
         if (rays <= 0) return whole;
-        // By this clock tracing takes a second each time, and so does what is done before, between and after that.
+        // A clock that is a second later at each look: tracing takes a second each time, and so does what is around it.
         int calls = 0;
         const auto clock = [&] { return double(calls++); };
         Sharpener sharpener;

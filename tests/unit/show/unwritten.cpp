@@ -46,7 +46,7 @@ TEST_CASE("nothing is written where nothing has changed; a file that is gone is 
     CHECK(bytes_of(path) == "// mine\n" + scene_text + flight);
     const auto after = reload.take();
     REQUIRE(after);
-    CHECK(after->picture == first->scene);  // which goes on
+    CHECK(after->picture == first->scene);  // its picture goes on being refined
     CHECK(after->scene->flythrough == same);
     // Another path is the same picture, too.
     Flythrough longer = *same;
@@ -121,7 +121,7 @@ TEST_CASE("tracks are read with the scene that was written, and do not lose what
     CHECK(!session.take_tracks(loaded->tracks, false));
     CHECK((!session.track_keys.changed() && !session.editor.changed()));
     CHECK(session.track_keys.track("z").keys[0].value == 3);
-    CHECK(session.pictured != session.scene);  // the picture goes on
+    CHECK(session.pictured != session.scene);  // the earlier scene's picture goes on being refined
 }
 
 TEST_CASE("a scene is saved as another file, in another folder with its music, and is watched there") {

@@ -138,7 +138,7 @@ TEST_CASE("small pictures are made of what is wanted, and none of what cannot be
     CHECK(soon([&] { return take() == 2; }));
     CHECK(made[1].path == folder / "scene.rt");
     CHECK(made[1].picture.image.pixels == picture.pixels);
-    reader.want({folder / "endless.rt"}, 20, 15);  // so it is at the end
+    reader.want({folder / "endless.rt"}, 20, 15);  // the endless one is given up when the reader ends, too
     ::unsetenv("XDG_CACHE_HOME");
 }
 

@@ -35,7 +35,7 @@ TEST_CASE("jobs are done in their order, and told of") {
     worker.add([](const std::atomic<bool>&) { return std::nullopt; });
     REQUIRE(soon([&] { return told == 4; }));
     CHECK(worker.unfinished() == 0);
-    CHECK(worker.busy());  // there are results
+    CHECK(worker.busy());  // results wait to be taken
     CHECK(all_of(worker) == std::vector{0, 1, 2});
     CHECK(!worker.busy());
 }

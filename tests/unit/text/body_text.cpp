@@ -106,7 +106,7 @@ TEST_CASE("a value says which block it comes from, and can become the body's own
     CHECK(value(body_of(valid, 2, 1), "translate of difference").numbers[2] == 1);
     CHECK(source(3, 1, "pow") == "define pair, line 9");
     CHECK(source(3, 1, "reflection") == "pair, line 10");
-    CHECK(value(body_of(valid, 3, 1), "specular").own_at == 0);  // in both uses, or in neither
+    CHECK(value(body_of(valid, 3, 1), "specular").own_at == 0);  // own in all uses, or in none
 
     const auto own = [&](int body, int leaf, const char* name) {
         const std::string changed =
@@ -131,7 +131,7 @@ TEST_CASE("what is no number, or follows a track, is left alone") {
     CHECK(value(body, "rgb").fixed == "a pattern");
     CHECK(value(body, "diffuse").fixed == "follows \"d\"");
     CHECK(value(body, "translate").fixed == "follows \"x\"");
-    // Without a text, as for scenes of POV-Ray.
+    // For a body without a text, as those of POV-Ray's scenes, nothing stands anywhere.
     const BodyText read = body_text("", parse_scene(text, ""), 0, 0);
     CHECK(read.line == 0);
     CHECK(value(read, "reflection").numbers[0] == .5);
@@ -211,10 +211,10 @@ TEST_CASE("a material of the list replaces the body's own, and changes no other 
             CHECK(changed.find("/* own */") != std::string::npos);
             if (std::string(preset.name) == "matt")
                 CHECK(material(after, i).rgb.color == material(before, i).rgb.color);
-            // Given once more it is replaced, not added.
+            // A material that is given once more replaces the first.
             CHECK(with_material(changed, body_of(changed, i), preset, 2) == changed);
         }
-    // A part of a definition is that of all its uses.
+    // A part of a definition gets no material of its own: all uses of the definition would have it.
     CHECK(
         !body_of(start + "define two union { sphere { <0,0,0>, 1 } sphere { <3,0,0>, 1 } }\ntwo { }\n", 0, 0).material);
 }

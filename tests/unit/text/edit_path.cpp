@@ -36,7 +36,7 @@ TEST_CASE("a path is written into a scene, and all else stays as it is") {
     newer.keys[1].position.x = 7;
     changed(newer, "key{time 2.0 position <2,0,0> look_at <0,0,0>}",
             "key { time 2  position <7, 0, 0>  look_at <0, 0, 0> }");
-    newer = path, newer.keys[1].time = 3;  // moved to another time its comment goes with it
+    newer = path, newer.keys[1].time = 3;  // a key that is moved to another time takes its comment along
     changed(newer, "key{time 2.0 position <2,0,0> look_at <0,0,0>}",
             "key { time 3  position <2, 0, 0>  look_at <0, 0, 0> }");
     newer = path, newer.keys[1].ease = .5;
@@ -59,7 +59,7 @@ TEST_CASE("a path is written into a scene, and all else stays as it is") {
     CHECK(with_path(text, newer).starts_with(before + camera));
     CHECK(with_path(text, newer).ends_with("}" + after));
 
-    // A block that is not there yet, and one that is no longer wanted.
+    // Adds a block where there is none, and removes one that is no longer wanted.
     CHECK(with_path(before + camera, path) == before + camera + "\n" + write_flythrough(path, {true, true}));
     CHECK(with_path(text, {}) == before + camera.substr(0, camera.size() - 1) + after);
     CHECK(with_path(before + camera, {}) == before + camera);

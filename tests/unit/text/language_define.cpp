@@ -25,7 +25,7 @@ TEST_CASE("a material by its name, as it is or with changes") {
                "defaultmaterial { diffuse 1 rgb <1,.8,.3> pow 90 } sphere { <0,0,0>, 1 }");
     check_same(gold + "define pale material gold { rgb <1,1,1> } sphere { <0,0,0>, 1 material pale }",
                "sphere { <0,0,0>, 1 material { rgb <1,1,1> pow 90 } }");
-    // It says only what it names, also where another default is in force.
+    // A defined material changes only what it names, also where another default is in force.
     check_same(gold + "defaultmaterial { diffuse 1 } sphere { <0,0,0>, 1 material gold }",
                "defaultmaterial { diffuse 1 } sphere { <0,0,0>, 1 material { rgb <1,.8,.3> pow 90 } }");
 }
@@ -76,7 +76,7 @@ TEST_CASE("mistakes with names") {
     }
     CHECK(faults(eye + doubling).size() <= 10);
     CHECK(faults(eye + doubling)[0].ends_with("it consists of more than 100000 bodies"));
-    // So are unions of one, thousands of them in each other.
+    // Unions of one, thousands of them in each other, are stopped early, too.
     std::string nested = "define a0 sphere { <0,0,0>, 1 }\n";
     for (int i = 1; i < 5000; ++i)
         nested += "define a" + std::to_string(i) + " union { a" + std::to_string(i - 1) + " { } }\n";

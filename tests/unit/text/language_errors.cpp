@@ -132,7 +132,7 @@ TEST_CASE("signs that mean something elsewhere get advice") {
     check_fault("sphere { <0,0,0>, (2) }", "2:19: a number expected for 'radius' of 'sphere', but found '('" + result);
     check_fault("sphere { <0,0,0>, sqrt(2) }",
                 "2:19: a number expected for 'radius' of 'sphere', but found 'sqrt'" + result);
-    // What is only a sign too few or too many.
+    // Mistakes of one sign too few or too many.
     check_fault("sphere { <0 -1,0>, 1 }", "2:13: ',' expected between the three numbers of a vector, but found '-1'");
     check_fault("sphere { <0,0,0>, 1, }", "2:20: " + word + "','");
 }

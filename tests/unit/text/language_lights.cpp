@@ -7,7 +7,7 @@ using namespace strahl::language;
 namespace {
 
 Light light(const std::string& text) { return with_eye("light { color <1,1,1> " + text + " }").lights.at(0); }
-/// In line 3.
+/// Checks the message about a light, whose parameters from `text` on stand in line 3.
 void check_light(const std::string& text, const std::string& place, const std::string& message) {
     check_fault("light { color <1,1,1>\n" + text + " }", place + ": " + message);
 }

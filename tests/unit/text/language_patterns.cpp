@@ -12,7 +12,7 @@ namespace {
 Pigment pigment(const std::string& text) {
     return parse(eye + "sphere { <0,0,0>, 1 material { rgb " + text + " } }").materials[0].rgb;
 }
-/// Column 1 is the first of the pattern.
+/// Checks the message about a pattern; column 1 is the pattern's first character.
 void check_pattern(const std::string& text, const std::string& where, const std::string& message) {
     check_fault("sphere{<0,0,0>,1 material{rgb\n" + text + "} }", where + ": " + message);
 }

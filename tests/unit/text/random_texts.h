@@ -231,7 +231,7 @@ class RandomScenes {
     Camera camera() {
         Camera result{position(), position(), position(), uniform(1e-9, 90), {}};
         if (chance(2)) result.aspectratio = positive();
-        // Every third one, by a digit of its angle.
+        // Every third camera has another projection, chosen by digits of its angle.
         const int digits = static_cast<int>(1000 * result.fov) % (3 * static_cast<int>(projection_words.size()));
         if (digits % 3 == 0) result.projection = static_cast<Projection>(digits / 3);
         if (angular(result.projection)) result.fov *= 4;
@@ -269,7 +269,7 @@ class RandomScenes {
         return path;
     }
 
-    /// That of every third key, by digits of its time.
+    /// Returns the ease of a key, by digits of its time: every third one has some.
     static double ease_at(double time) {
         const double share = 1e6 * time - std::floor(1e6 * time);
         return share < 2. / 3 ? 0 : std::round(share * 8) == 8 ? 1 : 3 * share - 2;

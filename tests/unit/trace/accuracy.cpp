@@ -119,7 +119,7 @@ TEST_CASE("an edge is a jump, not a gradual change") {
     CHECK(near > 0);
     CHECK(near < columns * rows / 2);
     CHECK(nearer < near);
-    // A slope of a million steps ends unfound, and is no edge.
+    // The search along a slope of a million steps ends without finding its ends: it is no edge.
     scene = parse_scene(
         "camera { position <0, 0, 9> look_at <0, 0, 0> sky <0, 1, 0> angle 20 }\n"
         "light { position <9, 9, 9> color <1, 1, 1> }\n"

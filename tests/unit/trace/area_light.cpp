@@ -36,7 +36,7 @@ box { <0.8, 1, 0>, <2, 2.2, 2> }
 cylinder { <1, -2, 0>, <1, -2, 1.5>, 0.3 }
 sphere { <-1.5, -2.5, 0.6>, 0.5  material { rgb <0.9, 0.6, 0.5>  ambient 0  diffuse 0.05  refraction 0.85  ior 1.3 } }
 )";
-/// More than are looked at one after the other.
+/// Returns so many balls that they are looked for in a hierarchy.
 std::string many_balls() {
     std::string text;
     for (int i = 0; i < 81; ++i)
@@ -137,7 +137,7 @@ TEST_CASE("a rectangle that is partly below the horizon shines by what is above"
 }
 
 TEST_CASE("points that jitter shine from half way to their neighbours, and the middle one of three counts twice") {
-    // Half of the light's height hangs an edge: what arrives at (x, 0, 0) comes from less than -x.
+    // At half of the light's height an edge hangs: what arrives at (x, 0, 0) comes from points with x below -x.
     const std::string scene_text = R"(
 camera { position <0, 0, 4>  look_at <0, 0, 0>  up <0, 1, 0>  fov 30  aspectratio 1 }
 light { position <0, 0, 10>  color <1, 1, 1>  edges <2, 0, 0>, <0, 2, 0>  grid COUNT, 3  soft  jitter }
@@ -149,7 +149,7 @@ box { <0, -99, 5>, <99, 99, 5.000001> }
         std::string text = scene_text;
         text.replace(text.find("COUNT"), 5, std::to_string(points));
         const Frame shaded = light_of(text, size, true), whole = light_of(text, size, false);
-        // The shares of the points' light: those of parts of the row that have a point in common add up.
+        // Each point's share of the light is the sum of its shares in the parts of the row that it belongs to.
         std::vector<double> shares(points);
         const auto halve = [&](const auto& self, int first, int last, double share) -> void {
             if (last - first <= 1) {
@@ -232,7 +232,7 @@ TEST_CASE("the mean of adaptive sampling of a grid that jitters is that of many 
 }
 
 TEST_CASE("soft shadows of a grid that jitters, with quarters that remain whole, are the mean of many pictures") {
-    // As above an edge hangs before half of the light.
+    // An edge hangs before half of the light, as in the case above.
     const std::string scene_text = R"(
 camera { position <0, 0, 4>  look_at <0, 0, 0>  up <0, 1, 0>  fov 30  aspectratio 1 }
 light { position <0, 0, 10>  color <1, 1, 1>  edges <2, 0, 0>, <0, 2, 0>  grid COUNT, 6  soft  adaptive 0  jitter }
@@ -263,7 +263,7 @@ box { <0, -99, 5>, <99, 99, 5.000001> }
 TEST_CASE("a very long rectangle takes no light away") {
     Dice dice(1);
     for (int i = 0; i < 20000; ++i) {
-        // Almost along a surface, of which all of it is in front.
+        // The rectangle is almost in the plane of the surface, and wholly in front of it.
         const DVec3 u = std::pow(10, dice.in(0, 14)) * dice.direction();
         const DVec3 across = std::pow(10, dice.in(-9, 0)) * dice.direction(),
                     v = across - dot_product(across, u) / dot_product(u, u) * u;

@@ -47,7 +47,7 @@ void hold(const Scene& scene, int depth) {
     const auto [all, everything] = trace(scene, depth);
     const Frame deeper = trace(scene, depth + 3).frame;
     CHECK(brightest(all) <= bound_for(scene, depth).brightest.back() + rounding);
-    const double past = everything.lost();  // nothing else is omitted then
+    const double past = everything.lost();  // only rays past the last generation are omitted here
     CHECK(difference(deeper, all) <= past + rounding);
     for (const double error : {1e-1, 1e-2, 1e-3, 1e-4}) {
         CAPTURE(error);

@@ -142,7 +142,7 @@ TEST_CASE("prisms whose planes are beyond all numbers share none with other part
 }
 
 TEST_CASE("a clear ball cut in two by a face that nothing shows looks whole") {
-    // Rays that leave one half start on the other's face as well, before it or behind it as rounding has it.
+    // Rays that leave one half also start on the other half's face, before it or behind it as rounding has it.
     Dice dice(4711);
     const auto number = [&](double low, double high) { return std::to_string(dice.in(low, high)); };
     const auto point = [&](double reach) {

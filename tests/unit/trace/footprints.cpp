@@ -78,12 +78,6 @@ std::vector<double> grid(Tracer& tracer, const View& view, int n) {
     ThreadPool pool(2);
     return values_of(tracer, view, {.columns = view.width, .rows = view.height}, pool, {.grid = n});
 }
-/// In 1/510.
-double rms(const std::vector<double>& a, const std::vector<double>& b) {
-    double squares = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) squares += (a[i] - b[i]) * (a[i] - b[i]);
-    return 510 * std::sqrt(squares / double(a.size()));
-}
 
 /// A refined picture and its error against a grid of rays.
 struct Compared {
@@ -94,7 +88,7 @@ Compared compared(const Scene& scene, int width, int height, int rays) {
     const View view = view_of(scene, width, height);
     Tracer tracer(scene, Precision::float64);
     const Traced own = refined(tracer, view, {.columns = width, .rows = height});
-    const double error = rms(own.rgb, grid(tracer, view, rays));
+    const double error = 510 * rms(own.rgb, grid(tracer, view, rays));
     MESSAGE("RMS ", error, ", estimate ", own.estimate, ", samples ", own.samples);
     return {own, error};
 }
@@ -165,7 +159,7 @@ TEST_CASE("a floor of checks to the horizon comes out as the mean of 4096 rays a
     for (const Precision precision : {Precision::float32, Precision::float64}) {
         Tracer tracer(scene, precision);
         const Traced own = refined(tracer, view, all);
-        const double error = rms(own.rgb, exact);
+        const double error = 510 * rms(own.rgb, exact);
         CAPTURE(error);
         CAPTURE(own.estimate);
         CAPTURE(own.samples);
@@ -247,7 +241,7 @@ TEST_CASE("an image in a flat mirror looks as it does from behind the mirror") {
                 squares += off * off / 3;
             }
     const double off = 510 * std::sqrt(squares / count);
-    MESSAGE("off ", off, ", RMS ", rms(seen.rgb, exact), ", samples ", seen.samples, " and ", expected.samples);
+    MESSAGE("off ", off, ", RMS ", 510 * rms(seen.rgb, exact), ", samples ", seen.samples, " and ", expected.samples);
     CHECK(off < .1);
     CHECK(seen.samples < 1.1 * expected.samples);
 }
@@ -262,7 +256,7 @@ TEST_CASE("grids, one ray and pictures in motion stay as they are, before and af
     const Traced filtered = refined(tracer, view, all);
     CHECK(one == grid(tracer, view, 1));
     CHECK(four == grid(tracer, view, 2));
-    CHECK(rms(filtered.rgb, four) > 1);
+    CHECK(510 * rms(filtered.rgb, four) > 1);
 }
 
 TEST_CASE("filtered pictures depend neither on threads, crops nor lanes") {

@@ -55,7 +55,7 @@ TEST_CASE("pictures have the stored hashes") {
         std::string stored;
         std::getline(in, stored);
         if (sanitized() && ++number % 3) continue;
-        if (sanitized()) line(scene, {Precision::extended}, Simd::automatic);  // its kernels alone are instrumented
+        if (sanitized()) line(scene, {Precision::extended}, Simd::automatic);  // only these have sanitizers
         for (const Simd simd : sanitized() ? std::vector{Simd::automatic} : fused_levels()) {
             CAPTURE(std::string(name(simd)));
             CHECK(line(scene, {Precision::float32, Precision::float64}, simd) == stored);

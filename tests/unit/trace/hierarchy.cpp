@@ -169,7 +169,7 @@ TEST_CASE("a hierarchy is fitted to items that move, and built anew where they h
     const Hierarchy third = fitted();
     CHECK(!same_leaves(third, first));
     CHECK(same_leaves(third, built(boxes, .25, 1)));
-    // With other forms the leaves of before would be wrong.
+    // Leaves hold items of one form: after a change of forms the earlier leaves would be wrong.
     boxes[starts[1]].form = 0, ++starts[1];
     check_hierarchy(fitted(), boxes, .25f);
 }
@@ -431,7 +431,7 @@ TEST_CASE("the boxes of a hierarchy hold bodies however small coordinates are") 
 }
 
 TEST_CASE("rays from the far side of a part far larger than the other bodies") {
-    // In float they meet a box and a rod at distances that are off by more than these are large.
+    // In float, rays meet the box and the rod at distances whose errors are larger than these bodies.
     const Scene scene = parse_scene(R"(
         camera { position <5.5, 0, 0> look_at <0, 0, 0> up <0, 1, 0> fov 45 }
         box { <0, 0, 1>, <1, 1, 0> }

@@ -78,10 +78,10 @@ TEST_CASE("where images are") {
         plane("sharp ", -.01, .75, {0, 1, 0});
         plane("sharp once <.1, .2, .3> ", .99, .99, {0, 1, 0});
         plane("sharp once <.1, .2, .3> ", 1.01, .99, {.1, .2, .3});
-        plane("once <.1, .2, .3> ", .1, .9, {1, 0, 0});  // and do not
+        plane("once <.1, .2, .3> ", .1, .9, {1, 0, 0});  // edges do not join
         plane("once <.1, .2, .3> ", -.01, .9, {.1, .2, .3});
         plane("once <.1, .2, .3> ", .9, 1.01, {.1, .2, .3});
-        // Beyond the edges are their colours, or the mirror image, along u and v.
+        // Beyond its edges the picture goes on with their colours, or as its mirror image.
         for (const char* const wrap : {"wrap clamp ", "wrap clamp mirror ", "wrap mirror "}) {
             plane(wrap, 0, .75, {1, 0, 0}), plane(wrap, 1, .75, {0, 1, 0});
             plane(wrap, .25, 1, {1, 0, 0}), plane(wrap, .5, .75, {.5, .5, 0}), plane(wrap, -.25, .75, {1, 0, 0});

@@ -82,7 +82,7 @@ TEST_CASE("a picture that is filled where it is smooth looks like the one that i
         CHECK(share_above(off, 1.5) < .005);
         CHECK(share_above(off, 4) < .0004);
         CHECK(double(filled.rays.total()) < .8 * double(plain.rays.total()));
-        // Other pixels have the values that they have in a plain lattice; the middles of filled cells are filled over.
+        // Pixels with a ray have the values of a plain lattice, but for the middles of filled cells.
         CHECK(share_above(off, 0) < 1 - double(filled.rays.camera) / double(all.columns * all.rows) + .04);
     }
 }
@@ -147,7 +147,7 @@ TEST_CASE("where everything differs, hardly more is traced than in a plain latti
     const View view = view_of(scene, 320, 240);
     const Lattice all{.columns = view.width, .rows = view.height};
     const Traced plain = traced(scene, view, all, false, 1), filled = traced(scene, view, all, true, 1);
-    // Corners of cells beyond tiles are the only other ones.
+    // The only rays besides are those to corners of cells beyond the tiles' edges.
     CHECK(filled.rays.camera <= plain.rays.camera + 20 * (16 + 16 + 1));
 }
 

@@ -200,7 +200,7 @@ TEST_CASE("layers of light add up to the picture bit for bit") {
                 for (std::size_t i = 1; i <= lights; ++i) add("light" + std::to_string(i));
                 add("reflected"), add("refracted");
                 CHECK(sum == parts.at(rgb[c]));
-                // In float, cells with patterns magnify rounding: they take out what colours explain.
+                // In float, cells with patterns are further off: they subtract what colours explain.
                 const double off = precision == Precision::float64 ? 1e-5 : sampling.grid == 0 ? 1. / 64 : 1e-4;
                 if (seed % 2 == 1) check_near(sum, whole, c, off);
             }

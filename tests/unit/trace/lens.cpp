@@ -13,6 +13,7 @@
 #include "tests/referee/dice.h"
 #include "tests/referee/random_scene.h"
 #include "tests/unit/sanitized.h"
+#include "tests/unit/trace/cut_out.h"
 #include "trace/cells/cell_picture.h"
 #include "trace/tracer.h"
 
@@ -29,8 +30,6 @@ std::vector<double> picture(const Scene& scene, const View& view, const Lattice&
     if (sampled) *sampled = cells.sampled();
     return values;
 }
-Lattice whole(const View& view) { return {.columns = view.width, .rows = view.height}; }
-
 /// Averages sheared pinholes at n x n places of the lens, each with m x m rays in a pixel, which are at other places of
 /// it for each pinhole (the sequence R2 of M. Roberts, 2018).
 std::vector<double> by_pinholes(const Scene& scene, const View& view, int n, int m) {
@@ -57,12 +56,6 @@ std::vector<double> by_pinholes(const Scene& scene, const View& view, int n, int
             for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += one[k] / (n * n);
         }
     return sum;
-}
-
-double rms(const std::vector<double>& a, const std::vector<double>& b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
-    return std::sqrt(sum / static_cast<double>(a.size()));
 }
 
 /// A random world before a lens that blurs it by several pixels.
@@ -202,7 +195,7 @@ TEST_CASE("small bright balls out of focus become discs that have all their ligh
         CAPTURE(radius / disc);
         CAPTURE(light);
         CHECK(sum * pixel * pixel == doctest::Approx(light * std::numbers::pi * radius * radius).epsilon(.01));
-        if (pentagon) continue;  // whose closed form is its light alone
+        if (pentagon) continue;  // its closed form gives the sum of its light only
         CHECK(510 * std::sqrt(squares) < 1.5);
         CHECK(8 * sampled.error() > std::sqrt(squares));
         wrong += squares, said += sampled.error() * sampled.error();

@@ -49,7 +49,7 @@ TEST_CASE("light culling does not change pictures") {
         CAPTURE(name);
         const Scene scene = read_scene(name);
         if (scene.primitives.size() > most_item_bins) continue;
-        // The demo's mirrors among mirrors magnify what another placement rounds.
+        // Mirrors that face mirrors, in the demo, magnify the rounding by which two placements differ.
         CHECK(largest_difference(scene, Precision::float64) < (name == "demo" ? 1e-6 : 1e-8));
         ++seen;
     }

@@ -187,7 +187,7 @@ TEST_CASE("means of detail that is finer than what was looked at are about as fa
 }
 
 TEST_CASE("solid patterns with waves keep their light where they are finer than what a pixel shows") {
-    // A wave of a mean is not the mean of a wave; beyond a distance `spherical` is 0, whatever turbulence does.
+    // Tests solid patterns with waves, since the wave of a mean is not the mean of the wave.
     for (const Solid kind : {Solid::quilted, Solid::bozo, Solid::spherical})
         for (const double wave : {2., 3., 4.}) {
             const SolidPattern solid{.solid = kind, .turbulence = {.3, .3, .6}, .frequency = 5, .wave = wave};

@@ -129,7 +129,7 @@ TEST_CASE("few bodies and many are coloured alike") {
         Scene few = random_scene(900 + seed, {.patterns = true});
         few.settings.max_trace_level = 6;  // each glass doubles the rays
         Scene many = few;
-        // Too many for a bin each, and behind the camera.
+        // Adds so many bodies behind the camera that items have no bins of their own.
         const DVec3 behind = few.camera.position + few.camera.position;
         for (int i = 0; i < 70; ++i)
             many.primitives.push_back({Sphere{behind + DVec3(.01 * i, 0, 0), .001}, few.primitives[0].material, {}});

@@ -196,7 +196,7 @@ TEST_CASE("a lens refracts at both its faces as a whole, and a union has no surf
     const auto two = list({{Sphere{{0, 0, -.6}, 1}, 0, {}}, {Sphere{{0, 0, .6}, 1}, 0, {}}});
     Scene lens = made(Intersection{two}, {glass, glow});
     check(ahead(lens, 3), {.1, .2, .3});
-    check(ahead(lens, 2), {0, 0, 0});  // two faces take two generations
+    check(ahead(lens, 2), {0, 0, 0});  // a ray through two faces needs three generations
     // A thin lens of radii 1 has the focal length 1: a ray parallel to the axis, .1 aside, crosses it there.
     lens = made(Intersection{list({{Sphere{{0, 0, -.99}, 1}, 0, {}}, {Sphere{{0, 0, .99}, 1}, 0, {}}})}, {glass, glow});
     lens.primitives.push_back({Sphere{{0, 0, 1}, .01}, 1, {}});
@@ -227,7 +227,7 @@ TEST_CASE("a box minus a box that ends where it does is open there") {
     const Material ground = with(dull, &Material::ambient, .5);
     Scene scene = made(Difference{list({{whole, 0, {}}, {lower, 1, {}}})}, {ground, glow});
     check(ahead(scene), {.5, .25, 1});  // the end of the hollow, not the face that both have
-    // So it is if both are turned by a quarter, and moved on two levels.
+    // The same is seen if both are turned by a quarter, and moved on two levels.
     for (const bool turned : {false, true}) {
         const std::vector<Transformation> steps =
             turned ? std::vector<Transformation>{Rotate{{0, 0, 90}}, Scale{DVec3(.5)}} : std::vector<Transformation>{};
@@ -240,7 +240,7 @@ TEST_CASE("a box minus a box that ends where it does is open there") {
              {Translate{{0, 0, .25}}}}};
         check(ahead(scene), {.5, .25, 1});
     }
-    // Of two faces in one place the first declared is seen; a face behind which the next body continues is not.
+    // Where two faces lie in one place the first declared is seen, unless the other body continues behind it.
     const Cuboid upper{{-1, -1, 1}, {1, 1, 2}};
     for (const int first : {0, 1})
         check(ahead(made(Union{list({{whole, first, {}}, {whole, 1 - first, {}}})}, {ground, glow})),

@@ -165,12 +165,12 @@ TEST_CASE("the squares of errors measured at some pixels are expected to be thos
           doctest::Approx(.02 * (std::accumulate(samples.begin(), samples.end(), 0.) + .25 * columns * rows))
               .epsilon(.01));
     CHECK(sum.squares / times == doctest::Approx(squares).epsilon(.06));
-    CHECK(sum.variance > spread);  // it counts what a few of the pixels share
+    CHECK(sum.variance > spread);  // errors that a few pixels share are counted for each of them
     CHECK(sum.variance < 4 * spread);
 }
 
 TEST_CASE("checks and bricks are known by themselves, not by their colours alone") {
-    // Without that the errors of both are 3.7.
+    // Without the filters the errors of both pictures are 3.7.
     for (const std::string pattern : {"checker { <.9, .9, .9>, <.1, .1, .1>  rotate <0, 0, 25> }",
                                       "brick { <.9, .9, .9>, <.1, .1, .1>  scale .2  rotate <0, 0, 25> }"}) {
         CAPTURE(pattern);

@@ -17,6 +17,7 @@
 #include "tests/referee/random_scene.h"
 #include "tests/unit/sanitized.h"
 #include "tests/unit/text/language.h"
+#include "tests/unit/trace/cut_out.h"
 #include "text/parse.h"
 #include "trace/cells/cell_picture.h"
 #include "trace/hierarchy/moving_hierarchy.h"
@@ -35,7 +36,6 @@ View view_of(const Scene& scene, double time, int width, int height) {
             .time = time,
             .moments = shutter_moments(scene, time, camera.shutter, [&](double t) { return camera_at(scene, t); })};
 }
-Lattice whole(const View& view) { return {.columns = view.width, .rows = view.height}; }
 
 std::vector<double> picture(const Scene& scene, const View& view, const Lattice& part, int threads, double error,
                             Sampled* sampled = nullptr, Simd simd = Simd::automatic) {
@@ -81,12 +81,6 @@ std::vector<double> by_pictures(const Scene& scene, const View& view, int n, int
         for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += one[k] / n;
     }
     return sum;
-}
-
-double rms(const std::vector<double>& a, const std::vector<double>& b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
-    return std::sqrt(sum / static_cast<double>(a.size()));
 }
 
 /// A random world in which half of the bodies and lights move and, every other time, the camera flies.

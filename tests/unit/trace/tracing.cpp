@@ -300,7 +300,7 @@ TEST_CASE_TEMPLATE("a camera on a flat face sees it whole or not at all, in ever
                 bodies[i % 4] + " rotate <" + std::to_string(number(-80, 80)) + ", 20, 30> }",
             "face");
         const glm::dmat4 m = matrix(scene.primitives[0].transformations);
-        // It looks away from the face by 60 degrees, so that no ray looks back at it.
+        // The camera looks away from the face by 60 degrees, so that no ray looks back at it.
         scene.camera.position = transform_point(m, {number(-3, 3), number(-3, 3), 0});
         const DVec3 outwards = transform_point(m, {0, 0, 1}) - transform_point(m, {0, 0, 0});
         const DVec3 aside = transform_point(m, {1, 0, 0}) - transform_point(m, {0, 0, 0});

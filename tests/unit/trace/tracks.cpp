@@ -160,7 +160,7 @@ TEST_CASE("pictures are those of the values at the moment") {
         CHECK(picture(at(scene, time), camera) == picture(still, still.camera));
         CHECK(!Movers(at(scene, time)).any());
     }
-    // One tracer, from moment to moment, also by other tracks than the scene's.
+    // Asks one tracer for moment after moment, also by other tracks than the scene's.
     Tracer tracer(scene, Precision::float64);
     ThreadPool pool(2);
     const auto other =

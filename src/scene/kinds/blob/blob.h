@@ -121,7 +121,7 @@ STRAHL_INLINE void find_stretches(const LumpSpan<R>* spans, int count, R level, 
         }
         const bool started = starts;
         if (starts) {
-            // Its zero at -1 is known, and divided out.
+            // The zero of the polynomial at -1 is known, and divided out.
             level += p[0] - p[1] + p[2] - p[3] + p[4];
             const R third = p[4], second = p[3] - third, linear = p[2] - second;
             p = {p[1] - linear, linear, second, third, 0};

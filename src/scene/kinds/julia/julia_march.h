@@ -25,7 +25,7 @@ struct JuliaMarch {
     Mask<V> inside{}, turned{};
 
     static constexpr R near = std::is_same_v<R, float> ? R(4e-7) : R(1e-7);  // how exactly a crossing is found
-    static constexpr R itself = R(1e-4);  // of a ray from the surface, crossings up to here are its start
+    static constexpr R itself = R(1e-4);  // crossings nearer than this to a start on the surface are that start
 
     /// Looks at the places where rays begin, or somewhat further in if these are inside.
     template <JuliaRule rule>
