@@ -73,7 +73,8 @@ LightKernel<T> light_kernel(const Light& light, const Placement& placement) {
         kernel.v = edge(light.area->v - slant * along);
         kernel.columns = light.area->columns, kernel.rows = light.area->rows;
         kernel.adaptive = static_cast<std::int32_t>(light.adaptive);
-        kernel.circular = light.circular, kernel.orient = light.orient, kernel.jitter = light.jitter;
+        kernel.circular = light.circular, kernel.jitter = light.jitter;
+        kernel.orient = light.orient, kernel.mirrored = light.mirrored;
     }
     if (light.direction && light.from) {
         kernel.starts = true;

@@ -69,7 +69,7 @@ struct LightKernel {
     bool area = false, soft = false;  // soft: see Light
     Vec3<T> u{0}, v{0};               // edges of a rectangle around its position, or unit vectors across parallel light
     std::int32_t columns = 0, rows = 0, adaptive = 0;  // of a soft light with a grid, see Light
-    bool circular = false, orient = false, jitter = false;
+    bool circular = false, orient = false, mirrored = false, jitter = false;
     bool starts = false;  // parallel light from the plane of the points p with position . p = start
     T start = 0;
     T beam = 0, core = 0;    // of parallel light around an axis, see Light; 0: it shines everywhere
