@@ -48,6 +48,7 @@ struct Light {
     /// `orient` turns it towards the points that it lights. With `jitter` the light of each point comes evenly from all
     /// places up to half way to the next points, as much as those points count: the mean over all places.
     bool soft = false, circular = false, orient = false, jitter = false;
+    bool mirrored = false;  // said of `orient`: in z, the grid is the mirror image of one. Scene text has no word
     double adaptive = 100;
     std::optional<DVec3> from{};
     /// With `beam` above 0, parallel light from that plane shines only around the axis through `from`: at a distance d

@@ -689,9 +689,23 @@ void SceneMaker::set_single_planes(Primitive& body, TextPlace place) {
     mesh->data = known->second;
 }
 
+/// Makes a body of the space around a composite, so that rays start in it: what that leaves of a half-space whose face
+/// is further away than anything is seen.
+void SceneMaker::fill_around(Primitive& whole) {
+    constexpr double far = 1e8;
+    const int material = whole.material;
+    Primitive space{Plane{{0, 0, far}, {1, 0, far}, {0, 1, far}}, materials.nothing(), {}};
+    whole = {.shape = composite<Difference>({std::move(space), std::move(whole)}),
+             .material = material,
+             .transformations = {}};
+}
+
 void SceneMaker::push(Part part, const ObjectThing& object, const Around& around) {
     std::vector<Transformation>& own = part.primitive.transformations;
     own.insert(own.end(), around.moves.begin(), around.moves.end());
+    const bool cuts = object.kind == ObjectKind::intersect || object.kind == ObjectKind::subtract;
+    if (part.negated && cuts && !object.inverse && object.parts.size() > 1 && clear(part.primitive, true))
+        fill_around(part.primitive);
     Looks flags = around;
     take_over(object, around, flags);
     if (object.word == word("mesh") || object.word == word("mesh2")) set_single_planes(part.primitive, object.place);
@@ -730,15 +744,15 @@ std::vector<ObjectThing> pieces_of(const ObjectThing& object) {
 
 }  // namespace
 
-/// Adds an object of the scene, or of a union, whose parts keep the surfaces inside it.
+/// Adds an object of the scene, or of a union, whose parts keep the surfaces inside it unless it is turned inside out.
 void SceneMaker::add(const ObjectThing& object, const Around& around) {
     if (object.kind == ObjectKind::light) {
         add_light(object, around);
-    } else if (object.kind == ObjectKind::unite && object.clips.empty()) {
+    } else if (object.kind == ObjectKind::unite && object.clips.empty() && !object.inverse) {
         const Around within = inside(object, around);
         tell_notes(object);
         for (const auto& part : object.parts) add(*part, within);
-    } else if (object.kind == ObjectKind::unite && object.parts.size() > 1) {
+    } else if (object.kind == ObjectKind::unite && !object.clips.empty() && object.parts.size() > 1) {
         for (const ObjectThing& piece : pieces_of(object)) add(piece, around);
     } else if (std::optional<Part> part = build(object, around)) {
         if (object.word == word("sphere_sweep") && object.parts.size() > 1 && object.clips.empty() &&

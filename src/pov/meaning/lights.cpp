@@ -93,8 +93,9 @@ void SceneMaker::add_light(const ObjectThing& object, const Around& around) {
     approximated(light.area && !grid && own.orient, "an area_light that turns to the bodies stays as it is");
     if (light.area && grid) {
         light.circular = round, light.orient = round && own.orient;
-        // The mirror image of the grid that POV-Ray turns is not the one that is turned here.
-        approximated(light.orient && mirrored, "'orient': the points are off by a thousandth of the light's size");
+        light.mirrored = light.orient && mirrored && !as_text;
+        approximated(light.orient && mirrored && as_text,
+                     "'orient': the points are off by a thousandth of the light's size");
         light.adaptive = std::clamp(own.adaptive, 0, 100);
         light.jitter = own.jitter;
         if (own.jitter)
@@ -106,7 +107,8 @@ void SceneMaker::add_light(const ObjectThing& object, const Around& around) {
     if (!(reach <= 1e9)) {
         light.direction = -light.position, light.position = DVec3(0), light.spot.reset(), light.area.reset(),
         light.beam = 0;
-        light.from.reset(), light.soft = light.circular = light.orient = false, light.adaptive = Light{}.adaptive;
+        light.from.reset(), light.soft = light.circular = light.orient = light.mirrored = false,
+                            light.adaptive = Light{}.adaptive;
         approximated(true, "a light further away than 1e9 is parallel light");
     }
     light.color = max(min(light.color, Color(1e9)), Color(-1e9));

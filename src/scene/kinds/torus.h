@@ -144,9 +144,11 @@ struct Torus {
     }
     /// POV-Ray's default solver takes nearly flat quartics for cubics.
     static constexpr const char* pov_more = " sturm";
-    /// Capsules along chords of its circle.
+    /// Capsules along chords of its circle, whose arcs are no further from them than a quarter of the tube's radius.
     std::vector<Capsule> capsules() const {
-        constexpr int chords = 48;
+        constexpr double fewest = 48, most = 512;
+        const double wanted = std::numbers::pi / std::acos(1 - std::min(minor / (4 * major), 1.));
+        const int chords = static_cast<int>(std::ceil(std::min(std::max(wanted, fewest), most)));
         const auto [x, y, z, middle] = pov_axes();
         const auto point = [&](int i) {
             const double turn = 2 * std::numbers::pi * i / chords;

@@ -46,11 +46,12 @@ struct AreaCells {
 template <class T>
 std::pair<Vec3<T>, Vec3<T>> edges_of_grid(const AreaKernel<T>& area, const Vec3<T>& middle) {
     if (!area.orient) return {area.u, area.v};
-    const Vec3<T> l = scale(T(1) / sqrt(dot(middle, middle)), middle);
+    const Vec3<T> seen(T(1), T(1), area.mirrored ? T(-1) : T(1));
+    const Vec3<T> l = scale(T(1) / sqrt(dot(middle, middle)), middle) * seen;
     const Vec3<T> across = cross(l, abs(abs(l.z) - T(1)) < T(.01) ? Vec3<T>(0, 1, 0) : Vec3<T>(0, 0, 1));
     const T size = sqrt(dot(area.u, area.u));
     const Vec3<T> u = scale(size / sqrt(dot(across, across)), across);
-    return {u, cross(l, u)};
+    return {u * seen, cross(l, u) * seen};
 }
 /// Returns the ways to places on a light's grid that are a and b times its edges u and v off its middle.
 template <class S, class T>

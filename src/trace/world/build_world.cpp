@@ -74,7 +74,8 @@ LightKernel<T> light_kernel(const Light& light, const Placement& placement) {
         area.u = edge(light.area->u), area.v = edge(light.area->v - slant * along);
         area.columns = light.area->columns, area.rows = light.area->rows;
         area.adaptive = static_cast<std::int32_t>(light.adaptive);
-        area.circular = light.circular, area.orient = light.orient, area.jitter = light.jitter;
+        area.circular = light.circular, area.jitter = light.jitter;
+        area.orient = light.orient, area.mirrored = light.mirrored;
     }
     if (light.direction && light.from) {
         kernel.starts = true;

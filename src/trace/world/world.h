@@ -67,7 +67,7 @@ struct AreaKernel {
     Vec3<T> u{0}, v{0};  // its edges
     bool soft = false;
     std::int32_t columns = 0, rows = 0, adaptive = 0;  // of a soft light's grid; 0 without one
-    bool circular = false, orient = false, jitter = false;
+    bool circular = false, orient = false, mirrored = false, jitter = false;
 };
 /// Parallel light around an axis, see Light.
 template <class T>

@@ -455,6 +455,14 @@ TEST_CASE("POV-Ray: composites with bodies turned inside out contain the same po
     CHECK(inside(text, far));
     CHECK_FALSE(inside(text, left));
     CHECK_FALSE(inside(text, right));
+    // A clear one that bends light fills the space around it, in which rays start.
+    const std::string around = "difference { " + ball + "inverse } " + box + "} translate 9*y ";
+    const std::string bends = around + "pigment { rgbt 1 } interior { ior 1.5 } }", opaque = around + "}";
+    for (const DVec3& p : {left, right, far}) {
+        const DVec3 moved = p + DVec3(0, 9, 0);
+        CHECK((!inside(bends, moved) && inside(bends, p) && inside(opaque, moved) && !inside(opaque, p)));
+    }
+    CHECK(whole("union { " + ball + "} " + box + "} inverse }").primitives.size() == 1);  // no surfaces inside it
     CHECK(inside("intersection { plane { x, 0 } plane { -x, 1 } box { -9, 9 } }", left));
     CHECK_FALSE(inside("intersection { plane { x, 0 } plane { -x, 1 } box { -9, 9 } }", DVec3(-1.5, 0, 0)));
 }

@@ -410,6 +410,71 @@ TEST_CASE("rings, slivers, plates, coins and strips of meshes, of .06 to .5 pixe
     }
 }
 
+TEST_CASE("tori and sphere sweeps of .05 to .4 pixels take their area") {
+    // Black bodies before white, seen in parallel. How much of the picture they hide is known in closed form: all of a
+    // curve's length, as it is seen, times their thickness, and at its ends a half circle each.
+    const std::string black =
+        "camera { position <0, 0, 1000>  look_at <0, 0, 0>  sky <0, 1, 0>  orthographic fov .45 }\n"
+        "background { color <1, 1, 1> }  light { position <0, 0, 500>  color <0, 0, 0> }\n"
+        "defaultmaterial { ambient 0  diffuse 0  specular 0  reflection 0 }\n";
+    std::mt19937 random(31);
+    const auto between = [&](double low, double high) { return std::uniform_real_distribution<>(low, high)(random); };
+    const auto text_of = [](const DVec3& v) {
+        return "<" + std::to_string(v.x) + ", " + std::to_string(v.y) + ", " + std::to_string(v.z) + ">";
+    };
+    const auto length_seen = [](const auto& place, int steps) {
+        double sum = 0;
+        for (int i = 0; i < steps; ++i) {
+            const DVec3 step = place((i + 1.) / steps) - place(double(i) / steps);
+            sum += std::hypot(step.x, step.y);
+        }
+        return sum;
+    };
+    for (int i = 0; i < 12; ++i) {
+        const PictureSize sizes[]{{480, 360}, {480, 270}, {360, 640}}, &size = sizes[i % 3];
+        const double pixel = 2000 * std::tan(.45 * std::numbers::pi / 180) / size.width;
+        const double thick = pixel * std::pow(10., between(-1.3, -.4));
+        const double radius = between(2, 4), x = between(-1, 1), y = between(-1, 1);
+        std::string body;
+        double area = 0;
+        if (i % 2 == 0) {
+            const double tilt = between(0, 1.2), turn = between(0, 6);
+            const DVec3 axis(std::sin(tilt) * std::cos(turn), std::sin(tilt) * std::sin(turn), std::cos(tilt));
+            body = "torus { " + text_of({x, y, 0}) + ", " + text_of(axis) + ", " + std::to_string(radius) + ", " +
+                   std::to_string(thick / 2) + " }";
+            area = thick * length_seen(
+                               [&](double t) {
+                                   const double at = 2 * std::numbers::pi * t;
+                                   return DVec3(radius * std::cos(at), radius * std::cos(tilt) * std::sin(at), 0);
+                               },
+                               10000);
+        } else {
+            DVec3 balls[5];
+            body = "sphere_sweep { ";
+            for (int k = 0; k < 5; ++k) {
+                balls[k] = DVec3(2.2 * k - 4.4 + between(-.6, .6), between(-1.5, 1.5), between(-2, 2));
+                body += "through { " + text_of(balls[k]) + ", " + std::to_string(thick / 2) + " } ";
+            }
+            body += "}";
+            area = thick * thick * std::numbers::pi / 4;
+            for (int k = 0; k < 2; ++k)  // the spline of Catmull and Rom
+                area += thick * length_seen(
+                                    [&](double t) {
+                                        const DVec3 &a = balls[k], &b = balls[k + 1], &c = balls[k + 2],
+                                                    &d = balls[k + 3];
+                                        return .5 * (2. * b + t * (c - a) + t * t * (2. * a - 5. * b + 4. * c - d) +
+                                                     t * t * t * (3. * b - a - 3. * c + d));
+                                    },
+                                    2000);
+        }
+        CAPTURE(body);
+        double hidden = 0;
+        const std::vector<double> values = picture(parse_scene(black + body, "thin"), size, {});
+        for (std::size_t k = 0; k < values.size(); k += 3) hidden += 1 - values[k];
+        CHECK(hidden == doctest::Approx(area / (pixel * pixel)).epsilon(.03));
+    }
+}
+
 TEST_CASE("a gap between two bodies is seen") {
     Scene scene = parse_scene(
         "camera { position <0, 0, 1000>  look_at <0, 0, 0>  sky <0, 1, 0>  fov .5 }  background { color <1, 1, 1> }\n"

@@ -75,6 +75,32 @@ std::shared_ptr<const SweepData> SweepData::usual() {
     return shared;
 }
 
+std::vector<Capsule> SphereSweep::capsules() const {
+    constexpr double most = 64;  // chords of a piece
+    std::vector<Capsule> around;
+    for (const SweepPiece& piece : data->pieces) {
+        // A cubic curve is no further from n chords than its second derivative over 8 n^2.
+        const auto bend = [](const auto& p, const auto& size) {
+            return .75 * std::max(size(p[0] - 2. * p[1] + p[2]), size(p[1] - 2. * p[2] + p[3]));
+        };
+        const double bent = bend(piece.centre, [](const DVec3& v) { return length(v); }) +
+                            bend(piece.radius, [](double v) { return std::fabs(v); });
+        const auto [thin, thick] = std::minmax({std::fabs(piece.radius[0]), std::fabs(piece.radius[3])});
+        const double wanted = std::sqrt(4 * bent / std::max({thin, thick / 8, 1e-9}));
+        const int chords = static_cast<int>(std::ceil(std::clamp(wanted, 1., most)));
+        const auto at = [chords](const auto& p, int i) {
+            const double t = double(i) / chords, s = 1 - t;
+            return s * s * s * p[0] + 3 * s * s * t * p[1] + 3 * s * t * t * p[2] + t * t * t * p[3];
+        };
+        const auto place = [&](int i) { return data->centre + data->unit * at(piece.centre, i); };
+        for (int i = 0; i < chords; ++i) {
+            const double radius = std::max(std::fabs(at(piece.radius, i)), std::fabs(at(piece.radius, i + 1)));
+            around.push_back({place(i), place(i + 1), data->unit * (radius + bent / (chords * chords))});
+        }
+    }
+    return around;
+}
+
 const char* SphereSweep::fault() const {
     const std::vector<SweptBall>& balls = data->balls;
     if (balls.size() < 4) return "it has fewer than four balls";

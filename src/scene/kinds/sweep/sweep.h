@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "scene/kinds/capsule.h"
 #include "scene/kinds/prism.h"
 #include "scene/kinds/sweep/swept_line.h"
 
@@ -139,6 +140,8 @@ struct SphereSweep {
     bool open() const { return false; }
     Box bounds() const { return data->box; }
     bool contains(const DVec3& p) const { return data->contains(p); }
+    /// Capsules along chords of its curve, whose arcs are no further from them than a quarter of its radius there.
+    std::vector<Capsule> capsules() const;
     static constexpr int face_count() { return 1; }
 
     template <class T>
