@@ -81,11 +81,14 @@ RULES = {
         mesh2 { vertex_vectors { 3, <-1,-1,0>, <1,-1,.3>, <1,1,0> } face_indices { 1, <0,1,2> }""",
     "row": "$vector, $vector, $vector, $vector",
     "color": "rgb <~.05:1,~.05:1,~.05:1>",
-    "clear": "rgbf <~.1:1,~.1:1,~.1:1,~.1:.9>\nrgbt <~.1:1,~.1:1,~.1:1,~.1:.9>\nrgb <~0:1,~0:1,~0:1> filter .3 transmit .4",
+    "clear": """
+        rgbf <~.1:1,~.1:1,~.1:1,~.1:.9>
+        rgbt <~.1:1,~.1:1,~.1:1,~.1:.9>
+        rgb <~0:1,~0:1,~0:1> filter .3 transmit .4""",
     "stain": "9*$color\n$clear",
     "texture": """
         8*texture { $pigment $normal? $finish }
-        texture { $pattern texture_map { [~0:.4 $pigment $finish] [~.4:.6 $pigment $normal $finish] [1 $pigment] } $warped }
+        texture { $pattern texture_map { [~0:.4 $pigment $finish] [~.4:1 $pigment $normal $finish] } $warped }
         texture { checker texture { $pigment $finish }, texture { $pigment $normal } $move*0:2 }""",
     "clear_texture": """
         texture { $veil $finish }
@@ -116,9 +119,16 @@ RULES = {
         spiral%1:2 %1:5
         function { $function }
         pigment_pattern { $list scale ~.2:.8 }""",
-    "simple": "\n".join("agate boxed bozo bumps cells crackle cylindrical dents granite leopard marble onion planar radial "
-                        "ripples spherical spotted waves wood wrinkles".split()) + "\ngradient $vector",
-    "function": "x*y+z\nsin(x*3)*cos(z*2)\nabs(x)+abs(y)\npow(x,2)-z\nf_noise3d(x*2,y*2,z*2)\nmod(x*2,1)\nsqrt(x*x+z*z)",
+    "simple": "\n".join("agate boxed bozo bumps cells crackle cylindrical dents granite leopard marble onion planar "
+                        "radial ripples spherical spotted waves wood wrinkles".split()) + "\ngradient $vector",
+    "function": """
+        x*y+z
+        sin(x*3)*cos(z*2)
+        abs(x)+abs(y)
+        pow(x,2)-z
+        f_noise3d(x*2,y*2,z*2)
+        mod(x*2,1)
+        sqrt(x*x+z*z)""",
     "warped": "$turbulence? $waves? $warp? $move*0:2 scale ~.25:1",
     "turbulence": "turbulence ~.1:.8\nturbulence <~0:.7,~0:.7,~0:.7> octaves %1:6 lambda ~1.5:2.5 omega ~.3:.7",
     "waves": "frequency ~.3:4\nphase ~0:1\n$wave\n$wave frequency ~.5:3",
@@ -172,10 +182,8 @@ TOKEN = re.compile(r"\$([a-z_]+)(\?|\*(\d)(?::(\d))?)?|([~%])(-?[\d.]+):(-?[\d.]
 
 def productions(text):
     """Returns the productions of a rule, each as often as it says."""
-    lines = [line.strip() for line in text.split("\n")]
-    if not lines[0] and len(lines) > 3:
-        lines = lines[1:]  # a block that begins on a line of its own
-    counted = [re.fullmatch(r"(?:(\d)\*)?(.*)", line) for line in lines]
+    lines = text.strip().split("\n") if text.startswith("\n ") else text.split("\n")
+    counted = [re.fullmatch(r"(?:(\d)\*)?(.*)", line.strip()) for line in lines]
     return [line[2] for line in counted for _ in range(int(line[1] or 1))]
 
 
