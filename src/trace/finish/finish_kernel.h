@@ -87,9 +87,9 @@ Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, c
         const T bailout = world.finishes.bailout;
         const int layers = std::min(finish.layers, most_layers);
         for (int& i = hit.count; i < layers; ++i) hit.color[i] = hit.above[i] = none, hit.opacity[i] = S(0);
-        Mask<S> open = lanes;  // those whose light is followed to this layer
-        S weight(1);           // weight of the rays that the layer reflects
-        bool shown = true;     // is the bend of the stack's uppermost layer this one?
+        Mask<S> open = lanes;    // those whose light is followed to this layer
+        S weight(1);             // weight of the rays that the layer reflects
+        bool shown = true;       // is the bend of the stack's uppermost layer this one?
         const auto pass = [&] {  // the light that all layers of a stack let through
             const Mask<S> strong = gray_of<S>(through) > S(bailout) * factor.y;
             passed = passed + (bailout > 0 ? select(strong, through, none) : through);
