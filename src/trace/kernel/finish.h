@@ -183,8 +183,9 @@ template <class S, class P>
         if (bend == 0 && any(hidden.active) && shading.depth < deepest_ray)
             push_through(shading, hidden, t, before, notes);  // fog filters the light of the whole ray, at its end
         hit.active = hit.active & !hidden.active;
-        // Notes are taken of hidden surfaces too: what lies beside each other in a pack must not matter to them.
-        if (P::notes && none(hit.active) && !filters(shading) && !notes_layers(shading)) return;
+        // Notes are taken of hidden surfaces too: what lies beside each other in a pack must not matter to them. The
+        // fog before them shines.
+        if (P::notes && none(hit.active) && !world.fog.any && !filters(shading) && !notes_layers(shading)) return;
     }
     LayeredHit<S> layers;
     layers.bend = bend;
