@@ -396,7 +396,7 @@ std::array<double, 3> Cells::mean(const Cell& cell) const {
         for (int c = 0; c < 3; ++c) {
             for (int k = 0; k < 4; ++k) color[c] += value(k, c);
             color[c] *= .25;
-            // Where the middle is known, the mean of the four triangles around it.
+            // Takes the mean of the four triangles around the middle where that is known.
             if (cell.middle >= 0) color[c] = (2 * color[c] + value(4, c)) / 3;
         }
         return color;

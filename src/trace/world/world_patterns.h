@@ -67,7 +67,7 @@ struct PatternKernel {
     bool nests;  // some of its stops have patterns
     std::int32_t first_stop, stops;
     Vec3<T> rows[3], offset;
-    // Of one form each, or of several:
+    // Holds the numbers that only some forms read.
     Vec3<T> mortar;            // of bricks: the mortar's share of one along each axis
     T border;                  // of ramps: how far before its whole numbers a ramp begins anew
     OctavesKernel<T> octaves;  // of noise, and of the noise that moves layers and rings

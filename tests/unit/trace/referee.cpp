@@ -227,7 +227,7 @@ TEST_CASE("a box minus a box that ends where it does is open there") {
     const Material ground = with(dull, &Material::ambient, .5);
     Scene scene = made(Difference{list({{whole, 0, {}}, {lower, 1, {}}})}, {ground, glow});
     check(ahead(scene), {.5, .25, 1});  // the end of the hollow, not the face that both have
-    // The same is seen if both are turned by a quarter, and moved on two levels.
+    // Turns both by a quarter and moves them on two levels: the same is seen.
     for (const bool turned : {false, true}) {
         const std::vector<Transformation> steps =
             turned ? std::vector<Transformation>{Rotate{{0, 0, 90}}, Scale{DVec3(.5)}} : std::vector<Transformation>{};
@@ -240,7 +240,7 @@ TEST_CASE("a box minus a box that ends where it does is open there") {
              {Translate{{0, 0, .25}}}}};
         check(ahead(scene), {.5, .25, 1});
     }
-    // Where two faces lie in one place the first declared is seen, unless the other body continues behind it.
+    // Puts two faces in one place: the first declared is seen, unless the other body continues behind it.
     const Cuboid upper{{-1, -1, 1}, {1, 1, 2}};
     for (const int first : {0, 1})
         check(ahead(made(Union{list({{whole, first, {}}, {whole, 1 - first, {}}})}, {ground, glow})),
