@@ -744,6 +744,14 @@ std::vector<ObjectThing> pieces_of(const ObjectThing& object) {
 
 }  // namespace
 
+/// Is this a sweep of balls that no light comes through? All its parts have its material.
+bool SceneMaker::is_opaque_sweep(const ObjectThing& object, const Around& around) {
+    if (object.word != word("sphere_sweep") || object.kind != ObjectKind::merge) return false;
+    if (object.parts.size() < 2 || !object.clips.empty()) return false;
+    const std::optional<Part> part = build(*object.parts[0], inside(object, around));
+    return part && !clear(part->primitive);
+}
+
 /// Adds an object of the scene, or of a union, whose parts keep the surfaces inside it unless it is turned inside out.
 void SceneMaker::add(const ObjectThing& object, const Around& around) {
     if (object.kind == ObjectKind::light) {
@@ -752,16 +760,13 @@ void SceneMaker::add(const ObjectThing& object, const Around& around) {
         const Around within = inside(object, around);
         tell_notes(object);
         for (const auto& part : object.parts) add(*part, within);
+    } else if (is_opaque_sweep(object, around)) {
+        ObjectThing parts = object;  // nobody sees what is inside of it, and a union is traced faster
+        parts.kind = ObjectKind::unite;
+        add(parts, around);
     } else if (object.kind == ObjectKind::unite && !object.clips.empty() && object.parts.size() > 1) {
         for (const ObjectThing& piece : pieces_of(object)) add(piece, around);
     } else if (std::optional<Part> part = build(object, around)) {
-        if (object.word == word("sphere_sweep") && object.parts.size() > 1 && object.clips.empty() &&
-            !clear(part->primitive)) {
-            // Nobody sees what is inside of it, and a union is traced faster.
-            ObjectThing parts = object;
-            parts.kind = ObjectKind::unite;
-            return add(parts, around);
-        }
         push(std::move(*part), object, around);
     }
 }

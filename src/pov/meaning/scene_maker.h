@@ -90,6 +90,7 @@ class SceneMaker {
     int cells_of(const ObjectThing& object, const Around& around);
     int material_of(const ObjectThing& object, const Around& around, bool mapped, const Steps& folded);
     void set_single_planes(Primitive& body, TextPlace place);
+    bool is_opaque_sweep(const ObjectThing& object, const Around& around);
     void fill_around(Primitive& whole);
     void push(Part part, const ObjectThing& object, const Around& around);
     void count_surfaces(const ObjectThing& object);
