@@ -20,10 +20,12 @@ class Bmp : public Encoder {
         EncodedBand band;
         band.bytes.resize(stride() * unsigned(rows));
         const auto* from = reinterpret_cast<const char*>(codes);
+        const std::size_t width = unsigned(layout.width);  // which writing bytes does not change
         for (std::size_t y = 0; y < unsigned(rows); ++y) {
-            char* to = &band.bytes[y * stride()];
-            for (int x = 0; x < layout.width; ++x, from += 3, to += 3)
-                to[0] = from[2], to[1] = from[1], to[2] = from[0];
+            char* const to = &band.bytes[y * stride()];
+            for (std::size_t x = 0; x < 3 * width; x += 3)
+                to[x] = from[x + 2], to[x + 1] = from[x + 1], to[x + 2] = from[x];
+            from += 3 * width;
         }
         return band;
     }

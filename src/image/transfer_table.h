@@ -15,10 +15,10 @@ class TransferTable {
   public:
     explicit TransferTable(double gamma, const Exposure& exposure = {});
     std::uint32_t operator()(double v) const {
-        if (!(v > 0)) return 0;
-        if (v >= white) return 255;
-        std::uint32_t code = start[static_cast<std::size_t>(v * bins_per_unit)];
-        while (v >= least[code + 1]) ++code;
+        const double in = v > 0 ? std::min(v, white) : 0.;  // without branches: neighbours' values are far apart
+        std::uint32_t code = start[static_cast<std::size_t>(static_cast<int>(in * bins_per_unit))];
+        code += in >= least[code + 1];
+        while (in >= least[code + 1]) ++code;  // only where bins hold several codes, which exposures can make
         return code;
     }
     /// Returns the pixel of a red, green and blue value: 8 bits each of blue, green, red and full opacity, from the low

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -63,18 +64,19 @@ class Batches {
         const int pixels = tile.columns * tile.rows;
         static_assert(sizeof(PixelSum<T>) == 4 * sizeof(T));
         const T* const sums = workspace.sums[0].rgb;
-        const int* const order = workspace.order.data();
-        for (int i = 0; i < pixels; ++i)
-            for (int c = 0; c < 4; ++c)  // four at once are faster than three; the next pixel covers the last
-                values[3 * i + c] = static_cast<Out>(sums[4 * order[i] + c]);
-        for (int i = 0; i < 3 * pixels; ++i) values[i] = finite<Out>(values[i]);
+        const int* const numbers = order.numbers.data();
+        for (int i = 0; i < pixels; ++i) {
+            std::array<Out, 4> pixel;  // four at once are faster than three; the next pixel covers the last
+            for (int c = 0; c < 4; ++c) pixel[c] = finite<Out>(sums[4 * numbers[i] + c]);
+            std::memcpy(values + 3 * i, pixel.data(), sizeof pixel);
+        }
         if (layers) {
             layers->begin(pixels), average_spots(pixels);
             return hand_on(tile, std::span<const Out>(values, 3 * pixels), sink);
         }
         double most[lattice_tile * lattice_tile];
         if (prove)
-            for (int i = 0; i < pixels; ++i) most[i] = bound_of(workspace.order[i]);
+            for (int i = 0; i < pixels; ++i) most[i] = bound_of(order.numbers[i]);
         sink({tile, std::span<const Out>(values, 3 * pixels), std::span<const double>(most, prove ? pixels : 0)});
     }
 
@@ -147,7 +149,7 @@ class Batches {
             if (layers) average_spots(pixels);
             for (int i = 0; i < pixels; ++i)
                 for (int c = 0; c < 3; ++c)
-                    sums[3 * i + c] += finite<double>(workspace.sums[workspace.order[i]].rgb[c]);
+                    sums[3 * i + c] += finite<double>(workspace.sums[order.numbers[i]].rgb[c]);
         };
         for (int j = 0; j < n && !limits.stopped(); ++j)
             for (int i = 0; i < n && !limits.stopped(); ++i) add((i + .5) / n - .5, (j + .5) / n - .5);
@@ -224,6 +226,17 @@ class Batches {
         return static_cast<To>(std::min(value, static_cast<From>(std::numeric_limits<To>::max())));
     }
 
+    /// Returns the largest of `count` numbers that are `step` apart, or 0. Four maxima grow side by side, since a maximum
+    /// waits for the one before.
+    static T largest(const T* numbers, int count, int step) {
+        T most[4] = {};
+        int i = 0;
+        for (; i + 4 <= count; i += 4)
+            for (int k = 0; k < 4; ++k) most[k] = std::max(most[k], numbers[(i + k) * step]);
+        for (; i < count; ++i) most[0] = std::max(most[0], numbers[i * step]);
+        return std::max({most[0], most[1], most[2], most[3]});
+    }
+
     /// Gives the layers the samples that were just traced.
     void keep_layers(int count) {
         using Rows = LayerRows<T>;
@@ -248,7 +261,7 @@ class Batches {
         if (limits.stopped()) return;
         layers->forget_samples();
         keep_layers(pixels);
-        for (int i = 0; i < pixels; ++i) layers->average(i, workspace.order[i], 1);
+        for (int i = 0; i < pixels; ++i) layers->average(i, order.numbers[i], 1);
     }
     template <class To>
     void hand_on(const Lattice& tile, std::span<const To> rgb, const Sink& sink) const {
@@ -291,14 +304,10 @@ class Batches {
         for (int i = 0; i < lattice_tile; ++i)
             x_at[i] = static_cast<T>(tile.x + i * tile.step_x + shift_x),
             y_at[i] = static_cast<T>(tile.y + i * tile.step_y + shift_y);
+        const std::span<const TileSpot> spots = order.of(tile.columns, tile.rows);
         T *const pixels_x = workspace.pixels_x.data(), *const pixels_y = workspace.pixels_y.data();
-        int *const order = workspace.order.data(), filled = 0;
-        for (const auto [x, y] : z_curve) {
-            if (x >= tile.columns || y >= tile.rows) continue;
-            pixels_x[filled] = x_at[x], pixels_y[filled] = y_at[y];
-            order[y * tile.columns + x] = filled++;
-        }
-        trace_batches(filled, nullptr);
+        for (std::size_t i = 0; i < spots.size(); ++i) pixels_x[i] = x_at[spots[i].x], pixels_y[i] = y_at[spots[i].y];
+        trace_batches(static_cast<int>(spots.size()), nullptr);
     }
 
     /// Traces the first pixels of the workspace, as many at once as fit.
@@ -328,11 +337,8 @@ class Batches {
                 workspace.batch = std::max(1, count / 2);
             }
         }
-        T dropped = 0, past = 0;
-        for (int i = 0; i < pixels; ++i)
-            dropped = std::max(dropped, workspace.sums[i].pruned), past = std::max(past, workspace.past[i]);
-        counts.dropped = std::max(counts.dropped, double(dropped));
-        counts.past = std::max(counts.past, double(past));
+        counts.dropped = std::max(counts.dropped, double(largest(&workspace.sums[0].pruned, pixels, 4)));
+        counts.past = std::max(counts.past, double(largest(workspace.past.data(), pixels, 1)));
     }
 
     const World<T>& world;
@@ -343,6 +349,7 @@ class Batches {
     const bool prove;    // the kernel is a proving one
     const bool filters;  // do samples have footprints?
     const Placement& placement;
+    TileOrder order;
     LayerRows<T> rows{};
     std::vector<T> layer_values, lit;  // of the rows
     std::vector<T> bounds;             // of the pixels, by proving kernels

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <functional>
 #include <glm/matrix.hpp>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -30,7 +31,16 @@ struct SlantedFace {
     }
     bool beside(const SlantedFace& other) const {
         return round == other.round && length(normal - other.normal) < nudge &&
-               std::fabs(at - other.at) < 1e-12 * (1 + std::fabs(at));
+               std::fabs(at - other.at) < 1e-12 * (1 + std::fabs(at)) && reaches(other) && other.reaches(*this);
+    }
+    /// Is some of a rectangle around the other face in the stripes along this one's sides?
+    bool reaches(const SlantedFace& other) const {
+        const DVec3 way = other.middle - middle;
+        const auto along = [&](const DVec3& own) {
+            return std::fabs(dot_product(way, own)) <= dot_product(own, own) + std::fabs(dot_product(other.u, own)) +
+                                                           std::fabs(dot_product(other.v, own));
+        };
+        return along(u) && along(v);
     }
 };
 
@@ -113,15 +123,23 @@ std::vector<SettledPair> settle_slanted_faces(Scene& scene) {
     const bool bounded = scene.primitives.size() + scene.lights.size() > 2;  // POV-Ray looks at fewer in their order
     std::vector<std::pair<std::size_t, std::size_t>> order;                  // numbers of faces: seen, and hidden
     std::size_t pairs = 0;
-    for (std::size_t i = 0; i < faces.size(); ++i)
-        for (std::size_t k = i + 1;
-             k < faces.size() && faces[k].at - faces[i].at < 1e-11 * (1 + std::fabs(faces[i].at)); ++k) {
-            const SlantedFace &a = faces[i], &b = faces[k];
-            if (a.body == b.body || !a.beside(b) || ++pairs > most) continue;
-            const auto box = [&](const SlantedFace& face) { return world_bounds(scene.primitives[face.body]); };
-            const int lead = bounded ? lead_of(a, b, box(a), box(b), eye) : a.body < b.body ? 1 : -1;
-            if (lead != 0) order.push_back(lead > 0 ? std::pair(i, k) : std::pair(k, i));
-        }
+    const auto apart = [](const SlantedFace& a, const SlantedFace& b) {
+        return b.at - a.at >= 1e-11 * (1 + std::fabs(a.at));
+    };
+    for (std::size_t first = 0, end; first < faces.size(); first = end) {
+        const auto last = std::adjacent_find(faces.begin() + std::ptrdiff_t(first), faces.end(), apart);
+        end = last == faces.end() ? faces.size() : static_cast<std::size_t>(last - faces.begin()) + 1;
+        // The faces of a regular solid are as far from the origin as each other, and their normals differ.
+        std::ranges::sort(std::span(faces).subspan(first, end - first), {}, [](const auto& f) { return f.normal.x; });
+        for (std::size_t i = first; i < end; ++i)
+            for (std::size_t k = i + 1; k < end && faces[k].normal.x - faces[i].normal.x < nudge; ++k) {
+                const SlantedFace &a = faces[i], &b = faces[k];
+                if (a.body == b.body || !a.beside(b) || ++pairs > most) continue;
+                const auto box = [&](const SlantedFace& face) { return world_bounds(scene.primitives[face.body]); };
+                const int lead = bounded ? lead_of(a, b, box(a), box(b), eye) : a.body < b.body ? 1 : -1;
+                if (lead != 0) order.push_back(lead > 0 ? std::pair(i, k) : std::pair(k, i));
+            }
+    }
     // Each face is moved further than all that it hides, unless they hide each other in a circle.
     constexpr int most_moved = 100;
     std::vector<int> rank(faces.size());

@@ -3,6 +3,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <vector>
 
 namespace strahl {
 
@@ -23,5 +25,27 @@ inline constexpr std::array<TileSpot, lattice_tile* lattice_tile> z_curve = [] {
         }
     return spots;
 }();
+
+/// The pixels of a tile of some size in the order of the Z curve.
+struct TileOrder {
+    std::vector<int> numbers;  // of the tile's pixels, row by row, in that order
+
+    /// Returns the places of the pixels, and sets their numbers; both are kept for the next tile of this size.
+    std::span<const TileSpot> of(int columns, int rows) {
+        if (columns == known_columns && rows == known_rows) return spots;
+        known_columns = columns, known_rows = rows;
+        numbers.resize(std::size_t(columns) * unsigned(rows)), spots.clear();
+        for (const TileSpot& spot : z_curve)
+            if (spot.x < columns && spot.y < rows) {
+                numbers[unsigned(spot.y * columns + spot.x)] = static_cast<int>(spots.size());
+                spots.push_back(spot);
+            }
+        return spots;
+    }
+
+  private:
+    int known_columns = 0, known_rows = 0;
+    std::vector<TileSpot> spots;
+};
 
 }  // namespace strahl

@@ -67,7 +67,6 @@ Workspace<T>::Workspace() {
     hits = {first, first + queue_capacity, order_by_bin.get(), counts.data()};
     refracted_queue = queue_in(values.get());
     pixels_x.resize(scattered_pixels + widest_pack), pixels_y.resize(scattered_pixels + widest_pack);
-    order.resize(batch_pixels);
     sums.resize(scattered_pixels), past.resize(scattered_pixels);
     sights.resize(scattered_pixels);
     sides.resize(scattered_pixels), seen.resize(scattered_pixels);

@@ -30,7 +30,6 @@ class Workspace {
     HitList<T> hits;
     MediumStacks mediums;
     std::vector<T> pixels_x, pixels_y;
-    std::vector<int> order;  // numbers in the batch of the tile's pixels, row by row
     std::vector<PixelSum<T>> sums;
     std::vector<T> past;
     std::vector<Sight<T>> sights;
