@@ -1,7 +1,9 @@
 #include "image/pixels.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include "files/bytes.h"
 #include "files/regular_file.h"
@@ -29,6 +31,29 @@ std::optional<double> png_gamma(const RegularFile& file) {
     return gamma;
 }
 
+/// Returns the colours of a .png or .gif file whose pixels are numbers of them (PNG, 11.2.3; CompuServe, "Graphics
+/// Interchange Format 89a", 19), and none of other files.
+std::vector<std::array<int, 3>> palette_of(const RegularFile& file) {
+    const std::string head = file.bytes(0, 26);
+    std::string bytes;
+    if (head.starts_with("GIF8") && head.size() == 26 && head[10] & 0x80) {
+        bytes = file.bytes(13, std::size_t(6) << (head[10] & 7));
+    } else if (head.starts_with("\x89PNG") && head.size() == 26 && head[25] == 3) {
+        for (std::uint64_t at = 8; bytes.empty() && at + 8 <= file.size();) {
+            const std::string chunk = file.bytes(at, 8);
+            const auto size = get_big<std::uint32_t>(chunk, 0);
+            if (chunk.ends_with("PLTE")) bytes = file.bytes(at + 8, std::min<std::uint32_t>(size, 3 * 256));
+            at += 12 + std::uint64_t(size);
+        }
+    }
+    std::vector<std::array<int, 3>> colors;
+    for (std::size_t i = 0; i + 2 < bytes.size(); i += 3) {
+        const auto byte = [&](std::size_t c) { return int(static_cast<unsigned char>(bytes[i + c])); };
+        colors.push_back({byte(0), byte(1), byte(2)});
+    }
+    return colors;
+}
+
 }  // namespace
 
 FilePixels read_pixels(const std::string& path) {
@@ -47,6 +72,7 @@ FilePixels read_pixels(const std::string& path) {
     const RegularFile file(path);
     pixels.gamma = png_gamma(file), pixels.from_right = picture.from_right;
     pixels.grey_png = picture.channels == 1 && picture.bits <= 8 && file.bytes(0, 8).starts_with("\x89PNG");
+    pixels.more_bits = picture.bits > 8, pixels.palette = palette_of(file);
     const auto count = std::size_t(picture.width) * static_cast<unsigned>(picture.height);
     pixels.values.reserve(3 * count);
     double lowest = 0;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "num/vec_math.h"
+#include "pov/meaning/extents.h"
 #include "pov/meaning/scene_maker.h"
 #include "scene/overlap.h"
 #include "scene/ray_hits.h"
@@ -63,10 +64,9 @@ std::shared_ptr<const FunctionThing> PovLayer::inside_of(Interpreter& in, const 
     return std::make_shared<InsideFunction>(object.made.bodies, inverse);
 }
 
-std::pair<DVec3, DVec3> PovLayer::extent(Interpreter& in, const Thing& object) {
+std::pair<DVec3, DVec3> PovLayer::extent(Interpreter&, const Thing& object) {
     constexpr double far = 1e10;
-    Box box;
-    for (const auto& [body, own] : bodies_of(in, object)) box.add(own);
+    Box box = extent_of(dynamic_cast<const ObjectThing&>(object));
     if (box.empty()) return {DVec3(0), DVec3(0)};
     for (int i = 0; i < 3; ++i) {
         box.low[i] = static_cast<float>(std::max(box.low[i], -far));

@@ -97,6 +97,7 @@ void PictureReader::load(Interpreter& in, ImageThing& image, bool of_colors, boo
 std::shared_ptr<const ImageThing> PictureReader::read(Interpreter& in, bool of_colors, bool srgb) {
     auto image = std::make_shared<ImageThing>();
     std::optional<double> gamma;
+    bool premultiplied = false;
     in.begin_block();
     if (in.at("function")) {
         std::array<int, 2> size{};
@@ -150,7 +151,7 @@ std::shared_ptr<const ImageThing> PictureReader::read(Interpreter& in, bool of_c
                 image->use_alpha = true;
                 break;
             case word("premultiplied"):
-                in.read_flag();
+                premultiplied = in.read_flag();
                 break;
             case word("bump_size"):
                 image->bump_size = in.read_number();
@@ -168,6 +169,8 @@ std::shared_ptr<const ImageThing> PictureReader::read(Interpreter& in, bool of_c
     }
     in.end_block();
     if (!image->pixels) load(in, *image, of_colors, srgb, gamma);
+    if (premultiplied && image->pixels && !image->pixels->opacity.empty())
+        in.remark(Remark::Kind::approximated, in.last_place(), "the colours of a picture are not premultiplied");
     return image;
 }
 

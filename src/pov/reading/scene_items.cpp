@@ -52,6 +52,9 @@ void PovReader::read_settings(Interpreter& in) {
                 in.read_flag();
                 break;
             case word("number_of_waves"):
+                if (in.read_number() != 10)
+                    in.remark(Remark::Kind::approximated, in.last_place(), "number_of_waves is the usual one, 10");
+                break;
             case word("max_intersections"):
             case word("mm_per_unit"):
                 in.read_number();

@@ -7,9 +7,11 @@
 
 #include "files/error.h"
 #include "files/words.h"
+#include "num/decimal.h"
 #include "num/vec_math.h"
 #include "pov/reading/reader.h"
 #include "pov/things/letters.h"
+#include "pov/things/pictures.h"
 #include "pov/things/prisms.h"
 
 namespace strahl::pov {
@@ -145,18 +147,33 @@ void check_size(const std::array<int, 2>& size) {
         throw FileError("it has too few pixels, or too many");
 }
 
-/// Returns the heights that a picture's pixels mean, from its lowest row on.
-std::vector<double> heights_of(const Pixels& pixels) {
+/// Returns the bytes of a colour.
+std::array<int, 3> codes_of(const float* color) {
+    std::array<int, 3> codes{};
+    for (std::size_t c = 0; c < 3; ++c) codes[c] = static_cast<int>(std::lround(std::clamp(color[c], 0.f, 1.f) * 255));
+    return codes;
+}
+
+/// Returns the heights that a picture's pixels mean, from its lowest row on: the numbers of their colours in 256ths, or
+/// else their brightness, or red and green as the high and the low byte. Brightness, red and green are decoded by a
+/// gamma if the scene gives one.
+std::vector<double> heights_of(const FilePixels& pixels, std::optional<double> gamma) {
     check_size({pixels.width, pixels.height});
+    const auto light = [&](float value) { return gamma ? decoded(decimal(value), *gamma) : decimal(value); };
+    const auto height_of = [&](const float* own) {
+        const std::array<int, 3> color = codes_of(own);
+        if (!pixels.palette.empty())
+            return double(std::ranges::find(pixels.palette, color) - pixels.palette.begin()) / 256;
+        if (own[0] == own[1] && own[0] == own[2]) return light(own[0]) * 65535 / 65536;
+        if (pixels.more_bits)
+            return (.297 * light(own[0]) + .589 * light(own[1]) + .114 * light(own[2])) * 65535 / 65536;
+        return (light(own[0]) * 255 * 256 + light(own[1]) * 255) / 65536;
+    };
     std::vector<double> heights;
-    bool grey = true;
-    for (std::size_t i = 0; i + 2 < pixels.values.size(); i += 3)
-        grey &= pixels.values[i] == pixels.values[i + 1] && pixels.values[i] == pixels.values[i + 2];
     for (int j = pixels.height; j-- > 0;)
-        for (int i = 0; i < pixels.width; ++i) {
-            const float* const own = &pixels.values[3 * (std::size_t(j) * std::size_t(pixels.width) + std::size_t(i))];
-            heights.push_back(grey ? own[0] * 65535. / 65536 : (own[0] * 255. * 256 + own[1] * 255.) / 65536);
-        }
+        for (int i = 0; i < pixels.width; ++i)
+            heights.push_back(
+                height_of(&pixels.values[3 * (std::size_t(j) * std::size_t(pixels.width) + std::size_t(i))]));
     return heights;
 }
 
@@ -463,6 +480,7 @@ void PovReader::read_height_field(Interpreter& in, ObjectThing& object) {
     std::shared_ptr<const FunctionThing> function;
     std::array<int, 2> size{};
     double water = 0;
+    std::optional<double> gamma;
     bool smooth = false;
     for (;;) {
         if (in.at_string())
@@ -473,10 +491,12 @@ void PovReader::read_height_field(Interpreter& in, ObjectThing& object) {
             smooth = in.read_flag();
         else if (in.at("function"))
             function = in.read_function(&size);
-        else if (in.accept("gamma")) {
-            if (!in.accept("srgb")) in.read_number();
-        } else if (in.at("gif") || in.at("tga") || in.at("pot") || in.at("png") || in.at("pgm") || in.at("ppm") ||
-                   in.at("jpeg") || in.at("tiff") || in.at("sys") || in.at("bmp") || in.at("exr") || in.at("hdr"))
+        else if (in.accept("gamma"))
+            gamma = in.accept("srgb") ? 0 : in.read_number();
+        else if (in.accept("premultiplied"))
+            in.read_flag();
+        else if (in.at("gif") || in.at("tga") || in.at("pot") || in.at("png") || in.at("pgm") || in.at("ppm") ||
+                 in.at("jpeg") || in.at("tiff") || in.at("sys") || in.at("bmp") || in.at("exr") || in.at("hdr"))
             in.take();
         else
             break;
@@ -487,9 +507,18 @@ void PovReader::read_height_field(Interpreter& in, ObjectThing& object) {
             heights = heights_of(*function, size);
         } else {
             if (path.empty() || !pictures.read_pixels) throw FileError("it has no picture");
-            const Pixels pixels = pictures.read_pixels(path);
+            auto file = std::make_shared<const FilePixels>(pictures.read_pixels(path));
+            if (file->grey_png) {
+                ImageThing image;
+                image.pixels = std::move(file), image.encoding = gamma, image.working = 1;
+                file = grey_values_of(image), gamma.reset();
+            }
+            const FilePixels& pixels = *file;
             size = {pixels.width, pixels.height};
-            heights = heights_of(pixels);
+            heights = heights_of(pixels, gamma);
+            const auto twice = [&](const auto& color) { return std::ranges::count(pixels.palette, color) > 1; };
+            if (std::ranges::any_of(pixels.palette, twice))
+                object.approximated("of equal colours in the palette of a height_field's picture each is the first");
         }
         set_mesh(object, height_field(size[0], size[1], heights, water, smooth));
         if (smooth) object.approximated("normals of a smooth height_field bend between three corners, not four");

@@ -24,11 +24,6 @@ double turn(double x, double z) {
     return angle < 0 ? angle + 1 : angle;
 }
 
-/// Returns the light that an encoded value is.
-double decoded(double value, double encoding) {
-    if (encoding != 0) return std::pow(value, encoding);
-    return value <= .04045 ? value / 12.92 : std::pow((value + .055) / 1.055, 2.4);
-}
 double encoded(double light, double encoding) {
     if (encoding != 0) return std::pow(light, 1 / encoding);
     return light <= .0031308 ? light * 12.92 : 1.055 * std::pow(light, 1 / 2.4) - .055;
@@ -198,6 +193,11 @@ struct PictureValues : SolidFunction {
 };
 
 }  // namespace
+
+double decoded(double value, double encoding) {
+    if (encoding != 0) return std::pow(value, encoding);
+    return value <= .04045 ? value / 12.92 : std::pow((value + .055) / 1.055, 2.4);
+}
 
 std::shared_ptr<const FunctionThing> colors_of(const ImageThing& image) {
     if (!image.pixels) return nullptr;

@@ -6,6 +6,9 @@
 
 namespace strahl::pov {
 
+/// Returns the light that an encoded value is, by a gamma, or 0 for sRGB.
+double decoded(double value, double encoding);
+
 /// Returns the colour of a picture at a point, in five results: red, green, blue, filter and transmit, as values of the
 /// scene. Null if the picture could not be read.
 std::shared_ptr<const FunctionThing> colors_of(const ImageThing& image);

@@ -1,5 +1,7 @@
 // Reads the files that a scene names: meshes and pictures, each of them once.
 #pragma once
+#include <array>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -19,9 +21,11 @@ namespace strahl {
 /// The pixels of a picture file, and how opaque each is, from 0 to 1. Without `opacity` all are.
 struct FilePixels : Pixels {
     std::vector<float> opacity;
-    std::optional<double> gamma;  // by which the file says that its values are encoded; 0 is sRGB
-    bool from_right = false;      // the file has the pixels of each row from right to left
-    bool grey_png = false;        // it is a .png file of one channel of at most 8 bits
+    std::optional<double> gamma;              // by which the file says that its values are encoded; 0 is sRGB
+    bool from_right = false;                  // the file has the pixels of each row from right to left
+    bool grey_png = false;                    // it is a .png file of one channel of at most 8 bits
+    bool more_bits = false;                   // it has more than 8 bits a channel
+    std::vector<std::array<int, 3>> palette;  // of a .png or .gif file whose pixels are numbers of colours, 0 to 255
 
     FilePixels() = default;
     FilePixels(Pixels pixels) : Pixels(std::move(pixels)) {}

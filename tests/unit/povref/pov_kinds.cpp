@@ -1,9 +1,11 @@
 // Compares scenes of POV-Ray with POV-Ray's own pictures of them: random ones of kinds that once differed.
 #include <doctest/doctest.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <fstream>
 #include <functional>
 #include <iomanip>
@@ -74,6 +76,36 @@ const Kind kinds[]{
          const std::string shift = t.one_of({"-1", "0", "<-1,-1,0>", "<-1,0,0>"});
          return t.camera() + lamp + "box { -1, 1 pigment { image_map { png \"checks.png\" } scale " +
                 t.one_of({"1", "2", "4"}) + " translate " + shift + " } rotate " + t.vector(-40, 40) + " }";
+     }},
+    {"heights that pictures of all kinds mean",
+     [](Texts& t) {
+         return t.camera() + lamp + "height_field { png \"" +
+                t.one_of({"checks", "checks16", "grey", "grey16", "palette"}) + ".png\" " +
+                t.one_of({"", "gamma 1.6 ", "gamma srgb "}) + t.one_of({"", "premultiplied on "}) +
+                "translate <-.5,-.5,-.5> pigment { rgb " + t.vector(.3, 1) + " } scale <3,1.5,3> rotate " +
+                t.vector(-30, 30) + " }";
+     },
+     .01},
+    {"boxes around bodies",
+     [](Texts& t) {
+         const auto body = [&] {
+             const std::string own[]{
+                 "sphere { " + t.vector(-.5, .5) + ", " + t.number(.2, .6),
+                 "cylinder { " + t.vector(-1, 0) + ", " + t.vector(.1, 1) + ", " + t.number(.1, .4),
+                 "cone { " + t.vector(-1, 0) + ", .3, " + t.vector(.1, 1) + ", " + t.number(0, .5),
+                 "disc { 0, " + t.vector(.1, 1) + ", .7",
+                 "torus { .6, .2",
+                 "superellipsoid { <.4,.7> scale .5",
+                 "mesh { triangle { " + t.vector(-1, 1) + "," + t.vector(-1, 1) + "," + t.vector(-1, 1) + " }",
+                 "text { ttf \"timrom.ttf\" \"W\" .2, 0"};
+             return own[std::stoul(t.one_of({"0", "1", "2", "3", "4", "5", "6", "7"}))] + " rotate " +
+                    t.vector(-180, 180) + t.one_of({"", " scale <.7,1.2,1>"}) + " translate " + t.vector(-.3, .3) +
+                    t.one_of({"", " rotate 40*x"}) + " }";
+         };
+         const std::string first = body();
+         return t.camera() + lamp + "#declare S = " + t.one_of({"union", "merge", "difference", "intersection"}) +
+                " { object { " + first + " } " + body() + " rotate " + t.vector(-90, 90) +
+                " } box { min_extent(S), max_extent(S) pigment { rgb " + t.vector(.3, 1) + " } }";
      }},
     {"sides of prisms",
      [](Texts& t) {
@@ -347,6 +379,36 @@ const Kind kinds[]{
                 t.number(4, 40) + " rgb <.7,.7,.8> }";
      }}};
 
+/// Writes a picture of 8x8 pixels, which are numbers from 0 to 9 of colours (PNG, 11.2).
+void write_palette_png(const std::string& path, const std::array<std::uint8_t, 64>& numbers) {
+    std::ofstream file(path, std::ios::binary);
+    const auto put = [&](std::uint32_t value) {
+        for (const int shift : {24, 16, 8, 0}) file.put(static_cast<char>(value >> shift & 255));
+    };
+    const auto chunk = [&](const std::string& type, const std::string& data) {
+        const std::string both = type + data;
+        put(static_cast<std::uint32_t>(data.size()));
+        file << both;
+        put(static_cast<std::uint32_t>(
+            crc32(0, reinterpret_cast<const Bytef*>(both.data()), static_cast<uInt>(both.size()))));
+    };
+    std::string colors, rows;
+    for (int i = 0; i < 10; ++i)
+        colors += {static_cast<char>(90 * i), static_cast<char>(25 * i), static_cast<char>(-i)};
+    for (std::size_t i = 0; i < 64; ++i) {
+        if (i % 8 == 0) rows += '\0';
+        rows += static_cast<char>(numbers[i]);
+    }
+    std::string packed(200, '\0');
+    uLongf size = packed.size();
+    compress(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(rows.data()), rows.size());
+    file << "\x89PNG\r\n\x1a\n";
+    chunk("IHDR", std::string("\0\0\0\x08\0\0\0\x08\x08\x03\0\0\0", 13));
+    chunk("PLTE", colors);
+    chunk("IDAT", packed.substr(0, size));
+    chunk("IEND", "");
+}
+
 /// Returns the share of the pixels that differ by more than 1/255 from POV-Ray's own; nothing if the scene may be
 /// speckled, and is told to be.
 std::optional<double> differing(const std::string& path, const std::string& text, bool speckled) {
@@ -380,11 +442,20 @@ std::optional<double> differing(const std::string& path, const std::string& text
 
 TEST_CASE("random scenes of POV-Ray's show what POV-Ray shows") {
     const Scratch folder;
-    Picture checkered{8, 8, 3, {}};
-    for (int i = 0; i < 64; ++i)
+    Picture checkered{8, 8, 3, {}}, grey{8, 8, 1, {}};
+    std::array<std::uint8_t, 64> numbers{};
+    for (int i = 0; i < 64; ++i) {
         for (const double value : {.2, .5, .9})
             checkered.values.push_back((i % 8 + i / 8) % 2 ? value : .8 - value / 2);
-    write_picture(checkered, folder / "checks.png", {8, 1});
+        grey.values.push_back(std::fmod(.37 * i, 1));
+        numbers[std::size_t(i)] = static_cast<std::uint8_t>(7 * i % 10);
+    }
+    for (const int bits : {8, 16}) {
+        const std::string ending = bits == 8 ? ".png" : "16.png";
+        write_picture(checkered, folder / ("checks" + ending), {bits, 1});
+        write_picture(grey, folder / ("grey" + ending), {bits, 1});
+    }
+    write_palette_png(folder / "palette.png", numbers);
     for (const Kind& kind : kinds)
         for (unsigned seed = 1; seed <= 3; ++seed) {
             Texts texts(seed);
