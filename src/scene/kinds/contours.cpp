@@ -151,6 +151,20 @@ ContourData::ContourData(std::vector<Contour> all, bool turned) : contours(std::
     }
 }
 
+bool ContourData::is_convex_polygon() const {
+    if (contours.size() != 1) return false;
+    double whole = 0, turns = 0;  // the angles between its sides, and the sum of their sizes
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const ContourPiece<double>&own = pieces[i], &next = pieces[i + 1 < pieces.size() ? i + 1 : 0];
+        if (own.ex != 0 || own.ey != 0 || own.dx != 0 || own.dy != 0) return false;
+        const PlaneLine<double> side{own.ax, own.ay, own.cx - own.ax, own.cy - own.ay};
+        const double x = next.cx - next.ax, y = next.cy - next.ay;
+        const double turn = std::atan2(side.across(x, y), side.along(x, y));
+        whole += turn, turns += std::abs(turn);
+    }
+    return turns < 6.5 && std::abs(whole) > 6;  // once around, always to the same side
+}
+
 std::shared_ptr<const ContourData> ContourData::usual() {
     static const auto shared = std::make_shared<const ContourData>(
         std::vector<Contour>{{{1, 0}, {{{1, 1}, {0, 1}}, {{-1, 1}, {-1, 0}}, {{-1, -1}, {0, -1}}, {{1, -1}, {1, 0}}}},

@@ -130,6 +130,8 @@ struct ContourData {
 
     /// Contours that turn about the y axis are not closed, and the box around them has it in its middle.
     explicit ContourData(std::vector<Contour> all, bool turned = false);
+    /// Is the figure a convex polygon?
+    bool is_convex_polygon() const;
     /// The disc of radius 1, or nearly, with a square hole.
     static std::shared_ptr<const ContourData> usual();
 };

@@ -294,6 +294,7 @@ constexpr FormCalls<S> calls_of() {
     constexpr bool composite = std::is_same_v<typename Form::Kind, Union>, lists = lists_crossings<typename Form::Kind>;
     if constexpr (!composite) calls.surfaces_at = &Own::surfaces_at;
     if constexpr (lists || of_triangles<Form>) calls.list_crossings = &Own::list_crossings;
+    if constexpr (std::is_same_v<typename Form::Kind, Prism>) calls.ends = &Own::ends;
     if constexpr (!composite && !lists && !std::is_same_v<Form, SharedMeshForm>) {
         if constexpr (Form::Kind::closed && Form::Kind::bounded) calls.ends = &Own::ends;
         if constexpr (!Form::hot) calls.surface_at = &Own::surface_at;

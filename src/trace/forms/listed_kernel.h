@@ -80,6 +80,19 @@ struct FormFunctions<OwnForm, S> : SingleByPack<FormFunctions<OwnForm, S>, S> {
             hit.surface = hit.body = load_lanes<S>(found[6]);
         }
     }
+    /// Finds the span of rays in a convex leaf of a composite.
+    static void ends(const World<T>& world, int item, const Ray<S>& ray, LeafEnds<S>& ends) {
+        constexpr T inf = std::numeric_limits<T>::infinity();
+        const S first_face(items(world)[item].surface);
+        ends.pairs = 1, ends.near[0] = S(inf), ends.far[0] = S(-inf), ends.near_face = ends.far_face = S(0);
+        each_crossing(world, item, BlobData::unlimited, ray, S(0), all_lanes<S>(),
+                      [&](Mask<S> lanes, const S& t, const S& surface) {
+                          const Mask<S> near = lanes & (t < ends.near[0]), far = lanes & (t > ends.far[0]);
+                          ends.near[0] = select(near, t, ends.near[0]), ends.far[0] = select(far, t, ends.far[0]);
+                          ends.near_face = select(near, surface - first_face, ends.near_face);
+                          ends.far_face = select(far, surface - first_face, ends.far_face);
+                      });
+    }
     static void list_crossings(const World<T>& world, const CompositeLeaf& leaf, const Ray<S>& ray, Mask<S> mask,
                                const S& place, const S&, Mask<S>, MeshCrossings<S>& found) {
         each_crossing(world, leaf.item, BlobData::unlimited, ray, S(0), mask,
