@@ -148,6 +148,7 @@ ContourData::ContourData(std::vector<Contour> all, bool turned) : contours(std::
         const auto [h, e, d] = curve.coefficients();
         pieces.push_back({place(a, 0), place(a, 1), place(c, 0), place(c, 1), h[0] / unit, h[1] / unit, e[0] / unit,
                           e[1] / unit, d[0] / unit, d[1] / unit});
+        pieces.back().bound();
     }
 }
 
