@@ -52,7 +52,7 @@ struct FormFunctions<OwnForm, S> : SingleByPack<FormFunctions<OwnForm, S>, S> {
             const S first = own.shape.first;
             hit = {own.shape.at(pieces_of(world.contour_pieces, first, faces), ray, t, faces), own.surface + faces,
                    own.surface};
-        } else if constexpr (julia) {
+        } else if constexpr (julia || std::is_same_v<typename OwnForm::Kind, Blob>) {
             for (unsigned left = bits(S(0) == S(0)); left;) {
                 const int number = numbers[std::countr_zero(left)];
                 unsigned own = 0;
