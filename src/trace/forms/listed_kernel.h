@@ -30,7 +30,11 @@ struct FormFunctions<OwnForm, S> : SingleByPack<FormFunctions<OwnForm, S>, S> {
                           [&](Mask<S> lanes, const S& t, const S& surface) {
                               lanes = lanes & (t > over) & (t < distance);
                               if (none(lanes)) return;
-                              if (!clear) return void(light.limit = select(lanes, S(-1), light.limit));
+                              if (!clear) return darken(light, lanes, julia ? S(0) : t);
+                              // Steps through a Julia set begin where a ray does: from the next surface on it may
+                              // cross it elsewhere.
+                              if (light.notes && julia) light.notes->incomplete = true;
+                              if (light.notes) light.notes->add_clear(lanes, t);
                               if (painted)
                                   return FinishCalls<S>::filter(world, static_cast<int>(item.material), surface, ray, t,
                                                                 lanes, light.share);
