@@ -148,7 +148,22 @@ ContourData::ContourData(std::vector<Contour> all, bool turned) : contours(std::
         const auto [h, e, d] = curve.coefficients();
         pieces.push_back({place(a, 0), place(a, 1), place(c, 0), place(c, 1), h[0] / unit, h[1] / unit, e[0] / unit,
                           e[1] / unit, d[0] / unit, d[1] / unit});
+        pieces.back().bound();
     }
+}
+
+bool ContourData::is_convex_polygon() const {
+    if (contours.size() != 1) return false;
+    double whole = 0, turns = 0;  // the angles between its sides, and the sum of their sizes
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const ContourPiece<double>&own = pieces[i], &next = pieces[i + 1 < pieces.size() ? i + 1 : 0];
+        if (own.ex != 0 || own.ey != 0 || own.dx != 0 || own.dy != 0) return false;
+        const PlaneLine<double> side{own.ax, own.ay, own.cx - own.ax, own.cy - own.ay};
+        const double x = next.cx - next.ax, y = next.cy - next.ay;
+        const double turn = std::atan2(side.across(x, y), side.along(x, y));
+        whole += turn, turns += std::abs(turn);
+    }
+    return turns < 6.5 && std::abs(whole) > 6;  // once around, always to the same side
 }
 
 std::shared_ptr<const ContourData> ContourData::usual() {

@@ -1,9 +1,11 @@
 // Plane figures with contours of straight lines and of curves, and where lines cross these.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <memory>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -65,12 +67,29 @@ STRAHL_INLINE S zero_between(const Value& value, S low, S high, Mask<S> below, M
 template <class T>
 struct ContourPiece {
     T ax, ay, cx, cy, hx, hy, ex, ey, dx, dy;
+    T bottom = 0, top = 0, reach = 0;  // between which y it is, and up to which |x|
 
+    /// Finds between which numbers the control points are, in one direction. Those of a straight line or of a parabola
+    /// are between these of a cubic.
+    static std::pair<T, T> between(T a, T h, T e, T c) {
+        const T first = a + T(2) / 3 * h, second = first + (2 * h + e) / 3;
+        return {std::min(std::min(a, c), std::min(first, second)), std::max(std::max(a, c), std::max(first, second))};
+    }
+    /// Sets the bounds.
+    void bound() {
+        const auto [left, right] = between(ax, hx, ex, cx);
+        std::tie(bottom, top) = between(ay, hy, ey, cy), reach = std::max(-left, right);
+    }
+    /// Rounds its numbers.
+    template <class R>
+    ContourPiece<R> rounded() const {
+        return {R(ax), R(ay), R(cx), R(cy), R(hx), R(hy), R(ex), R(ey), R(dx), R(dy), R(bottom), R(top), R(reach)};
+    }
     /// Converts it to numbers of more digits, and changes the last one so that the piece ends at c: rounded numbers
     /// miss it.
     template <class R>
     ContourPiece<R> as() const {
-        ContourPiece<R> all{R(ax), R(ay), R(cx), R(cy), R(hx), R(hy), R(ex), R(ey), R(dx), R(dy)};
+        ContourPiece<R> all = rounded<R>();
         if constexpr (std::is_same_v<R, T>) return all;
         const auto end = [](R a, R c, R& h, R& e, R& d, bool cubic, bool curved) {
             if (cubic)
@@ -130,6 +149,8 @@ struct ContourData {
 
     /// Contours that turn about the y axis are not closed, and the box around them has it in its middle.
     explicit ContourData(std::vector<Contour> all, bool turned = false);
+    /// Is the figure a convex polygon?
+    bool is_convex_polygon() const;
     /// The disc of radius 1, or nearly, with a square hole.
     static std::shared_ptr<const ContourData> usual();
 };

@@ -39,9 +39,10 @@ struct LatheKernel : ContourKernel<T> {
         const Mask<V> stays = starts;
         for (int pass = any(starts) ? 0 : 1; pass < 2; ++pass)
             for (int i = 0; i < static_cast<int>(count); ++i) {
+                if (!within.may_hold(pieces[i])) continue;
                 const Mask<V> here = start == V(static_cast<R>(i)),
                               own = lanes & (pass == 0 ? stays & here : !(stays & here));
-                if (none(own) || !within.may_hold(pieces[i])) continue;
+                if (none(own)) continue;
                 TurnedPlaces<V> places = cross_turned(pieces[i].template as<R>(), line, own);
                 if (any(starts & own)) {
                     V nearest = infinite;

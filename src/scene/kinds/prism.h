@@ -100,8 +100,9 @@ struct PrismKernel : ContourKernel<T> {
         const S high = select(start == one, zero, (one - p.z) / v.z);
         const S enters = select(level, S(-inf), min(low, high)), leaves = select(level, S(inf), max(low, high));
         const S from = across * enters, to = across * leaves;
+        const S twice = S(2) * abs(shift);
         const auto tell = [&](Mask<S> own, const S& t, const S& face) __attribute__((always_inline)) {
-            own = own & (starts_here | box.holds(ray, t, abs(t)));
+            own = own & (starts_here | box.holds(ray, t, abs(t) + twice));  // t is a sum with the shift
             if (any(own)) crossed(own, t, face);
         };
         Mask<S> begins_inside = lanes & !lanes, ends_inside = begins_inside, lost = begins_inside;

@@ -20,16 +20,7 @@ struct LinesInCylinder {
     /// May one of the lines cross the surface of a piece? It is where the control points of the piece are.
     template <class T>
     STRAHL_INLINE bool may_hold(const ContourPiece<T>& piece) const {
-        constexpr T third = T(1) / 3;
-        const auto between = [&](T a, T h, T e, T c) {  // those of a straight line or of a parabola are between these
-            const T first = a + 2 * third * h, second = first + third * (2 * h + e);
-            return std::pair(std::min(std::min(a, c), std::min(first, second)),
-                             std::max(std::max(a, c), std::max(first, second)));
-        };
-        const auto [bottom, top] = between(piece.ay, piece.hy, piece.ey, piece.cy);
-        if (!(bottom <= high && top >= low)) return false;
-        const auto [left, right] = between(piece.ax, piece.hx, piece.ex, piece.cx);
-        return std::max(-left, right) >= least;
+        return R(piece.bottom) <= high && R(piece.top) >= low && R(piece.reach) >= least;
     }
 };
 
@@ -155,20 +146,25 @@ STRAHL_INLINE TurnedPlaces<V> cross_turned(const ContourPiece<Element<V>>& piece
     };
     const auto xs = control(piece.ax, piece.hx, piece.ex), ys = control(piece.ay, piece.hy, piece.ey);
     std::array<V, degree + 1> r, w;
-    R furthest = 0;
+    R furthest = 0, left = std::numeric_limits<R>::infinity(), right = -left;
     V lowest(std::numeric_limits<R>::infinity()), highest = -lowest;
     for (int i = 0; i <= degree; ++i) {
         const R x = i == degree ? piece.cx : xs[i];
         r[i] = V(x), w[i] = above_nearest(V(i == degree ? piece.cy : ys[i]));
-        furthest = std::max(furthest, std::abs(x)), lowest = min(lowest, w[i]), highest = max(highest, w[i]);
+        furthest = std::max(furthest, std::abs(x)), left = std::min(left, x), right = std::max(right, x);
+        lowest = min(lowest, w[i]), highest = max(highest, w[i]);
     }
     TurnedPlaces<V> places;
     for (V& place : places) place = V(std::numeric_limits<R>::infinity());
     const auto square = [&](const V& radius) __attribute__((always_inline)) {
         return (abs(radius) - least) * (abs(radius) + least);
     };
-    const V most = square(V(furthest));
-    lanes = lanes & (most > zero) & !(max(lowest, -highest) > steep * sqrt(max(most, zero)));
+    // Rules out lines that pass the control points on one side. F is the polynomial below.
+    const V size = max(abs(lowest), abs(highest)), most = square(V(furthest)), steepness = rise * rise;
+    const V noise = V(bits) * (steepness * V(furthest) * V(furthest) + size * size);
+    const R nearest = std::max(std::max(left, -right), R(0));
+    const V least_f = steepness * (V(nearest) - least) * (V(nearest) + least) - size * size;
+    lanes = lanes & (most > zero) & !(max(lowest, -highest) > steep * sqrt(max(most, zero))) & !(least_f > noise);
     if (none(lanes)) return places;
 
     const auto beyond = [&](const V& radius, const V& own_w) __attribute__((always_inline))->Mask<V> {
@@ -198,9 +194,6 @@ STRAHL_INLINE TurnedPlaces<V> cross_turned(const ContourPiece<Element<V>>& piece
         for (int k = 0; k <= degree; ++k)
             curve.c[i + k] += V(choose[degree][i] * choose[degree][k] / choose[2 * degree][i + k]) *
                               (rise * rise * (r[i] - least) * (r[k] + least) - w[i] * w[k]);
-    const V size = max(abs(lowest), abs(highest));
-    const V noise = V(bits) * (rise * rise * V(furthest) * V(furthest) + size * size);
-
     // Where all coefficients have one sign there is no zero, and nothing to be cut.
     V smallest = curve.c[0], largest = curve.c[0];
     for (int i = 1; i <= 2 * degree; ++i) smallest = min(smallest, curve.c[i]), largest = max(largest, curve.c[i]);

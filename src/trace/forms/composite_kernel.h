@@ -509,11 +509,9 @@ struct FormFunctions<CompositeForm, S> : SingleByPack<FormFunctions<CompositeFor
                 const S surface = walk.surface_at(t, lanes);
                 walk.each_leaf_of(surface, lanes, [&](const CompositeLeaf& leaf, Mask<S> own) {
                     const MaterialKernel<T>& material = world.materials[leaf.material];
-                    if (!passes_light(world, leaf.material)) {
-                        light.limit = select(own, S(-1), light.limit);
-                        return;
-                    }
+                    if (!passes_light(world, leaf.material)) return darken(light, own, t);
                     through = through | own;
+                    if (light.notes) light.notes->add_clear(own, t);
                     if (patterned(world, leaf.material)) [[unlikely]]
                         return FinishCalls<S>::filter(world, leaf.material, surface, ray, t, own, light.share);
                     for (int c = 0; c < 3; ++c)

@@ -9,7 +9,8 @@
 namespace strahl::inline STRAHL_LEVEL {
 
 /// One ray, the same in all lanes, whose items are tested side by side. `t` and `surface` are those of the nearest hit
-/// so far; or, for shadow rays, `t` is the distance of the light and `share` what is left of it.
+/// so far; or, for shadow rays, `t` is the distance of the light and `share` what is left of it. What they meet is
+/// noted in this lane of `notes`, if there are any.
 template <class S>
 struct SingleRay {
     using T = Element<S>;
@@ -17,6 +18,10 @@ struct SingleRay {
     T t;
     T surface = -1;
     Vec3<T> share{1};
+    ShadowNotes<S>* notes = nullptr;
+    int lane = 0;
+
+    Mask<S> own_lane() const { return mask_of<S>(1u << lane); }
 };
 
 /// The spans of rays in a leaf of a composite, from near to far: one or two. An empty one is from infinity to
@@ -124,6 +129,7 @@ struct FormFunctions {
     /// whose rays start near its plane on a triangle beside it.
     static void settle(const World<T>& world, const Item<Form, T>* items, int step, const Ray<S>& ray, Mask<S> near,
                        Span<S>& span);
+    static void note(SingleRay<S>& single, const auto& crossings, const auto& span, int n, bool clear);
     static void settle_start(const World<T>& world, int first, int step, const auto& item, const Ray<S>& ray,
                              Mask<S> lanes, auto& crossed);
     // The kernel's own code stands in each of the above if the form is hot, else only in these three.
@@ -144,9 +150,16 @@ struct SingleByPack {
         single.t = lane(best.t, 0), single.surface = lane(best.surface, 0);
     }
     static bool occlude_single(const World<T>& world, int first, int count, SingleRay<S>& single) {
-        Transmission<S> light{splat<S>(single.share), select(first_lanes<S>(1), S(1), S(-1))};
+        ShadowNotes<S> met(single.notes ? single.notes->near : T(0));
+        Transmission<S> light{splat<S>(single.share), select(first_lanes<S>(1), S(1), S(-1)),
+                              single.notes ? &met : nullptr};
         const bool dark = Functions::occlude(world, first, count, single.ray, S(single.t), first_lanes<S>(1), light);
         for (int c = 0; c < 3; ++c) single.share[c] = lane(light.share[c], 0);
+        if (!single.notes) return dark;
+        for (int i = 0; i < met.count; ++i) single.notes->add_clear(single.own_lane(), S(lane(met.t[i], 0)));
+        single.notes->incomplete |= met.incomplete;
+        if (any(met.opened)) single.notes->opened = single.notes->opened | single.own_lane();
+        if (any(met.dark)) single.notes->dark = single.notes->dark | single.own_lane();
         return dark;
     }
 };

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "num/memory.h"
+#include "num/uninitialized.h"
 #include "trace/finish/finish_calls.h"
 
 namespace strahl::inline STRAHL_LEVEL {
@@ -14,13 +15,63 @@ struct Nearest {
     S t{std::numeric_limits<Element<S>>::infinity()}, surface{-1}, bin;
 };
 
+/// Notes what a pack of shadow rays meets. Clear are surfaces that let light through.
+template <class S>
+struct ShadowNotes {
+    using T = Element<S>;
+    static constexpr int most = 24;
+    static constexpr T inf = std::numeric_limits<T>::infinity();
+    const T near;
+    Mask<S> dark = first_lanes<S>(0);  // lanes that an opaque surface further away than `near` darkens for sure
+    Mask<S> opened = dark;             // lanes that bodies which are open, or composites, darken
+    Mask<S> closed = dark;             // lanes that only others darken; known when all bodies have been looked at
+    int count = 0;
+    bool incomplete = false;  // clear surfaces are crossed at other places, too
+    Room<S, most> t;          // where clear surfaces are crossed, in any order; infinite in lanes without a crossing
+
+    explicit ShadowNotes(T near) : near(near) {}
+    void add_clear(Mask<S> lanes, const S& place) {
+        if (none(lanes)) return;
+        if (count > 0 && none(lanes & (t[count - 1] < S(inf))))
+            t[count - 1] = select(lanes, place, t[count - 1]);
+        else if (count < most)
+            t[count++] = select(lanes, place, S(inf));
+        else
+            incomplete = true;
+    }
+    void add_opaque(Mask<S> lanes, const S& place) { dark = dark | (lanes & (place > S(near))); }
+    /// Returns the lanes in which clear surfaces may be near to where the ray starts.
+    Mask<S> close_to_start() const {
+        Mask<S> found = first_lanes<S>(incomplete ? width<S> : 0);
+        for (int i = 0; i < count; ++i) found = found | (t[i] < S(near));
+        return found;
+    }
+    /// Returns the lanes in which clear surfaces may be near to each other or to where the ray starts.
+    [[gnu::noinline]] Mask<S> close() const {
+        Mask<S> found = close_to_start();
+        for (int i = 0; i < count; ++i)
+            for (int k = 0; k < i; ++k) found = found | (abs(t[i] - t[k]) < S(near));
+        return found;
+    }
+};
+
 /// Transmitted light: the share per channel that the items looked at let through, and the distance that it comes from,
-/// -1 if none is left.
+/// -1 if none is left. Its rays are noted in `notes`, if there are any.
 template <class S>
 struct Transmission {
     Vec3<S> share;
     S limit;
+    ShadowNotes<S>* notes = nullptr;
 };
+
+/// Takes all light from these lanes, for a body that is open or a composite, which rays meet at `t`.
+template <class S>
+STRAHL_INLINE void darken(Transmission<S>& light, Mask<S> lanes, const S& t) {
+    light.limit = select(lanes, S(-1), light.limit);
+    if (!light.notes) return;
+    light.notes->opened = light.notes->opened | lanes;
+    light.notes->add_opaque(lanes, t);
+}
 
 /// Returns the lanes in which a surface is nearer than the best so far; of equally near ones the first declared counts
 /// as nearer.
@@ -118,6 +169,13 @@ template <class S, class Cross, std::size_t count>
                                crossing(span, static_cast<int>(i)), crossed_by[i], share);
 }
 
+/// Returns how many of the crossings with an opaque item take light for sure: an exit may be one of a body beside which
+/// the ray starts.
+template <class Item>
+constexpr std::size_t surely(std::size_t crossings) {
+    return Item::has_exits ? 1 : crossings;
+}
+
 /// Attenuates light by an item; `outside` as above. Returns true if none is left in any lane.
 template <class S, class Item, class Outside>
 STRAHL_INLINE bool occlude_item(const World<Element<S>>& world, const Item& item, const Ray<S>& ray,
@@ -128,6 +186,9 @@ STRAHL_INLINE bool occlude_item(const World<Element<S>>& world, const Item& item
     if (none(hit)) return false;
     auto crossed_by = crossed(span, hit, distance);
     if (transparent(world, item)) {
+        if (light.notes)
+            for (std::size_t i = 0; i < crossed_by.size(); ++i)
+                light.notes->add_clear(crossed_by[i], crossing(span, static_cast<int>(i)));
         if (patterned(world, static_cast<int>(item.material))) [[unlikely]] {
             Vec3<S> share = light.share;
             occlude_by_pattern(world, static_cast<int>(item.material), static_cast<int>(item.surface), Ray<S>(ray),
@@ -148,6 +209,11 @@ STRAHL_INLINE bool occlude_item(const World<Element<S>>& world, const Item& item
     Mask<S> dark = crossed_by[0];
     for (std::size_t i = 1; i < crossed_by.size(); ++i) dark = dark | crossed_by[i];
     light.limit = select(dark, S(-1), light.limit);
+    if (light.notes) [[unlikely]] {
+        if constexpr (!Item::Kind::closed) light.notes->opened = light.notes->opened | dark;
+        for (std::size_t i = 0; i < surely<Item>(crossed_by.size()); ++i)
+            light.notes->add_opaque(crossed_by[i], crossing(span, static_cast<int>(i)));
+    }
     return all(light.limit < S(0));
 }
 

@@ -164,6 +164,18 @@ bool FormFunctions<Form, S>::occlude(const World<T>& world, int first, int count
     return false;
 }
 
+/// Notes what a shadow ray meets: the crossings in lane n of these, of a body that lets light through or does not.
+template <class Form, class S>
+void FormFunctions<Form, S>::note(SingleRay<S>& single, const auto& crossings, const auto& span, int n, bool clear) {
+    const Mask<S> own = single.own_lane();
+    if constexpr (!Form::Kind::closed)
+        if (!clear) single.notes->opened = single.notes->opened | own;
+    for (std::size_t k = 0; k < (clear ? crossings.size() : surely<Item<Form, T>>(crossings.size())); ++k) {
+        if (!(crossings[k] >> n & 1)) continue;
+        const S t(lane(crossing(span, static_cast<int>(k)), n));
+        clear ? single.notes->add_clear(own, t) : single.notes->add_opaque(own, t);
+    }
+}
 template <class Form, class S>
 bool FormFunctions<Form, S>::occlude_single(const World<T>& world, int first, int count, SingleRay<S>& single) {
     const auto& group = world.groups.template get<Form>();
@@ -183,7 +195,9 @@ bool FormFunctions<Form, S>::occlude_single(const World<T>& world, int first, in
         for (std::size_t k = 0; k < crossings.size(); ++k) all |= crossings[k] = bits(crossed_by[k]);
         for (unsigned hits = all; hits; hits &= hits - 1) {
             const int n = std::countr_zero(hits);
-            if (!transparent(world, group.items[i + n])) return true;
+            const bool clear = transparent(world, group.items[i + n]);
+            if (single.notes) note(single, crossings, span, n, clear);
+            if (!clear) return true;
             const int material = static_cast<int>(group.items[i + n].material);
             if (patterned(world, material)) [[unlikely]] {
                 const Mask<S> own = first_lanes<S>(n + 1) & !first_lanes<S>(n);
@@ -294,6 +308,7 @@ constexpr FormCalls<S> calls_of() {
     constexpr bool composite = std::is_same_v<typename Form::Kind, Union>, lists = lists_crossings<typename Form::Kind>;
     if constexpr (!composite) calls.surfaces_at = &Own::surfaces_at;
     if constexpr (lists || of_triangles<Form>) calls.list_crossings = &Own::list_crossings;
+    if constexpr (std::is_same_v<typename Form::Kind, Prism>) calls.ends = &Own::ends;
     if constexpr (!composite && !lists && !std::is_same_v<Form, SharedMeshForm>) {
         if constexpr (Form::Kind::closed && Form::Kind::bounded) calls.ends = &Own::ends;
         if constexpr (!Form::hot) calls.surface_at = &Own::surface_at;

@@ -30,7 +30,11 @@ struct FormFunctions<OwnForm, S> : SingleByPack<FormFunctions<OwnForm, S>, S> {
                           [&](Mask<S> lanes, const S& t, const S& surface) {
                               lanes = lanes & (t > over) & (t < distance);
                               if (none(lanes)) return;
-                              if (!clear) return void(light.limit = select(lanes, S(-1), light.limit));
+                              if (!clear) return darken(light, lanes, julia ? S(0) : t);
+                              // Steps through a Julia set begin where a ray does: from the next surface on it may
+                              // cross it elsewhere.
+                              if (light.notes && julia) light.notes->incomplete = true;
+                              if (light.notes) light.notes->add_clear(lanes, t);
                               if (painted)
                                   return FinishCalls<S>::filter(world, static_cast<int>(item.material), surface, ray, t,
                                                                 lanes, light.share);
@@ -52,7 +56,7 @@ struct FormFunctions<OwnForm, S> : SingleByPack<FormFunctions<OwnForm, S>, S> {
             const S first = own.shape.first;
             hit = {own.shape.at(pieces_of(world.contour_pieces, first, faces), ray, t, faces), own.surface + faces,
                    own.surface};
-        } else if constexpr (julia) {
+        } else if constexpr (julia || std::is_same_v<typename OwnForm::Kind, Blob>) {
             for (unsigned left = bits(S(0) == S(0)); left;) {
                 const int number = numbers[std::countr_zero(left)];
                 unsigned own = 0;
@@ -79,6 +83,19 @@ struct FormFunctions<OwnForm, S> : SingleByPack<FormFunctions<OwnForm, S>, S> {
                 hit.point.position[c] = load_lanes<S>(found[c]), hit.point.normal[c] = load_lanes<S>(found[3 + c]);
             hit.surface = hit.body = load_lanes<S>(found[6]);
         }
+    }
+    /// Finds the span of rays in a convex leaf of a composite.
+    static void ends(const World<T>& world, int item, const Ray<S>& ray, LeafEnds<S>& ends) {
+        constexpr T inf = std::numeric_limits<T>::infinity();
+        const S first_face(items(world)[item].surface);
+        ends.pairs = 1, ends.near[0] = S(inf), ends.far[0] = S(-inf), ends.near_face = ends.far_face = S(0);
+        each_crossing(world, item, BlobData::unlimited, ray, S(0), all_lanes<S>(),
+                      [&](Mask<S> lanes, const S& t, const S& surface) {
+                          const Mask<S> near = lanes & (t < ends.near[0]), far = lanes & (t > ends.far[0]);
+                          ends.near[0] = select(near, t, ends.near[0]), ends.far[0] = select(far, t, ends.far[0]);
+                          ends.near_face = select(near, surface - first_face, ends.near_face);
+                          ends.far_face = select(far, surface - first_face, ends.far_face);
+                      });
     }
     static void list_crossings(const World<T>& world, const CompositeLeaf& leaf, const Ray<S>& ray, Mask<S> mask,
                                const S& place, const S&, Mask<S>, MeshCrossings<S>& found) {

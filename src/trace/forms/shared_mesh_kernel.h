@@ -49,7 +49,7 @@ struct FormFunctions<SharedMeshForm, S> : SingleByPack<FormFunctions<SharedMeshF
                 return dark;
             };
             const auto single = [&](int k, const Leaf& from, const auto& line) {
-                SingleRay<S> one{.ray = lane_of(moved, k), .t = lane(distance, k)};
+                SingleRay<S> one{.ray = lane_of(moved, k), .t = lane(distance, k), .notes = light.notes, .lane = k};
                 each_leaf<false>(own, from, line, one.t, [&](const Leaf& leaf) {
                     if (!calls<S>(leaf.form()).occlude_single(own.mesh, leaf.first, leaf.count(), one)) return false;
                     light.limit = with_lane(light.limit, k, T(-1));

@@ -162,24 +162,36 @@ bool may_pass_bodies(const World<T>& world, const Start<S>& start) {
     return false;
 }
 
+/// Returns up to which distance behind their start or a clear surface shadow rays may pass over others.
+template <class T>
+T most_passed_over(const World<T>& world) {
+    constexpr T more = 11;  // once, and then 10 times as far, see FormFunctions::passed_over
+    const bool blobs = world.groups.template get<Form<Blob, 0>>().count > 0;
+    return (blobs ? more : T(1)) * world.passed_in_shadows;
+}
+
 /// Returns the light that comes through where it does not fade and no surface has two sides. Follows only rays that
-/// surfaces dim, since what is near behind a clear one is passed over. Rays that lose all light may lose it to colours
-/// alone, unless they are in an opaque body, which followed rays do not see.
+/// cross clear surfaces near to each other or to their starts, since what is near behind a clear one is passed over.
+/// Rays that lose all light may lose it to colours alone, or to open bodies that are passed over, unless they are in an
+/// opaque body, which followed rays do not see.
 template <class S>
 [[gnu::noinline]] Vec3<S> clear_visibility(const World<Element<S>>& world, const Ray<S>& ray, const S& distance,
                                            Mask<S> active, const Start<S>& start) {
     const S way = way_before_light(world, ray, distance);
-    Vec3<S> share = visibility_of_all(world, ray, way, active, start);
+    ShadowNotes<S> met(most_passed_over(world));
+    Vec3<S> share = visibility_of_all<true>(world, ray, way, active, start, &met);
     const auto is_lit = [](const Vec3<S>& light) { return Mask<S>(largest(light) > S(0)); };
     const Mask<S> less = active & dimmed(share), lit = less & is_lit(share);
-    look_past(world, ray, way, less & !lit, start, share);
+    look_past(world, ray, way, less & !lit & !met.dark, start, share);
     if (!may_pass_bodies(world, start)) return share;
-    Mask<S> dark = less & !is_lit(share);
+    const Mask<S> close = less & met.close();
+    Mask<S> dark = (close | (less & met.opened)) & !met.closed & !is_lit(share);
     Mask<S> hidden = opaque_lanes(world, ray.source, dark & !start.outside);
     dark = dark & !hidden;
-    if (none(lit | dark)) return share;
-    const Vec3<S> followed = followed_light(world, ray, distance, lit | dark, start, hidden);
-    return select(lit | (dark & dimmed(followed) & !hidden), followed, share);
+    const Mask<S> followed = (lit & close) | dark;
+    if (none(followed)) return share;
+    const Vec3<S> light = followed_light(world, ray, distance, followed, start, hidden);
+    return select((lit & close) | (dark & dimmed(light) & !hidden), light, share);
 }
 
 template <class S>
@@ -194,8 +206,11 @@ template <class S>
     if (world.shadow_rays == ShadowRays::followed_where_dimmed)
         return clear_visibility(world, ray, distance, active, start);
     const S way = way_before_light(world, ray, distance);
-    Vec3<S> share = visibility_of_all(world, ray, way, active, start);
-    if (world.passed_in_shadows > 0) look_past(world, ray, way, active & dimmed(share), start, share);
+    if (!(world.passed_in_shadows > 0)) return visibility_of_all(world, ray, way, active, start);
+    ShadowNotes<S> met(most_passed_over(world));
+    Vec3<S> share = visibility_of_all<true>(world, ray, way, active, start, &met);
+    const Mask<S> lit = largest(share) > S(0), doubtful = dimmed(share) & !met.dark & (met.close_to_start() | !lit);
+    look_past(world, ray, way, active & doubtful, start, share);
     return share;
 }
 

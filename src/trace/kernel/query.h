@@ -245,7 +245,7 @@ STRAHL_INLINE void occlude_in_hierarchy(const World<Element<S>>& world, const Ra
         return calls<S>(leaf.form()).occlude(world, leaf.first, leaf.count(), ray, distance, mask, light);
     };
     const auto single = [&](int k, const Leaf& from) {
-        SingleRay<S> one{.ray = lane_of(ray, k), .t = lane(distance, k)};
+        SingleRay<S> one{.ray = lane_of(ray, k), .t = lane(distance, k), .notes = light.notes, .lane = k};
         if (world.transparent)
             for (int c = 0; c < 3; ++c) one.share[c] = lane(light.share[c], k);
         const T limit = lane(light.limit, k);
@@ -355,15 +355,16 @@ template <class S>
             world.bin_per_item ? reached(world, group.first_bin + i, ray, distance, suspects, start, across) : suspects;
         return FormFunctions<FormOf<decltype(group)>, S>::occlude(world, i, 1, ray, distance, mask, left);
     });
-    light = {select(suspects, left.share, light.share), select(suspects, left.limit, light.limit)};
+    light.share = select(suspects, left.share, light.share), light.limit = select(suspects, left.limit, light.limit);
 }
 
-/// Returns the share of light that is transmitted by all bodies in its way.
-template <class S>
+/// Returns the share of light that is transmitted by all bodies in its way, and notes what the rays meet if `noting`:
+/// the code for other rays is apart, so that it is not slower.
+template <bool noting = false, class S>
 [[gnu::noinline]] Vec3<S> visibility_of_all(const World<Element<S>>& world, const Ray<S>& ray, const S& distance,
-                                            Mask<S> active, const Start<S>& start) {
+                                            Mask<S> active, const Start<S>& start, ShadowNotes<S>* notes = nullptr) {
     const S one(1);
-    Transmission<S> light{{one, one, one}, select(active, distance, S(-1))};
+    Transmission<S> light{{one, one, one}, select(active, distance, S(-1)), noting ? notes : nullptr};
     BodySet set = world.bin_per_item ? world.few.occluders[start.light * world.bins + start.bin] & start.only : 0;
     bool dark = false;
     const StartAcross<S> across = start_across(world, ray, start);
@@ -394,6 +395,7 @@ template <class S>
         occlude_beyond_loops(world, ray, distance, active, start, set, copy);
         light = copy;
     }
+    if constexpr (noting) notes->closed = (light.limit < S(0)) & !notes->opened;
     return select(light.limit < S(0), Vec3<S>(S(0), S(0), S(0)), light.share);
 }
 

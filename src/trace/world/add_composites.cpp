@@ -118,7 +118,9 @@ class CompositeBuilder {
             if constexpr (std::is_same_v<Kind, Prism>)
                 prisms.push_back({{shape.base, shape.top}, m, tables.leaves.size()});
             const Box box = transformed(shape.bounds(), to_world.matrix);
-            return add_with_contours(leaf, {to_world.place(box.low), to_world.place(box.high)});
+            bool convex = false;
+            if constexpr (std::is_same_v<Kind, Prism>) convex = shape.data->is_convex_polygon();
+            return add_with_contours(leaf, {to_world.place(box.low), to_world.place(box.high)}, convex);
         }
         leaf.first_key = most_planes + 8 * equal_leaf(leaf);
         for (int face = 0; face < Kind::faces; ++face) {
@@ -169,8 +171,9 @@ class CompositeBuilder {
         tables.mesh_hierarchies.push_back(std::move(own));
         add_listed(leaf);
     }
-    void add_with_contours(CompositeLeaf& leaf, const Box& box) {
-        leaf.listed = true;
+    void add_with_contours(CompositeLeaf& leaf, const Box& box, bool convex) {
+        leaf.listed = !convex;
+        if (convex) tables.balls.back() = ball_around({(box.low + box.high) / 2., glm::length(box.high - box.low) / 2});
         double reach = 0;
         for (int c = 0; c < 3; ++c) reach = std::max({reach, std::abs(box.low[c]), std::abs(box.high[c])});
         const double margin = WorldArrays<T>::rounding(reach);

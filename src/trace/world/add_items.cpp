@@ -61,8 +61,7 @@ void PieceArrays<T>::add(const Scene& scene) {
             if (const auto* const sweep = std::get_if<SphereSweep>(&leaf.shape)) add(sweep->data, sweeps);
             const ContourData* const own = contours_of(leaf.shape);
             if (!own || !first.try_emplace(own, T(contours.size())).second) return;
-            for (const auto& [ax, ay, cx, cy, hx, hy, ex, ey, dx, dy] : own->pieces)
-                contours.push_back({T(ax), T(ay), T(cx), T(cy), T(hx), T(hy), T(ex), T(ey), T(dx), T(dy)});
+            for (const auto& piece : own->pieces) contours.push_back(piece.template rounded<T>());
         });
 }
 

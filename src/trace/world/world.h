@@ -155,7 +155,7 @@ struct CompositeLeaf {
     std::int32_t form, item, material;
     std::int32_t surface, faces;      // the number of its first face, and how many it has
     std::int32_t half_space;          // of a half-space 1 if it is behind its plane's normal, -1 if before it; else 0
-    bool listed = false;              // rays cross it any number of times, as a mesh, and these crossings are listed
+    bool listed = false;              // rays may cross it more than four times, as a mesh: these crossings are listed
     const Node* nodes = nullptr;      // of a mesh: the hierarchy of its triangles, which are the items from `item` on
     std::int32_t first_key = 0;       // of its first face; if listed, if that has one of its own
     bool in_planes = false;           // if listed: some of its faces have the keys of planes

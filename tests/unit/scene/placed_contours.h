@@ -20,8 +20,7 @@ struct PlacedContours {
     Kernel kernel{};
 
     explicit PlacedContours(const Body& body) {
-        for (const auto& [ax, ay, cx, cy, hx, hy, ex, ey, dx, dy] : body.data->pieces)
-            pieces.push_back({T(ax), T(ay), T(cx), T(cy), T(hx), T(hy), T(ex), T(ey), T(dx), T(dy)});
+        for (const auto& piece : body.data->pieces) pieces.push_back(piece.template rounded<T>());
         body.template emit<T>(WorldTransform(), [&](const Kernel& own) { kernel = own; });
     }
     /// Returns the piece of a face; of caps the first.

@@ -68,6 +68,68 @@ TEST_CASE("prisms: rays through the ends of pieces, and beside them, cross the s
     }
 }
 
+namespace {
+
+/// Returns a prism over a polygon whose corners lie on a circle: one that is convex, or if `skipped` is not 0, one that
+/// passes over so many corners each time.
+Prism random_star(Dice& dice, int corners, int skipped) {
+    std::vector<double> angles;
+    for (int i = 0; i < corners; ++i) angles.push_back(6.28 * (i + dice.in(.1, .9)) / corners);
+    Contour outline;
+    for (int i = 0; i < corners; ++i) {
+        const double angle = angles[static_cast<std::size_t>(i * (skipped + 1) % corners)];
+        const Contour::Point corner{std::cos(angle), std::sin(angle)};
+        if (i == 0)
+            outline.start = corner;
+        else
+            outline.strokes.push_back({corner, corner, {}});
+    }
+    const double height = std::pow(10., dice.in(-3, 0));
+    return {-height, height, std::make_shared<const ContourData>(std::vector<Contour>{outline})};
+}
+/// Checks that lines which start inside, close to a cap, cross the surface before and behind.
+template <class T>
+void cross_from_inside() {
+    Dice dice{5};
+    for (int n = 0; n < 400; ++n) {
+        const Prism prism = random_star(dice, 5 + dice.upto(4), 0);
+        const PlacedContours<Prism, T> placed(prism);
+        const DVec3 from(dice.in(-.1, .1), dice.in(-.1, .1), prism.top * (1 - std::pow(10., dice.in(-3, 0))));
+        const auto found = placed.crossings({cast<T>(from), cast<T>(dice.direction()), T(-1)});
+        REQUIRE(found.size() == 2);
+        CHECK(found[0].t < 0);
+        CHECK(found[1].t > 0);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("prisms: lines that start inside, close to a cap, cross the surface before and behind") {
+    cross_from_inside<double>();
+    cross_from_inside<float>();
+}
+
+TEST_CASE("contours: a convex polygon has one outline of straight lines that goes around once") {
+    Dice dice{6};
+    for (int n = 0; n < 200; ++n) {
+        CHECK(random_star(dice, 5 + dice.upto(5), 0).data->is_convex_polygon());
+        CHECK(!random_star(dice, 5 + 2 * dice.upto(2), 1).data->is_convex_polygon());
+        std::vector<Contour> changed = random_star(dice, 5 + dice.upto(5), 0).data->contours;
+        Contour& outline = changed[0];
+        switch (dice.upto(2)) {
+            case 0:
+                changed.push_back(outline);
+                break;
+            case 1:
+                outline.start = {-.5 * outline.start[0], -.5 * outline.start[1]};  // a notch
+                break;
+            default:
+                outline.strokes[1].control = {0, 0};  // a curve
+        }
+        CHECK(!ContourData(changed).is_convex_polygon());
+    }
+}
+
 TEST_CASE("prisms: rays that start on walls do not meet them there again, and meet what is ahead") {
     check_rays_that_start_on<Prism>(60, random_prism);
 }

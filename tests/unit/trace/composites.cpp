@@ -123,6 +123,30 @@ TEST_CASE("a body pierced by meshes looks like one pierced by boxes, however oft
     }
 }
 
+TEST_CASE("a body cut by prisms over convex polygons looks like one cut by boxes") {
+    Dice dice(11);
+    std::vector<Primitive> boxes, prisms;
+    for (int i = 0; i < 30; ++i) {
+        const double x = dice.in(.02, .4), y = dice.in(.02, 1), z = dice.in(.002, 1);
+        const std::vector<Transformation> place{Rotate{dice.vector(-180, 180)},
+                                                Translate{dice.vector(-1, 1) * DVec3(4, 1, 1)}};
+        boxes.push_back({Cuboid{{-x, -y, -z}, {x, y, z}}, 0, place});
+        Contour outline{{x, y}, {}};
+        for (const Contour::Point& corner : {Contour::Point{-x, y}, {-x, -y}, {x, -y}})
+            outline.strokes.push_back({corner, corner, {}});
+        const auto figure = std::make_shared<const ContourData>(std::vector<Contour>{outline});
+        REQUIRE(figure->is_convex_polygon());
+        prisms.push_back({Prism{-z, z, figure}, 0, place});
+    }
+    const Scene expected = pierced(boxes);
+    const View view{.camera = expected.camera, .width = 64, .height = 24, .depth = 30};
+    const Frame frame = render(expected, view), cut_by_prisms = render(pierced(prisms), view);
+    double most = 0;
+    for (std::size_t i = 0; i < frame.rgb.size(); ++i)
+        most = std::max(most, std::abs(frame.rgb[i] - cut_by_prisms.rgb[i]));
+    CHECK(most < 1e-9);
+}
+
 TEST_CASE("prisms whose planes are beyond all numbers share none with other parts") {
     for (const std::string scale : {"1e-155", "1e-271"}) {
         const std::string figure = "contour { <1, 0>  line <0, 1>  line <-1, -1> }";

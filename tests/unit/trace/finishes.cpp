@@ -1,9 +1,15 @@
-// Materials that are mixed by shares or have two sides, light from behind, beams, and groups of lights.
+// Shadow rays through clear surfaces; materials that are mixed by shares or have two sides, light from behind, beams,
+// and groups of lights.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <sstream>
 #include <string>
+#include <vector>
 
+#include "tests/referee/dice.h"
 #include "tests/unit/scenes.h"
 #include "text/parse.h"
 #include "trace/tracer.h"
@@ -229,4 +235,119 @@ TEST_CASE("a beam fades around its axis, and surfaces are lit from behind") {
               0) == doctest::Approx(.25));
     // The far side of a ball keeps the light from its near side.
     CHECK(red(below + "sphere { <0, 0, 0>, 1 " + white + "both_sides 1 } }", 0) == 0);
+}
+
+namespace {
+
+template <class... Part>
+std::string joined(const Part&... parts) {
+    std::ostringstream all;
+    all.precision(17);
+    (all << ... << parts);
+    return all.str();
+}
+
+constexpr int stack_pixels = 15;            // of a side of the picture
+constexpr double stack_spacing = .5;        // of its columns, in the middle row, on the floor
+constexpr double passed_in_shadows = 1e-3;  // up to which distance from their starts shadow rays see nothing
+constexpr double stack_clarity = .75;       // the share of light that a surface lets through
+
+/// Panes above one point of the floor.
+struct Stack {
+    std::string text;
+    std::vector<double> heights;  // of their clear surfaces
+    bool opaque = false;
+};
+
+Stack random_stack(Dice& dice, double y) {
+    Stack stack;
+    double z = .3;
+    const auto pane = [&](double thickness) {
+        const auto box = [&](double wider, double low, double high) {
+            const double r = .05 + wider;
+            return joined("box { <", -r, ", ", y - r, ", ", low, ">, <", r, ", ", y + r, ", ", high, "> } ");
+        };
+        const double low = z, high = z + thickness;
+        const auto prism = [&](const std::string& last) {
+            return joined("prism { ", low, ", ", high, "  contour { <.07, ", y - .02, "> line <0, ", y + .07,
+                          "> line <-.07, ", y - .02, "> ", last, "} } ");
+        };
+        stack.heights.insert(stack.heights.end(), {low, high});
+        switch (dice.upto(3)) {
+            case 0:
+                return box(0, low, high);
+            case 1:
+                return "intersection { " + box(0, low - .1, high) + box(.01, low, high + .1) + "} ";
+            case 2:
+                return "intersection { " + prism(joined("line <0, ", y - .07, "> ")) + box(0, low - .1, high + .1) +
+                       "} ";
+            default:
+                return prism("");
+        }
+    };
+    for (int i = dice.upto(5); i >= 0; --i) {
+        if (dice.chance(.3)) {
+            stack.text += joined("disc { <0, ", y, ", ", z, ">, <0, 0, 1>, .05 } ");
+            stack.heights.push_back(z);
+        } else {
+            const double thickness = dice.chance(.5) ? dice.in(2e-4, 3e-3) : dice.in(.01, .05);
+            stack.text += pane(thickness);
+            z += thickness;
+        }
+        z += dice.chance(.5) ? dice.in(2e-4, 3e-3) : dice.in(.01, .1);
+    }
+    stack.opaque = dice.chance(.15);
+    if (stack.opaque)
+        stack.text += joined("sphere { <0, ", y, ", ", dice.in(.4, 2), ">, .04 material { rgb <1, 1, 1> } } ");
+    return stack;
+}
+
+/// Returns how much light comes down to the floor: from surface to surface, POV-Ray passes over those that are
+/// near to the one before. Behind what it passed over it sees the next one, however near.
+double light_below(const Stack& stack) {
+    double share = stack.opaque ? 0 : 1, from = 0, over = passed_in_shadows;
+    for (const double height : stack.heights) {
+        if (height < from) continue;
+        if (height - from < over) {
+            from += over, over = 0;
+            continue;
+        }
+        share *= stack_clarity, from = height, over = passed_in_shadows;
+    }
+    return share;
+}
+
+}  // namespace
+
+TEST_CASE("light that passes clear surfaces near to each other") {
+    Dice dice(70);
+    for (int n = 0; n < 20; ++n) {
+        std::vector<Stack> stacks;
+        const double fov = 180 / std::numbers::pi * std::atan(stack_spacing * stack_pixels / 2 / std::hypot(9, 9));
+        std::string text =
+            joined("camera { position <9, 0, 9>  look_at <0, 0, 0>  up <0, 0, 1>  orthographic  fov ", fov,
+                   " }\nlight { direction <0, 0, -1>  color <1, 1, 1> }\n"
+                   "box { <-9, -9, -1>, <9, 9, 0> material { rgb <1, 1, 1>  diffuse 1  ambient 0  reflection 0  "
+                   "specular 0 } }\n"
+                   "defaultmaterial { diffuse 0  ambient 0  reflection 0  specular 0  rgb <1, 1, 1, 0, ",
+                   stack_clarity, "> }\n");
+        const int count = n % 2 == 0 ? 3 : stack_pixels;  // few bodies, or so many that they are in a hierarchy
+        for (int i = 0; i < count; ++i) {
+            stacks.push_back(random_stack(dice, stack_spacing * (stack_pixels / 2 - i)));
+            text += stacks.back().text + "\n";
+        }
+        Scene scene = parse_scene(text, "x");
+        scene.settings.passed_over = passed_in_shadows / 10;
+        for (const Simd simd : {Simd::scalar, Simd::automatic}) {
+            const Frame frame =
+                render(scene, {.camera = scene.camera, .width = stack_pixels, .height = stack_pixels, .depth = 9},
+                       Precision::float64, 1, simd);
+            for (int i = 0; i < count; ++i) {
+                CAPTURE(text);
+                CAPTURE(i);
+                CHECK(frame.rgb[static_cast<std::size_t>(3 * (stack_pixels / 2 * stack_pixels + i))] ==
+                      doctest::Approx(light_below(stacks[static_cast<std::size_t>(i)])).epsilon(1e-9));
+            }
+        }
+    }
 }

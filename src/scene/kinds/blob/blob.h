@@ -245,28 +245,40 @@ struct BlobKernel : ContourKernel<T> {
         }
         visit();
     }
-    /// Returns the point of one ray at `t`, and the normal there: where the field falls.
-    STRAHL_INLINE SurfacePoint<T> at(const LumpPiece* pieces, const Ray<T>& ray, T t) const {
-        using R = std::conditional_t<std::is_same_v<T, float>, double, T>;
-        const Vec3<T> position = fma(t, ray.direction, ray.origin), p = turn(position - splat<T>(centre));
-        const Vec3<R> own(R(p.x), R(p.y), R(p.z));
-        Vec3<R> fall(0), slope;
+    /// Returns the points of rays at `t`, and the normals there: where the field falls.
+    template <class S>
+    STRAHL_INLINE SurfacePoint<S> at(const LumpPiece* pieces, const Ray<S>& ray, S t) const {
+        using V = Doubles<S>;
+        const Vec3<S> position = fma(t, ray.direction, ray.origin), p = turn(position - splat<S>(centre));
+        Vec3<S> fall(S(0), S(0), S(0));
+        for (int part = 0; part < width<S> / width<V>; ++part) {
+            const Vec3<V> own = fall_at(pieces, doubles_of(p, part));
+            for (int c = 0; c < 3; ++c) fall[c] = fall[c] + lanes_of<S>(own[c], part);
+        }
+        return {position, this->normal(fall.x, fall.y, fall.z)};
+    }
+
+  private:
+    /// Returns in which direction the field falls, as vectors of length 1; 0 where it does not.
+    template <class V>
+    STRAHL_INLINE Vec3<V> fall_at(const LumpPiece* pieces, const Vec3<V>& p) const {
+        using R = Element<V>;
+        const V zero(0);
+        Vec3<V> fall(zero, zero, zero), slope;
         for (int i = 0; i < static_cast<int>(count); ++i) {
             if (i % BlobData::group == 0) {
-                const Vec3<R> away = own - splat<R>(pieces[i].middle);
-                if (!(dot(away, away) < R(pieces[i].square))) {
+                const Vec3<V> away = p - splat<V>(pieces[i].middle);
+                if (none(dot(away, away) < V(R(pieces[i].square)))) {
                     i += BlobData::group - 1;
                     continue;
                 }
             }
-            const R q = pieces[i].share(own, slope);
-            if (q > 0) fall = fma(R(-pieces[i].strength) * q, slope, fall);
+            const V q = pieces[i].share(p, slope);
+            fall = select(q > zero, fma(V(R(-pieces[i].strength)) * q, slope, fall), fall);
         }
-        const R length = sqrt(dot(fall, fall)), per = length > 0 ? 1 / length : R(0);
-        return {position, this->normal(T(per * fall.x), T(per * fall.y), T(per * fall.z))};
+        const V length = sqrt(dot(fall, fall));
+        return scale(select(length > zero, V(1) / length, zero), fall);
     }
-
-  private:
     /// The spans of a pack of lines in the pieces that any of them meets, and which of them do.
     template <class V>
     struct LineSpans {

@@ -46,14 +46,14 @@ struct LumpPiece {
         return {dot(splat<V>(row_x), v), dot(splat<V>(row_y), v), dot(splat<V>(row_z), v)};
     }
     /// Returns q, or 0 outside, and how q changes along the axes.
-    template <class R>
-    STRAHL_INLINE R share(const Vec3<R>& p, Vec3<R>& slope) const {
-        const Vec3<R> own = turn(p - splat<R>(centre));
-        const R z = own.z - R(end), q = R(1) - own.x * own.x - own.y * own.y - R(round) * z * z;
-        if (!(q > 0 && own.z >= R(low) && own.z < R(high))) return R(0);
-        slope = scale(R(-2),
-                      fma(own.x, splat<R>(row_x), fma(own.y, splat<R>(row_y), scale(R(round) * z, splat<R>(row_z)))));
-        return q;
+    template <class V>
+    STRAHL_INLINE V share(const Vec3<V>& p, Vec3<V>& slope) const {
+        using R = Element<V>;
+        const Vec3<V> own = turn(p - splat<V>(centre));
+        const V zero(0), z = own.z - V(R(end)), q = V(1) - own.x * own.x - own.y * own.y - V(R(round)) * z * z;
+        slope = scale(
+            V(-2), fma(own.x, splat<V>(row_x), fma(own.y, splat<V>(row_y), scale(V(R(round)) * z, splat<V>(row_z)))));
+        return select((q > zero) & (own.z >= V(R(low))) & (own.z < V(R(high))), q, zero);
     }
 };
 
