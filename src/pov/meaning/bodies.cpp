@@ -85,6 +85,32 @@ Steps fold_matrix(Shape& shape, Steps& steps) {
     return take(1);
 }
 
+/// Moves a smooth triangle to where its last uneven scaling puts it: as in POV-Ray its normals have length 1 from then
+/// on, not from its own space on. Returns the steps that were taken away, of which some are among those `after` it.
+Steps fold_scalings(SmoothTriangle& own, Steps& steps, const Steps& after) {
+    Steps all = steps;
+    append(all, after);
+    const auto is_uneven = [](const Step& step) {
+        const auto* const scale = std::get_if<Scale>(&step);
+        const DVec3 squares = scale ? scale->by * scale->by : DVec3(1);
+        return squares != DVec3(squares.x);
+    };
+    const auto end = std::find_if(all.rbegin(), all.rend(), is_uneven).base();
+    const Steps taken(all.begin(), end);
+    if (taken.empty()) return taken;
+    const glm::dmat4 m = matrix_of(taken);
+    const glm::dmat3 turn = glm::transpose(glm::inverse(glm::dmat3(m)));
+    for (DVec3* const point : {&own.a, &own.b, &own.c}) *point = transform_point(m, *point);
+    for (DVec3* const normal : {&own.normal_a, &own.normal_b, &own.normal_c}) *normal = turn * *normal;
+    if (taken.size() <= steps.size()) {
+        steps.erase(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(taken.size()));
+    } else {
+        steps.assign(end, all.end());
+        append(steps, inverse(after));
+    }
+    return taken;
+}
+
 /// Why scene text could not hold the body, or null.
 const char* fault_of(const Shape& shape) {
     return std::visit(
@@ -431,7 +457,10 @@ std::optional<SceneMaker::Part> SceneMaker::build_turned(const ObjectThing& obje
         Shape shape = *object.shape;
         if (object.surface) shape = Mesh{object.surface->mesh(cells_of(object, around)), ""};
         Steps steps = object.steps;
-        const Steps folded = object.patch ? fold_into_patch(object, around, shape, steps) : fold_matrix(shape, steps);
+        auto* const smooth = std::get_if<SmoothTriangle>(&shape);
+        const Steps folded = object.patch ? fold_into_patch(object, around, shape, steps)
+                             : smooth     ? fold_scalings(*smooth, steps, around.after)
+                                          : fold_matrix(shape, steps);
         if (mirrored) {
             std::shared_ptr<const void> shared;
             if (const auto* const own = std::get_if<Mesh>(&shape)) shared = own->data;

@@ -108,6 +108,8 @@ class SceneMaker {
     void set_background();
     void set_settings();
     void tell_of_lights_on_surfaces(SeenPlaces& sight) const;
+    void tell_of_light_behind_planes(SeenPlaces& sight) const;
+    void tell_of_fog_in_pieces() const;
     void set_bailout();
 
     Interpreter& in;

@@ -221,8 +221,7 @@ void SceneMaker::set_settings() {
         notes.approximated(contents.gamma_place,
                            "assumed_gamma " + text_of(gamma) + " is " + text_of(settings.assumed_gamma));
     }
-    const Color& ambient = contents.ambient_light;
-    settings.ambient_light = {std::max(ambient.x, 0.), std::max(ambient.y, 0.), std::max(ambient.z, 0.)};
+    settings.ambient_light = ambient_light_of(contents);
     settings.max_trace_level = std::clamp(contents.max_trace_level, 1, 256);
 }
 
@@ -315,6 +314,39 @@ void SceneMaker::tell_of_lights_on_surfaces(SeenPlaces& sight) const {
     }
 }
 
+/// Tells of parallel light that fades with a power to which numbers below 0 cannot be raised, or become negative, where
+/// places behind the plane from which it starts are seen.
+void SceneMaker::tell_of_light_behind_planes(SeenPlaces& sight) const {
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        const Light& light = scene.lights[i];
+        if (!light.from || light.beam > 0 || !light.fades() || light.fade_power == 2) continue;
+        const auto is_behind = [&](const SeenPlaces::Place& place) {
+            return dot_product(place.p - *light.from, *light.direction) < 0;
+        };
+        if (sight.counts(static_cast<std::size_t>(std::ranges::count_if(sight.places(), is_behind))))
+            notes.approximated(light_places[i],
+                               "parallel light does not fade behind the plane from which it starts, where POV-Ray's "
+                               "formula fails");
+    }
+}
+
+/// Tells of what is seen through surfaces that are not there in fog with a least share, or that filters: it counts anew
+/// behind them.
+void SceneMaker::tell_of_fog_in_pieces() const {
+    if (!scene.fog || scene.fog->transmit + scene.fog->filter == 0) return;
+    for (std::size_t i = 0; i < scene.primitives.size(); ++i) {
+        bool parts = false;
+        for_each_leaf(scene.primitives[i], [&](const Primitive& leaf, const glm::dmat4&) {
+            const Material& own = scene.materials[static_cast<std::size_t>(leaf.material)];
+            parts |= shows_nothing(own) || (scene.fog->transmit > 0 && (own.seen == 0 || own.mirrored == 0));
+        });
+        if (parts)
+            notes.approximated(kept_places[i],
+                               "fog that lets light through is thicker behind an open end, or behind "
+                               "what is not seen");
+    }
+}
+
 /// Rays that bring too little are black, which shows in scenes with mirrors or glass.
 void SceneMaker::set_bailout() {
     const double bailout = std::clamp(contents.adc_bailout, 0., 1.);
@@ -362,6 +394,8 @@ Scene SceneMaker::make() {
     }
     set_planes();
     tell_of_lights_on_surfaces(sight);
+    tell_of_light_behind_planes(sight);
+    tell_of_fog_in_pieces();
     set_bailout();
     return std::move(scene);
 }

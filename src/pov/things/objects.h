@@ -135,6 +135,7 @@ struct PovContents {
     DVec3 background{0};
     double background_opacity = 0;  // in a picture with alpha
     DVec3 ambient_light{1};
+    bool emits = false;  // does some finish have emission?
     int max_trace_level = 5;
     double adc_bailout = 1. / 255;
     bool assumes_srgb = false;
