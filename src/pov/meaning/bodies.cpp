@@ -312,7 +312,8 @@ bool SceneMaker::shows_inside(const ObjectThing& object, const Shape& shape, con
     const bool prism = std::holds_alternative<Prism>(shape);
     if ((prism && notes.in.options.as_text) || std::holds_alternative<SphereSweep>(shape))
         notes.approximated(object.place, "which sides of its faces are inside");
-    const bool turned = around.turned != object.inverse;
+    // A quadric that is turned inside out gets normals on its other side, and is turned once more by its flag.
+    const bool turned = around.turned != object.inverse && object.word != word("quadric");
     if (prism) return turned != object.turned_surface;
     const auto* const mesh = std::get_if<Mesh>(&shape);
     if (!mesh) return turned;
@@ -486,7 +487,7 @@ std::optional<SceneMaker::Part> SceneMaker::build_turned(const ObjectThing& obje
         const bool mapped = mesh && !mesh->data->places.empty();
         int material = material_of(object, around, mapped, folded);
         if (materials[material].has_sides()) {
-            Steps to_scene = object.steps;
+            Steps to_scene = smooth ? steps : object.steps;
             append(to_scene, around.after);
             if (shows_inside(object, shape, around, to_scene)) material = materials.turned(material);
             if (auto* const prism = std::get_if<Prism>(&shape); prism && object.word == word("prism"))
@@ -740,7 +741,7 @@ void SceneMaker::push(Part part, const ObjectThing& object, const Around& around
     if (object.word == word("mesh") || object.word == word("mesh2")) set_single_planes(part.primitive, object.place);
     if (in.options.as_text && ends_in_sight(part.primitive, scene.camera.position))
         notes.approximated(object.place, "a body is seen further away than 1e7");
-    shown.push_back({flags.no_shadow, flags.no_image, flags.no_reflection, object.place});
+    shown.push_back({flags.no_shadow, flags.no_image, flags.no_reflection, object.place, part.negated});
     scene.primitives.push_back(std::move(part.primitive));
 }
 
@@ -950,7 +951,7 @@ void SceneMaker::drop_shadow_copies() {
         if (gone[i]) continue;
         Primitive& own = scene.primitives[kept];
         if (kept++ != i) own = std::move(scene.primitives[i]);
-        const auto& [no_shadow, no_image, no_reflection, place] = shown[i];
+        const auto& [no_shadow, no_image, no_reflection, place, negated] = shown[i];
         if (no_shadow) take(&Material::shadow, own);
         if (no_image) take(&Material::seen, own);
         if (no_reflection) take(&Material::mirrored, own);

@@ -249,11 +249,13 @@ void SceneMaker::settle_materials() {
     for (Primitive& primitive : scene.primitives) settle(settle, primitive);
 }
 
-std::vector<Primitive> SceneMaker::bodies_of(const ObjectThing& object) {
+std::vector<SceneMaker::Part> SceneMaker::bodies_of(const ObjectThing& object) {
     Around around;
     around.texture = std::make_shared<const TextureThing>();
     add(object, around);
-    return std::move(scene.primitives);
+    std::vector<Part> all;
+    for (std::size_t i = 0; i < shown.size(); ++i) all.push_back({std::move(scene.primitives[i]), shown[i].negated});
+    return all;
 }
 
 /// Parallel light comes from infinitely far away if nothing is behind the plane from which it comes, or that is further

@@ -47,7 +47,7 @@ RULES = {
     "fading": "fade_distance ~3:10 fade_power $power",
     "power": "1\n2\n1.5",
     "circular": "circular",
-    "sky": "\nbackground { $color }\nsky_sphere { $pigment }\nsky_sphere { $pigment $veil $move*0:2 emission ~.3:1.5 }",
+    "sky": "\nbackground { $color }\nsky_sphere { $pigment }\nsky_sphere { $pigment $veil $move*0:2 }",
     "fog": """
         fog { distance ~5:30 color $clear }
         fog { distance ~5:30 color $color turbulence ~.1:.9 turb_depth ~.2:1 }
@@ -125,7 +125,6 @@ uv_vectors { 4, <0,0>, <1,0>, <1,1>, <0,1> } face_indices { 2, <0,1,2>, <0,2,3> 
         4*pigment { $pattern color_map { [~0:.3 $stain] [~.3:.7 $color] [~.7:1 $stain] } $warped }
         pigment { $pattern pigment_map { [~0:.4 $color] [~.4:1 $list scale ~.2:1] } $warped }
         pigment { average pigment_map { [~.3:2 $color] [~.3:2 $list scale ~.2:1] } }
-        pigment { uv_mapping $pattern color_map { [0 $stain] [1 $color] } $warped }
         pigment { image_map { function 8, 8 { $function } map_type $map_type $once? interpolate $interpolate } $move*0:2 }
         pigment { $pattern pigment_map { [0 $simple color_map { [0 $color] [1 $color] } $warped] [.5 $color] \
 [1 gradient $axis pigment_map { [0 $stain] [1 $list scale .3] } scale ~.3:1] } $warped }""",
@@ -184,7 +183,7 @@ uv_vectors { 4, <0,0>, <1,0>, <1,1>, <0,1> } face_indices { 2, <0,1,2>, <0,2,3> 
         4*normal { $simple ~.05:.6 $warped }
         normal { facets coords ~.2:.8 }
         normal { function { $function } ~.1:.5 scale ~.3:1 }
-        normal { $simple ~.1:.6 bump_size ~.1:.5 no_bump_scale $warped }
+        normal { $simple ~.1:.6 bump_size ~.1:.5 $warped }
         normal { average normal_map { [~.3:2 $simple ~.2:.8 scale ~.2:.7] [~.3:2 $simple ~.2:.8 $warped] } }
         normal { checker normal { $simple ~.1:.5 scale .2 }, normal { $simple ~.1:.5 } $move*0:2 scale ~.3:.8 }
         normal { $pattern normal_map { [0 bozo ~.1:.4 slope_map { [0 <0,1>] [1 <1,0>] } scale .3] [1 waves .3] } $warped }
@@ -221,7 +220,7 @@ uv_vectors { 4, <0,0>, <1,0>, <1,1>, <0,1> } face_indices { 2, <0,1,2>, <0,2,3> 
         ovus { ~.5:.8, ~.2:.4
         julia_fractal { <~-.3:.1,~.5:.9,~-.5:0,~-.2:.2> quaternion sqr max_iteration 6 precision 50
         sphere_sweep { $sweep 4, $vector, ~.1:.4, $vector, ~.1:.4, $vector, ~.1:.4, $vector, ~.1:.4
-        blob { threshold .4 sphere { $vector, ~.7:1.2, 1 $texture } sphere { $vector, ~.7:1.2, ~-.6:1.2 $texture }
+        blob { threshold .4 sphere { $vector, ~.7:1.2, 1 pigment { $color } } sphere { $vector, 1, ~-.6:1.2 pigment { $pattern } }
         sor { 6, <~.2:.8,-1.2>, <~.2:.8,-.8>, <~.2:.8,-.2>, <~.2:.8,.3>, <~.2:.8,.8>, <~.2:.8,1.1>
         blob { threshold ~.3:.6 sphere { $vector, ~.6:1.2, 1 } cylinder { $vector, $vector, ~.5:.8, ~.7:1.5 }
         quadric { <~.7:2,~.7:2,~.7:2>, 0, 0, ~-.9:-.3

@@ -341,18 +341,22 @@ const Kind kinds[]{
      }},
     {"reflection by Fresnel's law on either side of what is open, and around the camera",
      [](Texts& t) {
-         const std::string look = " pigment { rgb .1 } finish { reflection { " + t.one_of({"", ".2, "}) +
-                                  "1 fresnel } } interior { ior " + t.number(1.3, 2) + " } rotate " +
-                                  t.vector(-180, 180) + " }";
-         const std::string bodies[]{"disc { 0, <.3,.2,-1>, 1.4",
-                                    "cylinder { -y, y, .9 open",
-                                    "lathe { cubic_spline 5, <.5,-1>, <.7,-.6>, <.8,.1>, <.6,.6>, <.9,1>",
-                                    "prism { -.5, .7, 5, <.8,0>, <0,1>, <-1,0>, <0,-.8>, <.8,0> open",
-                                    "sphere { 0, 1.2 clipped_by { plane { <.3,1,-.5>, .2 } }",
-                                    "difference { sphere { 0, 1.2 } sphere { <.3,.3,-.6>, .8 }",
-                                    "box { -9, <9,9,8>"};
-         return t.camera() + rainbow + bodies[std::stoul(t.one_of({"0", "1", "2", "3", "4", "5", "6"}))] + look +
-                " sphere { <1.4,1,-1>, .4 pigment { rgb x } finish { ambient 1 } }";
+         const auto body = [&](const std::string& place) {
+             const std::string bodies[]{"disc { 0, <.3,.2,-1>, 1.2",
+                                        "cylinder { -y, y, .9 open",
+                                        "lathe { cubic_spline 5, <.5,-1>, <.7,-.6>, <.8,.1>, <.6,.6>, <.9,1>",
+                                        "prism { -.5, .7, 5, <.8,0>, <0,1>, <-1,0>, <0,-.8>, <.8,0> open",
+                                        "sphere { 0, 1.2 clipped_by { plane { <.3,1,-.5>, .2 } }",
+                                        "difference { sphere { 0, 1.2 } sphere { <.3,.3,-.6>, .8 }"};
+             const std::string own = bodies[std::stoul(t.one_of({"0", "1", "2", "3", "4", "5"}))];
+             return own + " pigment { rgb .1 } finish { reflection { " + t.one_of({"", ".2, "}) +
+                    "1 fresnel } } interior { ior " + t.number(1.3, 2) + " } rotate " + t.vector(-180, 180) +
+                    " translate " + place + " } ";
+         };
+         const std::string room =
+             "box { -9, <9,9,8> pigment { rgb .1 } finish { reflection { 1 fresnel } } interior { "
+             "ior 1.5 } } ";
+         return t.camera() + rainbow + body("-1.2*x") + body("1.2*x") + (t.one_of({"", "r"}) == "r" ? room : "");
      },
      .02},
     {"thin films on bumps that mirror",
@@ -384,6 +388,38 @@ const Kind kinds[]{
                 layer("<.7,.5,.4,0>", .3, .6) + layer("<.6,.3,.2,.7>", .1, .3) + " }";
      },
      .02},
+    {"both sides of bodies that are turned inside out",
+     [](Texts& t) {
+         const std::string solid = t.one_of({"sphere { 0, 1.2 ", "quadric { <1,1.5,1>, 0, 0, -1 ", "torus { .9, .4 ",
+                                             "lathe { linear_spline 4, <0,-1>, <1,-.5>, <.5,.6>, <0,1> "});
+         const std::string look =
+             "texture { pigment { rgb x } finish { specular .9 } } interior_texture { pigment { "
+             "rgb y } finish { phong .9 } } rotate " +
+             t.vector(-90, 90);
+         const std::string bodies[]{solid + "inverse " + look + " }",
+                                    "difference { box { <-2,-1,0>, <2,1,2> } " + solid + "} " + look + " }"};
+         return t.camera() + lamp + bodies[std::stoul(t.one_of({"0", "1"}))];
+     }},
+    {"what is inside of bodies, turned inside out or not, and where rays meet them",
+     [](Texts& t) {
+         const auto solid = [&] {
+             const std::string inverse = t.one_of({"", "", "inverse "}), turn = "rotate " + t.vector(-90, 90) + " ";
+             return t.one_of({"sphere { <.3,.2,0>, .9 ", "box { -.7, .8 ", "cylinder { -y, y, .6 ", "plane { y, .2 ",
+                              "torus { .7, .3 ", "blob { threshold .4 sphere { 0, 1.2, 1 } "}) +
+                    turn + inverse + "} ";
+         };
+         std::string parts = solid() + solid();
+         if (t.one_of({"", "n"}) == "n") parts = t.one_of({"union", "difference"}) + " { " + parts + "} " + solid();
+         return "camera { location -20*z look_at 0 angle 22 }\n#declare Body = " +
+                t.one_of({"union", "merge", "intersection", "difference"}) + " { " + parts +
+                t.one_of({"", "inverse "}) +
+                "};\n#for (I, 0, 9) #for (J, 0, 9) #local N = 0*x; #local P = <I,J,0>/3.3-<" + t.number(1.2, 1.5) +
+                ",1.4,.3>; #local H = trace(Body, P-<.3,.2,4>, <.05,.04,1>, N);\n"
+                "box { -.13, .13 translate <P.x-1.6,P.y,0> pigment { rgb inside(Body, P) } finish { ambient 1 } }\n"
+                "box { -.13, .13 translate <P.x+1.6,P.y,0> pigment { rgb <N.x+1,N.y+1,H.z+5>/8 } finish { ambient 1 } "
+                "} "
+                "#end #end";
+     }},
     {"normals of smooth triangles that are scaled",
      [](Texts& t) {
          const std::string move =
