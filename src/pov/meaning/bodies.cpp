@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <set>
 #include <unordered_map>
 
@@ -277,8 +278,10 @@ SceneMaker::Around SceneMaker::inside(const ObjectThing& object, const Around& a
                to_owner(object, around),
                around.clips,
                around.turned != object.inverse,
-               around.merges || object.inverse};
+               around.merges || object.inverse,
+               around.turned_last};
     append(own.after, around.after);
+    if (object.inverse && own.after.empty()) own.turned_last = !own.turned_last;
     own.moves = transformations_of(own.after, mirrored);
     take_over(object, around, own);
     if (object.interior || own.space == 0) own.space = ++spaces;
@@ -493,7 +496,10 @@ std::optional<SceneMaker::Part> SceneMaker::build_turned(const ObjectThing& obje
             if (auto* const prism = std::get_if<Prism>(&shape); prism && object.word == word("prism"))
                 prism->caps = object.turned_surface == mirrored ? 1 : -1;
         }
-        part = Part{{std::move(shape), material, transformations_of(steps, mirrored)}, object.inverse};
+        // As in POV-Ray a Julia set that is moved is no longer turned inside out.
+        const bool last = around.turned_last != (object.inverse && around.after.empty());
+        const bool negated = std::holds_alternative<JuliaFractal>(shape) ? around.turned != last : object.inverse;
+        part = Part{{std::move(shape), material, transformations_of(steps, mirrored)}, negated};
     } else if (object.kind != ObjectKind::light && object.kind != ObjectKind::nothing) {
         part = build_parts(object, around);
     }
@@ -612,6 +618,33 @@ void SceneMaker::close_mesh(const ObjectThing& object, const Around& around, boo
 }
 
 /// Makes a composite of an object's parts. Bodies that are turned inside out are subtracted instead.
+namespace {
+
+/// Do boxes of Julia sets that are taken away, which POV-Ray takes for boxes around the whole body, leave out some of
+/// it?
+bool ends_at_fractal(const std::vector<Primitive>& solid, const std::vector<Primitive>& hollow) {
+    Box body;
+    for (int c = 0; c < 3; ++c) {
+        constexpr double far = std::numeric_limits<double>::infinity();
+        body.low[c] = -far, body.high[c] = far;
+        for (const Primitive& part : solid) {
+            const Box own = world_bounds(part);
+            body.low[c] = std::max(body.low[c], own.low[c]), body.high[c] = std::min(body.high[c], own.high[c]);
+        }
+    }
+    return std::ranges::any_of(hollow, [&](const Primitive& part) {
+        bool fractal = false, around = true;
+        for_each_leaf(part, [&](const Primitive& leaf, const glm::dmat4&) {
+            fractal |= std::holds_alternative<JuliaFractal>(leaf.shape);
+        });
+        const Box own = world_bounds(part);
+        for (int c = 0; c < 3; ++c) around &= own.low[c] <= body.low[c] && own.high[c] >= body.high[c];
+        return fractal && !around;
+    });
+}
+
+}  // namespace
+
 std::optional<SceneMaker::Part> SceneMaker::build_parts(const ObjectThing& object, const Around& around) {
     Around within = inside(object, around);
     Shared own{&within, {}};
@@ -627,6 +660,8 @@ std::optional<SceneMaker::Part> SceneMaker::build_parts(const ObjectThing& objec
         }
         Around own_around = within;
         own_around.turned = within.turned != (object.kind == ObjectKind::subtract && !first);
+        if (object.kind == ObjectKind::subtract && !first && within.after.empty())
+            own_around.turned_last = !within.turned_last;
         own_around.merges = within.merges || (object.kind == ObjectKind::subtract && !first);
         std::optional<Part> part = build(*each, own_around);
         if (each->thin && !unites && object.kind == ObjectKind::intersect) return std::nullopt;
@@ -648,6 +683,10 @@ std::optional<SceneMaker::Part> SceneMaker::build_parts(const ObjectThing& objec
         if (part) (negated ? hollow : solid).push_back(std::move(part->primitive));
     }
     if (solid.empty() && hollow.empty()) return std::nullopt;
+    if (!unites && ends_at_fractal(solid, hollow))
+        notes.approximated(object.place,
+                           "a body that a julia_fractal is taken away of: in POV-Ray it ends at the "
+                           "fractal's box");
     bool negated = object.inverse;
     if (unites) std::swap(solid, hollow);  // a union is what is not outside of all its parts
     if (unites != solid.empty()) negated = !negated;

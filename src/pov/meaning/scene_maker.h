@@ -66,6 +66,7 @@ class SceneMaker {
         bool clips = false;                   // it clips another object, and is not seen itself
         bool turned = false;                  // it is turned inside out, as what a difference takes away
         bool merges = false;                  // it was turned at some time: unions in it keep no surfaces inside them
+        bool turned_last = false;             // it is turned by what is not moved later
     };
     // bodies.cpp
     void add(const ObjectThing& object, const Around& around);

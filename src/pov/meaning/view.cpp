@@ -154,7 +154,7 @@ Pigment brightened(const Pigment& pigment, const Color& by) {
 
 void SceneMaker::set_background() {
     const Color& color = contents.background;
-    scene.background = Pigment(std::max(color.x, 0.), std::max(color.y, 0.), std::max(color.z, 0.));
+    scene.background = Pigment(in.options.as_text ? max(color, Color(0)) : color);
     if (contents.sky && !contents.sky->pigments.empty()) {
         const std::vector<PigmentThing>& pigments = contents.sky->pigments;
         std::vector<Look> looks;

@@ -487,6 +487,10 @@ TEST_CASE("POV-Ray: what scenes cannot hold is told with its line, once") {
                     "parallel light does not fade behind the plane");
     };
     CHECK((fails("-1", "1.5") && fails("-1", "1") && !fails("-1", "2") && !fails("1", "1")));
+    const auto ends = [](const std::string& body) {
+        return says(notes_of("difference { " + body + " julia_fractal { <-.1,.8,-.5,.1> } }"), "at the fractal's box");
+    };
+    CHECK((ends("box { -5, 5 }") && ends("plane { y, 0 }") && !ends("box { -1, 1 }")));
     told("fog { distance 9 } light_source { 9 rgb 1 media_attenuation on }", "approximated: fog does not dim a light");
     CHECK(notes_of("sphere { 0, 1 pigment { crackle metric 2 form <-1, 1, 0> agate_turb 1 } }") == "");
     told("text { ttf \"no.ttf\" \"A\" 1, 0 }", "left out: a text: cannot find its font 'no.ttf'");

@@ -420,6 +420,31 @@ const Kind kinds[]{
                 "} "
                 "#end #end";
      }},
+    {"normals that spirals with turbulence blend",
+     [](Texts& t) {
+         const auto part = [&] {
+             return t.one_of({"bozo ", "gradient x ", "spiral2 2 ", "wood "}) + t.number(.2, .6) +
+                    t.one_of({"", " turbulence .4"}) + " scale " + t.number(.3, .8);
+         };
+         return t.camera() + lamp + "box { -1.2, 1.2 pigment { rgb <1,.8,.6> } normal { " +
+                t.one_of({"spiral1 ", "spiral2 "}) + t.one_of({"1 ", "3 "}) + "normal_map { [0 " + part() + "] [1 " +
+                part() + "] } turbulence " + t.number(.2, .8) + t.one_of({"", " frequency 2 phase .3", " sine_wave"}) +
+                " scale .6 } rotate " + t.vector(-60, 60) + " }";
+     },
+     .01},
+    {"Julia sets that are taken away, or turned inside out",
+     [](Texts& t) {
+         const std::string julia = "julia_fractal { <" + t.number(-.3, .1) + "," + t.number(.4, .8) + "," +
+                                   t.number(-.5, 0) + ",.1> quaternion max_iteration 6 precision 60 pigment { rgb y } ";
+         const std::string box = "box { -1, <.3," + t.number(.2, .8) + ",.9> } ";
+         const std::string look = t.one_of({"", "rotate 40*y ", "translate .3 "}) + "pigment { rgb x } }";
+         const std::string bodies[]{"difference { " + box + julia + "} " + look,
+                                    "intersection { " + box + julia + "inverse } " + look,
+                                    "difference { " + box + julia + "inverse } " + look,
+                                    "intersection { " + box + "object { " + julia + "} inverse } " + look};
+         return t.camera() + lamp + bodies[std::stoul(t.one_of({"0", "1", "2", "3"}))];
+     },
+     .02},
     {"normals of smooth triangles that are scaled",
      [](Texts& t) {
          const std::string move =
