@@ -332,20 +332,23 @@ void SceneMaker::tell_of_light_behind_planes(SeenPlaces& sight) const {
     }
 }
 
-/// Tells of what is seen through surfaces that are not there in fog with a least share, or that filters: it counts anew
-/// behind them.
+/// Tells of fog behind surfaces that are not there: a least share or a filter counts anew there, and where a camera is
+/// in such a body that is not hollow POV-Ray has no fog on any way out of it.
 void SceneMaker::tell_of_fog_in_pieces() const {
-    if (!scene.fog || scene.fog->transmit + scene.fog->filter == 0) return;
+    if (!scene.fog) return;
     for (std::size_t i = 0; i < scene.primitives.size(); ++i) {
-        bool parts = false;
-        for_each_leaf(scene.primitives[i], [&](const Primitive& leaf, const glm::dmat4&) {
+        const Primitive& body = scene.primitives[i];
+        bool open = false, hidden = false;
+        for_each_leaf(body, [&](const Primitive& leaf, const glm::dmat4&) {
             const Material& own = scene.materials[static_cast<std::size_t>(leaf.material)];
-            parts |= shows_nothing(own) || (scene.fog->transmit > 0 && (own.seen == 0 || own.mirrored == 0));
+            open |= shows_nothing(own), hidden |= own.seen == 0 || own.mirrored == 0;
         });
-        if (parts)
+        if (scene.fog->transmit > 0 ? open || hidden : scene.fog->filter > 0 && open)
             notes.approximated(kept_places[i],
-                               "fog that lets light through is thicker behind an open end, or behind "
-                               "what is not seen");
+                               "fog that lets light through is thicker behind an open end, or behind what is not seen");
+        if (open && !scene.materials[static_cast<std::size_t>(body.material)].hollow &&
+            contains(body, scene.camera.position))
+            notes.approximated(kept_places[i], "fog is seen from an open body that is not hollow");
     }
 }
 

@@ -479,6 +479,10 @@ TEST_CASE("POV-Ray: what scenes cannot hold is told with its line, once") {
     CHECK((thick("t <1,1,1,.2>", tube) && thick("f <1,1,1,.2>", tube) && !thick(" 1", tube)));
     CHECK(
         (thick("t <1,1,1,.2>", unseen) && !thick("f <1,1,1,.2>", unseen) && !thick("t <1,1,1,.2>", "sphere { 0, 1 }")));
+    const std::string fog = "fog { distance 9 rgb 1 } ";
+    CHECK(says(notes_of(fog + tube), "fog is seen from an open body"));
+    CHECK((notes_of(fog + "cylinder { -y, y, 1 open hollow }") == "" &&
+           notes_of(fog + "cylinder { 3*y, 5*y, 1 open }") == ""));
     const auto fails = [](const std::string& plane, const std::string& fade) {
         return says(notes_of("camera { location -9*z } plane { y, " + plane +
                              " } light_source { 0 rgb 1 parallel "
