@@ -420,6 +420,12 @@ const Kind kinds[]{
                 "} "
                 "#end #end";
      }},
+    {"noise of functions that are read before the noise is chosen",
+     [](Texts& t) {
+         return "#include \"functions.inc\"\nglobal_settings { noise_generator " + t.one_of({"1", "3"}) + " } " +
+                t.camera() + "plane { z, 1 pigment { function { f_noise3d(x*" + t.number(.5, 2) +
+                ",y,z) } } finish { " + "ambient 1 } }";
+     }},
     {"normals that spirals with turbulence blend",
      [](Texts& t) {
          const auto part = [&] {
