@@ -483,7 +483,7 @@ void Interpreter::set_version() {
     if (!program.empty()) return warn(last, "a scene for " + program + " is read as if it was for POV-Ray");
     has_version = true;
     language_version = std::round(wanted * 100) / 100;
-    if (!noise_generator_given) noise_generator = language_version < 3.5 ? 1 : 2;
+    if (!noise_generator_given) *generator_of_functions = noise_generator = language_version < 3.5 ? 1 : 2;
     if (language_version > 3.7)
         warn(last, "#version " + std::to_string(language_version).substr(0, 4) + " is read as 3.7");
 }

@@ -303,7 +303,7 @@ class FunctionReader {
         in.expect('(');
         const int number = static_cast<int>(std::clamp(in.read_number(), -1., 1000.));
         in.expect(')');
-        auto function = internal_function(number, in.noise_generator);
+        auto function = internal_function(number, in.generator_of_functions);
         if (!function) in.fail(in.last, "there is no internal function of this number");
         return closed(function);
     }

@@ -383,27 +383,29 @@ double value_of(int number, double x, double y, double z, const double* p, int g
 constexpr int noise_function = 76;  // f_noise3d
 
 struct InternalFunction : FunctionThing {
-    int number, generator;
-    InternalFunction(int number, int generator) : number(number), generator(generator) {
+    int number;
+    std::shared_ptr<const int> generator;
+    InternalFunction(int number, std::shared_ptr<const int> generator)
+        : number(number), generator(std::move(generator)) {
         arguments = 3 + parameter_counts[number];
     }
     void evaluate(const double* given, double* result) const override {
-        *result = value_of(number, given[0], given[1], given[2], given + 3, generator);
+        *result = value_of(number, given[0], given[1], given[2], given + 3, *generator);
     }
     void evaluate_lanes(const Lanes* given, Lanes* result, const lattice::NoiseLanes& noise) const override {
         if (number != noise_function) return FunctionThing::evaluate_lanes(given, result, noise);
         std::array<DVec3, std::tuple_size_v<Lanes>> points;
         for (std::size_t lane = 0; lane < points.size(); ++lane)
             points[lane] = {given[0][lane], given[1][lane], given[2][lane]};
-        noise.noise(points.data(), static_cast<int>(points.size()), generator, result->data());
+        noise.noise(points.data(), static_cast<int>(points.size()), *generator, result->data());
     }
 };
 
 }  // namespace
 
-std::shared_ptr<const FunctionThing> internal_function(int number, int generator) {
+std::shared_ptr<const FunctionThing> internal_function(int number, std::shared_ptr<const int> generator) {
     if (number < 0 || number >= static_cast<int>(parameter_counts.size())) return nullptr;
-    return std::make_shared<InternalFunction>(number, generator);
+    return std::make_shared<InternalFunction>(number, std::move(generator));
 }
 
 }  // namespace strahl::pov

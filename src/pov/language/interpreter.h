@@ -176,6 +176,7 @@ class Interpreter {
     std::optional<double> assumed_gamma;  // of global_settings; for srgb
     int noise_generator = 2;              // of global_settings, or by the version; for functions
     bool noise_generator_given = false;   // in global_settings
+    std::shared_ptr<int> generator_of_functions = std::make_shared<int>(2);  // the same, also for functions so far
 
   private:
     friend class FunctionReader;  // reads the expression of a function

@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <set>
 #include <unordered_map>
 
@@ -83,6 +84,32 @@ Steps fold_matrix(Shape& shape, Steps& steps) {
             if (std::fabs(squares[i][j] - (i == j)) > 1e-14) return {};
     torus->centre = transform_point(step->m(), torus->centre), torus->axis = m * torus->axis;
     return take(1);
+}
+
+/// Moves a smooth triangle to where its last uneven scaling puts it: as in POV-Ray its normals have length 1 from then
+/// on, not from its own space on. Returns the steps that were taken away, of which some are among those `after` it.
+Steps fold_scalings(SmoothTriangle& own, Steps& steps, const Steps& after) {
+    Steps all = steps;
+    append(all, after);
+    const auto is_uneven = [](const Step& step) {
+        const auto* const scale = std::get_if<Scale>(&step);
+        const DVec3 squares = scale ? scale->by * scale->by : DVec3(1);
+        return squares != DVec3(squares.x);
+    };
+    const auto end = std::find_if(all.rbegin(), all.rend(), is_uneven).base();
+    const Steps taken(all.begin(), end);
+    if (taken.empty()) return taken;
+    const glm::dmat4 m = matrix_of(taken);
+    const glm::dmat3 turn = glm::transpose(glm::inverse(glm::dmat3(m)));
+    for (DVec3* const point : {&own.a, &own.b, &own.c}) *point = transform_point(m, *point);
+    for (DVec3* const normal : {&own.normal_a, &own.normal_b, &own.normal_c}) *normal = turn * *normal;
+    if (taken.size() <= steps.size()) {
+        steps.erase(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(taken.size()));
+    } else {
+        steps.assign(end, all.end());
+        append(steps, inverse(after));
+    }
+    return taken;
 }
 
 /// Why scene text could not hold the body, or null.
@@ -251,8 +278,10 @@ SceneMaker::Around SceneMaker::inside(const ObjectThing& object, const Around& a
                to_owner(object, around),
                around.clips,
                around.turned != object.inverse,
-               around.merges || object.inverse};
+               around.merges || object.inverse,
+               around.turned_last};
     append(own.after, around.after);
+    if (object.inverse && own.after.empty()) own.turned_last = !own.turned_last;
     own.moves = transformations_of(own.after, mirrored);
     take_over(object, around, own);
     if (object.interior || own.space == 0) own.space = ++spaces;
@@ -286,7 +315,8 @@ bool SceneMaker::shows_inside(const ObjectThing& object, const Shape& shape, con
     const bool prism = std::holds_alternative<Prism>(shape);
     if ((prism && notes.in.options.as_text) || std::holds_alternative<SphereSweep>(shape))
         notes.approximated(object.place, "which sides of its faces are inside");
-    const bool turned = around.turned != object.inverse;
+    // A quadric that is turned inside out gets normals on its other side, and is turned once more by its flag.
+    const bool turned = around.turned != object.inverse && object.word != word("quadric");
     if (prism) return turned != object.turned_surface;
     const auto* const mesh = std::get_if<Mesh>(&shape);
     if (!mesh) return turned;
@@ -431,7 +461,10 @@ std::optional<SceneMaker::Part> SceneMaker::build_turned(const ObjectThing& obje
         Shape shape = *object.shape;
         if (object.surface) shape = Mesh{object.surface->mesh(cells_of(object, around)), ""};
         Steps steps = object.steps;
-        const Steps folded = object.patch ? fold_into_patch(object, around, shape, steps) : fold_matrix(shape, steps);
+        auto* const smooth = std::get_if<SmoothTriangle>(&shape);
+        const Steps folded = object.patch ? fold_into_patch(object, around, shape, steps)
+                             : smooth     ? fold_scalings(*smooth, steps, around.after)
+                                          : fold_matrix(shape, steps);
         if (mirrored) {
             std::shared_ptr<const void> shared;
             if (const auto* const own = std::get_if<Mesh>(&shape)) shared = own->data;
@@ -457,13 +490,16 @@ std::optional<SceneMaker::Part> SceneMaker::build_turned(const ObjectThing& obje
         const bool mapped = mesh && !mesh->data->places.empty();
         int material = material_of(object, around, mapped, folded);
         if (materials[material].has_sides()) {
-            Steps to_scene = object.steps;
+            Steps to_scene = smooth ? steps : object.steps;
             append(to_scene, around.after);
             if (shows_inside(object, shape, around, to_scene)) material = materials.turned(material);
             if (auto* const prism = std::get_if<Prism>(&shape); prism && object.word == word("prism"))
                 prism->caps = object.turned_surface == mirrored ? 1 : -1;
         }
-        part = Part{{std::move(shape), material, transformations_of(steps, mirrored)}, object.inverse};
+        // As in POV-Ray a Julia set that is moved is no longer turned inside out.
+        const bool last = around.turned_last != (object.inverse && around.after.empty());
+        const bool negated = std::holds_alternative<JuliaFractal>(shape) ? around.turned != last : object.inverse;
+        part = Part{{std::move(shape), material, transformations_of(steps, mirrored)}, negated};
     } else if (object.kind != ObjectKind::light && object.kind != ObjectKind::nothing) {
         part = build_parts(object, around);
     }
@@ -582,6 +618,33 @@ void SceneMaker::close_mesh(const ObjectThing& object, const Around& around, boo
 }
 
 /// Makes a composite of an object's parts. Bodies that are turned inside out are subtracted instead.
+namespace {
+
+/// Do boxes of Julia sets that are taken away, which POV-Ray takes for boxes around the whole body, leave out some of
+/// it?
+bool ends_at_fractal(const std::vector<Primitive>& solid, const std::vector<Primitive>& hollow) {
+    Box body;
+    for (int c = 0; c < 3; ++c) {
+        constexpr double far = std::numeric_limits<double>::infinity();
+        body.low[c] = -far, body.high[c] = far;
+        for (const Primitive& part : solid) {
+            const Box own = world_bounds(part);
+            body.low[c] = std::max(body.low[c], own.low[c]), body.high[c] = std::min(body.high[c], own.high[c]);
+        }
+    }
+    return std::ranges::any_of(hollow, [&](const Primitive& part) {
+        bool fractal = false, around = true;
+        for_each_leaf(part, [&](const Primitive& leaf, const glm::dmat4&) {
+            fractal |= std::holds_alternative<JuliaFractal>(leaf.shape);
+        });
+        const Box own = world_bounds(part);
+        for (int c = 0; c < 3; ++c) around &= own.low[c] <= body.low[c] && own.high[c] >= body.high[c];
+        return fractal && !around;
+    });
+}
+
+}  // namespace
+
 std::optional<SceneMaker::Part> SceneMaker::build_parts(const ObjectThing& object, const Around& around) {
     Around within = inside(object, around);
     Shared own{&within, {}};
@@ -597,6 +660,8 @@ std::optional<SceneMaker::Part> SceneMaker::build_parts(const ObjectThing& objec
         }
         Around own_around = within;
         own_around.turned = within.turned != (object.kind == ObjectKind::subtract && !first);
+        if (object.kind == ObjectKind::subtract && !first && within.after.empty())
+            own_around.turned_last = !within.turned_last;
         own_around.merges = within.merges || (object.kind == ObjectKind::subtract && !first);
         std::optional<Part> part = build(*each, own_around);
         if (each->thin && !unites && object.kind == ObjectKind::intersect) return std::nullopt;
@@ -618,6 +683,10 @@ std::optional<SceneMaker::Part> SceneMaker::build_parts(const ObjectThing& objec
         if (part) (negated ? hollow : solid).push_back(std::move(part->primitive));
     }
     if (solid.empty() && hollow.empty()) return std::nullopt;
+    if (!unites && ends_at_fractal(solid, hollow))
+        notes.approximated(object.place,
+                           "a body that a julia_fractal is taken away of: in POV-Ray it ends at the "
+                           "fractal's box");
     bool negated = object.inverse;
     if (unites) std::swap(solid, hollow);  // a union is what is not outside of all its parts
     if (unites != solid.empty()) negated = !negated;
@@ -711,7 +780,7 @@ void SceneMaker::push(Part part, const ObjectThing& object, const Around& around
     if (object.word == word("mesh") || object.word == word("mesh2")) set_single_planes(part.primitive, object.place);
     if (in.options.as_text && ends_in_sight(part.primitive, scene.camera.position))
         notes.approximated(object.place, "a body is seen further away than 1e7");
-    shown.push_back({flags.no_shadow, flags.no_image, flags.no_reflection, object.place});
+    shown.push_back({flags.no_shadow, flags.no_image, flags.no_reflection, object.place, part.negated});
     scene.primitives.push_back(std::move(part.primitive));
 }
 
@@ -921,7 +990,7 @@ void SceneMaker::drop_shadow_copies() {
         if (gone[i]) continue;
         Primitive& own = scene.primitives[kept];
         if (kept++ != i) own = std::move(scene.primitives[i]);
-        const auto& [no_shadow, no_image, no_reflection, place] = shown[i];
+        const auto& [no_shadow, no_image, no_reflection, place, negated] = shown[i];
         if (no_shadow) take(&Material::shadow, own);
         if (no_image) take(&Material::seen, own);
         if (no_reflection) take(&Material::mirrored, own);

@@ -90,12 +90,16 @@ std::shared_ptr<const LayerValues> without_blend(const LayerValues& layer, const
     return own;
 }
 
+/// Returns the ambient light of a finish, with its emission as a share of the scene's ambient light.
+Color ambient_of(const FinishThing& finish, const PovContents& contents) {
+    return finish.ambient + finish.emission / max(ambient_light_of(contents), Color(1e-9));
+}
+
 /// Calls tell(is_negative, text) for each number of a finish that may be below 0, where POV-Ray takes away light or
 /// lights more, and scene text cannot.
-void each_negative(const FinishThing& finish, const Color& ambient_light, const auto& tell) {
+void each_negative(const FinishThing& finish, const PovContents& contents, const auto& tell) {
     const auto negative = [](const Color& c) { return std::min({c.x, c.y, c.z}) < 0; };
-    tell(negative(finish.ambient + finish.emission / max(ambient_light, Color(1e-9))),
-         "ambient light or emission below 0 is 0");
+    tell(negative(ambient_of(finish, contents)), "ambient light or emission below 0 is 0");
     tell((finish.diffuse > 0 || finish.diffuse_behind > 0) && finish.brilliance < 0, "brilliance below 0 is 0");
     tell(negative(finish.reflection.least) || negative(finish.reflection.most), "reflection below 0 is 0");
     tell(finish.phong > 0 && finish.phong_size < 0, "phong_size below 0 is 0");
@@ -211,12 +215,31 @@ void share_bumps(Material& material) {
             coat.bump.pattern = material.bump.pattern;
 }
 
+/// Gives coats of an opaque material that reflect as other layers do normals of their own, which are the same: a ray
+/// goes on from each, as in POV-Ray, where its own strength decides when it ends.
+void part_reflections(Material& material) {
+    if (material.transmits() || material.shares()) return;
+    bool reflects = material.reflection > 0;
+    for (Material& coat : material.coats) {
+        if (coat.shares()) return;
+        if (coat.reflection == 0 || !std::exchange(reflects, true) || material.bends_apart(coat)) continue;
+        coat.bump = material.bump;
+        Pattern same = material.bump.pattern ? *material.bump.pattern : Pattern();
+        same.transformations.push_back(Scale{DVec3(1)});
+        coat.bump.pattern = std::make_shared<const Pattern>(std::move(same));
+    }
+}
+
 /// Is the object a light, or does it hold one?
 bool shines(const ObjectThing& object) {
     return object.light || std::ranges::any_of(object.parts, [](const auto& part) { return shines(*part); });
 }
 
 }  // namespace
+
+Color ambient_light_of(const PovContents& contents) {
+    return max(contents.ambient_light, Color(contents.emits ? 1e-7 : 0));
+}
 
 bool MaterialMaker::lit() {
     if (!any_light)
@@ -386,7 +409,7 @@ bool MaterialMaker::set_finish(Material& material, const FinishThing& finish, bo
         (finish.metallic != 0 && shines) || (finish.brilliance != 1 && finish.diffuse > 0) ||
         (finish.conserve_energy && material.refraction > 0) ||
         (material.reflection > 0 && (!is_grey(reflected) || reflection.exponent != 1 || reflection.metallic != 0));
-    each_negative(finish, contents.ambient_light, [&](bool is_negative, const char*) { differs |= is_negative; });
+    each_negative(finish, contents, [&](bool is_negative, const char*) { differs |= is_negative; });
     return !differs;
 }
 
@@ -394,8 +417,7 @@ bool MaterialMaker::set_finish(Material& material, const FinishThing& finish, bo
 void MaterialMaker::set_layer(Material& layer, const FinishThing& finish) {
     const bool as_text = notes.in.options.as_text;
     const auto exponent = [&](double v) { return as_text ? coefficient(v) : signed_number(v); };
-    const Color light = max(contents.ambient_light, Color(1e-9));
-    const Color ambient = finish.ambient + finish.emission / light;
+    const Color ambient = ambient_of(finish, contents);
     const double strength = as_text ? max_of(ambient) : max_of(max(ambient, -1. * ambient));
     layer.ambient = coefficient(strength);
     if (!is_grey(ambient) || ambient.x < 0) layer.glow = (as_text ? coefficients : signed_numbers)(ambient / strength);
@@ -429,7 +451,7 @@ void MaterialMaker::set_layer(Material& layer, const FinishThing& finish) {
         approximated(reflection.exponent != 1, "'exponent' of a reflection is ignored");
     }
     layer.behind = coefficient(finish.diffuse_behind);
-    if (as_text) each_negative(finish, contents.ambient_light, approximated);
+    if (as_text) each_negative(finish, contents, approximated);
     if (finish.crand != 0) notes.left_out(finish.place, "'crand'");
     layer.irid = coefficient(finish.irid), layer.film = coefficient(finish.film);
     if (finish.irid > 0) approximated(finish.swirls, "the film of 'irid' is even");
@@ -599,6 +621,7 @@ Material MaterialMaker::material_of(const TextureThing& texture, const InteriorT
     if (plain && !use.both_sides && texture.corners.empty()) return *plain;
     Material layered = layered_material_of(texture, interior, use, way);
     share_bumps(layered);
+    if (contents.adc_bailout > 0 && !notes.in.options.as_text) part_reflections(layered);
     layered.both_sides = use.both_sides ? 1 : 0;
     if (!top.blend) layered.clarity = coefficient(top.finish.refraction.value_or(1));
     return layered;
@@ -635,8 +658,7 @@ std::optional<Material> MaterialMaker::plain_material_of(const TextureThing& tex
         const double f = layer->look.filter, t = layer->look.transmit;
         layer->opacity = 1 - f - t;
         layer->lit = through * color * (layer->opacity * layer->values->finish.diffuse);
-        layer->glow = through * color * layer->opacity *
-                      (layer->values->finish.ambient + layer->values->finish.emission / max_of(contents.ambient_light));
+        layer->glow = through * color * layer->opacity * ambient_of(layer->values->finish, contents);
         through = through * (color * f + Color(t));
     }
     // The layer that scatters most is shown.
@@ -659,7 +681,7 @@ std::optional<Material> MaterialMaker::plain_material_of(const TextureThing& tex
     double above = 1;
     for (std::size_t i = best + 1; i < layers.size(); ++i)
         above *= mean(layers[i].look.pigment.color * layers[i].look.filter + Color(layers[i].look.transmit));
-    const Color ambient = finish.ambient + finish.emission / max_of(contents.ambient_light);
+    const Color ambient = ambient_of(finish, contents);
     material.diffuse = coefficient(finish.diffuse * shown.opacity * above);
     material.ambient = coefficient(mean(ambient) * shown.opacity * above);
     differs = !is_grey(ambient);

@@ -23,6 +23,10 @@ struct MaterialUse {
     auto operator<=>(const MaterialUse&) const = default;
 };
 
+/// Returns the scene's ambient light, of which emission is a share: of no light, 1e-7, which is not seen, if something
+/// emits.
+Color ambient_light_of(const PovContents& contents);
+
 class MaterialMaker {
   public:
     MaterialMaker(NoteTaker notes, const PovContents& contents, bool mirrored)

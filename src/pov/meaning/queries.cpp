@@ -12,16 +12,27 @@
 namespace strahl::pov {
 namespace {
 
-using Bodies = std::vector<std::pair<Primitive, Box>>;
+using Bodies = std::vector<AskedBody>;
+
+/// Returns a body of the same inside: of a disc all that is below its plane, as in POV-Ray.
+Primitive filled(Primitive body) {
+    const auto* const disc = std::get_if<Disc>(&body.shape);
+    if (!disc) return body;
+    const DVec3 n = normalize(disc->normal);
+    const DVec3 u = cross_product(n, std::fabs(n.x) < .5 ? DVec3(1, 0, 0) : DVec3(0, 1, 0));
+    body.shape = Plane{disc->centre, disc->centre + u, disc->centre + cross_product(n, u)};
+    return body;
+}
 
 const Bodies& bodies_of(Interpreter& in, const Thing& thing) {
     const auto& object = dynamic_cast<const ObjectThing&>(thing);
     if (!object.made.bodies) {
         const PovContents nothing;
         Bodies made;
-        for (Primitive& body : SceneMaker(in, nothing, false).bodies_of(object)) {
-            const Box box = world_bounds(body);
-            made.emplace_back(std::move(body), box);
+        for (auto& [body, negated] : SceneMaker(in, nothing, false).bodies_of(object)) {
+            Primitive inside = filled(body);
+            const Box box = world_bounds(body), around = world_bounds(inside);
+            made.push_back({std::move(body), std::move(inside), box, around, negated});
         }
         object.made.bodies = std::make_shared<const Bodies>(std::move(made));
     }
@@ -38,8 +49,9 @@ bool is_near(const Box& box, const DVec3& point) {
 }
 
 bool any_contains(const Bodies& bodies, const DVec3& point) {
-    return std::ranges::any_of(
-        bodies, [&](const auto& own) { return is_near(own.second, point) && contains(own.first, point); });
+    return std::ranges::any_of(bodies, [&](const AskedBody& own) {
+        return (is_near(own.filled_box, point) && contains(own.filled, point)) != own.negated;
+    });
 }
 
 struct InsideFunction : FunctionThing {
@@ -82,11 +94,11 @@ bool PovLayer::trace(Interpreter& in, const Thing& object, const DVec3& from, co
     if (!(size > 0)) return false;
     const Ray<double> ray{from, direction / size, {}};
     double nearest = most;
-    for (const auto& [body, box] : bodies_of(in, object))
-        if (!meets(box, ray))
+    for (const AskedBody& body : bodies_of(in, object))
+        if (!meets(body.box, ray))
             continue;
-        else if (const auto hits = ray_hits(body, ray, least, nearest, &trees); !hits.empty())
-            nearest = hits[0].t, normal = hits[0].normal;
+        else if (const auto hits = ray_hits(body.own, ray, least, nearest, &trees); !hits.empty())
+            nearest = hits[0].t, normal = (body.negated ? -1. : 1.) * hits[0].normal;
     if (nearest == most) return false;
     hit = from + nearest * ray.direction;
     return true;

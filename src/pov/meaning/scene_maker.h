@@ -33,8 +33,12 @@ class SceneMaker {
     const std::vector<TextPlace>& places() const { return kept_places; }
     /// Returns the places of its lights.
     const std::vector<TextPlace>& places_of_lights() const { return light_places; }
+    struct Part {
+        Primitive primitive;
+        bool negated = false;  // it fills the space outside of it
+    };
     /// Returns the bodies of one object.
-    std::vector<Primitive> bodies_of(const ObjectThing& object);
+    std::vector<Part> bodies_of(const ObjectThing& object);
 
   private:
     struct Around;
@@ -62,10 +66,7 @@ class SceneMaker {
         bool clips = false;                   // it clips another object, and is not seen itself
         bool turned = false;                  // it is turned inside out, as what a difference takes away
         bool merges = false;                  // it was turned at some time: unions in it keep no surfaces inside them
-    };
-    struct Part {
-        Primitive primitive;
-        bool negated = false;  // it fills the space outside of it
+        bool turned_last = false;             // it is turned by what is not moved later
     };
     // bodies.cpp
     void add(const ObjectThing& object, const Around& around);
@@ -108,6 +109,8 @@ class SceneMaker {
     void set_background();
     void set_settings();
     void tell_of_lights_on_surfaces(SeenPlaces& sight) const;
+    void tell_of_light_behind_planes(SeenPlaces& sight) const;
+    void tell_of_fog_in_pieces() const;
     void set_bailout();
 
     Interpreter& in;
@@ -120,6 +123,7 @@ class SceneMaker {
     struct Seen {
         bool no_shadow, no_image, no_reflection;
         TextPlace place;
+        bool negated;  // see Part
     };
     std::vector<Seen> shown;  // how each primitive is seen
     std::vector<TextPlace> kept_places, light_places;

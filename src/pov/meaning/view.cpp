@@ -154,7 +154,7 @@ Pigment brightened(const Pigment& pigment, const Color& by) {
 
 void SceneMaker::set_background() {
     const Color& color = contents.background;
-    scene.background = Pigment(std::max(color.x, 0.), std::max(color.y, 0.), std::max(color.z, 0.));
+    scene.background = Pigment(in.options.as_text ? max(color, Color(0)) : color);
     if (contents.sky && !contents.sky->pigments.empty()) {
         const std::vector<PigmentThing>& pigments = contents.sky->pigments;
         std::vector<Look> looks;
@@ -221,8 +221,7 @@ void SceneMaker::set_settings() {
         notes.approximated(contents.gamma_place,
                            "assumed_gamma " + text_of(gamma) + " is " + text_of(settings.assumed_gamma));
     }
-    const Color& ambient = contents.ambient_light;
-    settings.ambient_light = {std::max(ambient.x, 0.), std::max(ambient.y, 0.), std::max(ambient.z, 0.)};
+    settings.ambient_light = ambient_light_of(contents);
     settings.max_trace_level = std::clamp(contents.max_trace_level, 1, 256);
 }
 
@@ -250,11 +249,13 @@ void SceneMaker::settle_materials() {
     for (Primitive& primitive : scene.primitives) settle(settle, primitive);
 }
 
-std::vector<Primitive> SceneMaker::bodies_of(const ObjectThing& object) {
+std::vector<SceneMaker::Part> SceneMaker::bodies_of(const ObjectThing& object) {
     Around around;
     around.texture = std::make_shared<const TextureThing>();
     add(object, around);
-    return std::move(scene.primitives);
+    std::vector<Part> all;
+    for (std::size_t i = 0; i < shown.size(); ++i) all.push_back({std::move(scene.primitives[i]), shown[i].negated});
+    return all;
 }
 
 /// Parallel light comes from infinitely far away if nothing is behind the plane from which it comes, or that is further
@@ -315,6 +316,42 @@ void SceneMaker::tell_of_lights_on_surfaces(SeenPlaces& sight) const {
     }
 }
 
+/// Tells of parallel light that fades with a power to which numbers below 0 cannot be raised, or become negative, where
+/// places behind the plane from which it starts are seen.
+void SceneMaker::tell_of_light_behind_planes(SeenPlaces& sight) const {
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        const Light& light = scene.lights[i];
+        if (!light.from || light.beam > 0 || !light.fades() || light.fade_power == 2) continue;
+        const auto is_behind = [&](const SeenPlaces::Place& place) {
+            return dot_product(place.p - *light.from, *light.direction) < 0;
+        };
+        if (sight.counts(static_cast<std::size_t>(std::ranges::count_if(sight.places(), is_behind))))
+            notes.approximated(light_places[i],
+                               "parallel light does not fade behind the plane from which it starts, where POV-Ray's "
+                               "formula fails");
+    }
+}
+
+/// Tells of fog behind surfaces that are not there: a least share or a filter counts anew there, and where a camera is
+/// in such a body that is not hollow POV-Ray has no fog on any way out of it.
+void SceneMaker::tell_of_fog_in_pieces() const {
+    if (!scene.fog) return;
+    for (std::size_t i = 0; i < scene.primitives.size(); ++i) {
+        const Primitive& body = scene.primitives[i];
+        bool open = false, hidden = false;
+        for_each_leaf(body, [&](const Primitive& leaf, const glm::dmat4&) {
+            const Material& own = scene.materials[static_cast<std::size_t>(leaf.material)];
+            open |= shows_nothing(own), hidden |= own.seen == 0 || own.mirrored == 0;
+        });
+        if (scene.fog->transmit > 0 ? open || hidden : scene.fog->filter > 0 && open)
+            notes.approximated(kept_places[i],
+                               "fog that lets light through is thicker behind an open end, or behind what is not seen");
+        if (open && !scene.materials[static_cast<std::size_t>(body.material)].hollow &&
+            contains(body, scene.camera.position))
+            notes.approximated(kept_places[i], "fog is seen from an open body that is not hollow");
+    }
+}
+
 /// Rays that bring too little are black, which shows in scenes with mirrors or glass.
 void SceneMaker::set_bailout() {
     const double bailout = std::clamp(contents.adc_bailout, 0., 1.);
@@ -362,6 +399,8 @@ Scene SceneMaker::make() {
     }
     set_planes();
     tell_of_lights_on_surfaces(sight);
+    tell_of_light_behind_planes(sight);
+    tell_of_fog_in_pieces();
     set_bailout();
     return std::move(scene);
 }

@@ -255,7 +255,8 @@ std::shared_ptr<const ObjectThing> PovReader::read_object(Interpreter& in) {
     in.count_bytes(2 * sizeof(ObjectThing), place);  // with its shape, and where it is placed
     object->place = place;
     in.begin_block();
-    if (const auto known = in.accept_thing<ObjectThing>(ValueKind::object)) {
+    const auto known = in.accept_thing<ObjectThing>(ValueKind::object);
+    if (known) {
         *object = *known;
     } else if (parts) {
         object->kind = *parts;
@@ -270,6 +271,7 @@ std::shared_ptr<const ObjectThing> PovReader::read_object(Interpreter& in) {
     while (read_object_modifier(in, *object)) {
     }
     in.end_block();
+    if (code == word("julia_fractal") && !known) object->inverse = false;  // POV-Ray forgets it here
     for (const auto* const inside : {&object->parts, &object->clips, &object->bounds})
         for (const auto& part : *inside) object->levels = std::max(object->levels, part->levels + 1);
     if (object->levels > most_levels)

@@ -38,7 +38,8 @@ void PovReader::read_settings(Interpreter& in) {
                 contents.adc_bailout = in.read_number();
                 break;
             case word("noise_generator"):
-                in.noise_generator = in.read_integer(), in.noise_generator_given = true;
+                *in.generator_of_functions = in.noise_generator = in.read_integer();
+                in.noise_generator_given = true;
                 break;
             case word("charset"):
                 utf8 = in.at("utf8");

@@ -213,6 +213,7 @@ void PovReader::read_finish(Interpreter& in, FinishThing& finish) {
         in.skip_comma();
     }
     in.end_block();
+    contents.emits |= finish.emission != DVec3(0);
     if (albedos.diffuse) finish.diffuse *= (finish.brilliance + 1) / 2;
     if (albedos.phong) finish.phong *= (finish.phong_size + 1) / 2;
     const double e = 1 / finish.roughness;

@@ -43,13 +43,20 @@ struct PlacedTexture {
     Steps steps;
 };
 
-/// The bodies of an object with boxes around them, once a scene has asked for them; a copy, which may be changed, has
+/// A body of an object that a scene asks about.
+struct AskedBody {
+    Primitive own, filled;  // `filled` is what is inside of it
+    Box box, filled_box;    // around these
+    bool negated;           // all that is outside of `filled` is inside of it
+};
+
+/// The bodies of an object, once a scene has asked for them; a copy, which may be changed, has
 /// none.
 struct MadeBodies {
     MadeBodies() = default;
     MadeBodies(const MadeBodies&) {}
     MadeBodies& operator=(const MadeBodies&) { return bodies.reset(), *this; }
-    mutable std::shared_ptr<const std::vector<std::pair<Primitive, Box>>> bodies;
+    mutable std::shared_ptr<const std::vector<AskedBody>> bodies;
 };
 
 /// Counts the bytes of memory that a triangle takes in a mesh whose corners are not shared.
@@ -135,6 +142,7 @@ struct PovContents {
     DVec3 background{0};
     double background_opacity = 0;  // in a picture with alpha
     DVec3 ambient_light{1};
+    bool emits = false;  // does some finish have emission?
     int max_trace_level = 5;
     double adc_bailout = 1. / 255;
     bool assumes_srgb = false;

@@ -294,7 +294,15 @@ std::optional<SolidPattern> still_solid_of(const Blend& blend, bool bends, int g
     Blend still = blend;
     still.warps.clear(), still.values = nullptr;
     if (moves_points(blend)) still.turbulence = DVec3(0);
-    return solid_of(still, bends, generator);
+    std::optional<SolidPattern> solid = solid_of(still, bends, generator);
+    const bool spiral = blend.word == word("spiral1") || blend.word == word("spiral2");
+    if (!spiral || blend.turbulence == DVec3(0) || !solid || solid->function) return solid;
+    // The turbulence of a spiral counts in its values as well.
+    return of_function(make_values([own = *solid, noise = turbulence_of(blend)](const DVec3& p) {
+        const double more = noise.by.x * lattice::turbulence(p, noise.octaves, static_cast<float>(noise.omega),
+                                                             static_cast<float>(noise.lambda), own.generator);
+        return strahl::value_at(own, {p.x, p.y, p.z + more});
+    }));
 }
 
 /// Returns the entries of a map. Those of a list get the values at which the pattern shows them.

@@ -22,6 +22,7 @@ struct SeenSurface {
     Mask<S> outside;
     Mask<S> enters = outside;  // the ray is in no such body
     S before{1}, beyond{1};    // the indices of refraction that it comes from, and that it leaves into
+    S mirrored{0};             // cosine of the angle to the normal at which it is mirrored, where normals are bent
 };
 /// The way from there to a light. `reflected` is the ray's mirrored direction.
 template <class S>

@@ -81,10 +81,13 @@ Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, c
     hit.count = 0;
     const S one(1), zero(0), least(T(world.patterns.bends ? -1 : 0));  // below 0: behind a bent normal
     const S cosine = min(max(-dot(seen.direction, seen.normal), least), one);
+    const S away = abs(world.patterns.bends ? seen.mirrored : cosine);
     each_finish<S>(world, materials, [&](const FinishKernel<T>& finish, Mask<S> lanes) {
         Vec3<S> through = splat<S>(Vec3<T>(1)), factor = through, passed = none, ambient = none, mirrored = none;
         S most(0), side = one, total(0);
         const T bailout = world.finishes.bailout;
+        const Mask<S> enters =
+            finish.always_enters && !world.finishes.enclosed ? first_lanes<S>(width<S>) : seen.enters;
         const int layers = std::min(finish.layers, most_layers);
         for (int& i = hit.count; i < layers; ++i) hit.color[i] = hit.above[i] = none, hit.opacity[i] = S(0);
         Mask<S> open = lanes;    // those whose light is followed to this layer
@@ -135,9 +138,8 @@ Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, c
             if (largest(layer.mirror) > 0 && (!apart || layer.conserves)) {
                 S x = one;
                 if (layer.fresnel)
-                    x = min(
-                        fresnel(select(seen.enters, S(finish.ior) / seen.before, seen.beyond / S(finish.ior)), cosine),
-                        one);
+                    x = min(fresnel(select(enters, S(finish.ior) / seen.before, seen.beyond / S(finish.ior)), cosine),
+                            one);
                 else if (layer.facing != 1)
                     x = signed_power(one - cosine, layer.falloff);
                 const S share = fma(S(1 - layer.facing), x, S(layer.facing));
@@ -147,7 +149,7 @@ Filtering<S> FinishCalls<S>::look(const World<T>& world, const int* materials, c
                 Vec3<S> tint = splat<S>(Vec3<T>(1));
                 if (layer.gilding != 0) tint = tint_of(own.color, layer.gilding, cosine);
                 Vec3<S> film = splat<S>(Vec3<T>(1));
-                if (layer.irid > 0) film = film_colors<S>(layer, S(2) * abs(cosine));
+                if (layer.irid > 0) film = film_colors<S>(layer, abs(cosine) + away);
                 for (int c = 0; c < 3; ++c) {
                     const S gray = share * S(layer.mirror[c]);
                     mirrored[c] = select(sends, fma(factor[c] * gray * film[c], tint[c], mirrored[c]), mirrored[c]);

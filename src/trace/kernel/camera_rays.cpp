@@ -26,7 +26,7 @@ CameraRays<T>::CameraRays(const Scene& scene, const View& view, const BuiltWorld
     DVec3 reach;
     for (int i = 0; i < 3; ++i) reach[i] = eyes + std::abs(wide * frame.right[i]) + std::abs(high * frame.down[i]);
     starts_in_bodies = std::ranges::any_of(scene.primitives, [&](const Primitive& body) {
-        if (!transparent(scene, body)) return false;
+        if (!transparent(scene, body) && !built.world().finishes.enclosed) return false;
         const Box box = world_bounds(body);
         bool apart = false;
         for (int i = 0; i < 3; ++i) apart |= box.low[i] > middle[i] + reach[i] || box.high[i] < middle[i] - reach[i];

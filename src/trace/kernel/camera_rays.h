@@ -29,7 +29,7 @@ class CameraRays {
     const Placement& placement;
     const CameraFrame frame;
     const double sharp;             // distance of the plane in focus
-    bool starts_in_bodies = false;  // rays may start in a transparent body
+    bool starts_in_bodies = false;  // rays may start in a body that they list
 };
 
 }  // namespace strahl

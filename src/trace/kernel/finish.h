@@ -42,6 +42,8 @@ void look_at_layers(const Shading<S, P>& shading, const Hit<S>& hit, const int* 
                     LayeredHit<S>& layers) {
     SeenSurface<S> seen{hit.position, hit.direction, hit.normal, hit.surface, hit.outside};
     if (shading.world.nested && shading.world.finishes.fresnel) find_indices(shading, hit, seen);
+    if (shading.world.patterns.bends && shading.world.finishes.film)
+        seen.mirrored = dot(mirrored_direction(shading, hit, notes), hit.normal);
     if (!filters(shading)) return void(FinishCalls<S>::look(shading.world, numbers, seen, nullptr, layers));
     if (shading.world.patterns.quick) {
         const Footprint<S> own = footprint_of(notes.cone.width, hit.direction, notes.flat);

@@ -45,7 +45,7 @@ void WorldArrays<T>::add_finish(const Material& material, const Scene& scene, co
         layer.metallic = number(own.metallic), layer.gilding = number(own.gilding);
         layer.mirror = cast<T>(own.reflection * own.mirror);
         layer.facing = number(own.facing), layer.falloff = number(own.falloff), layer.fresnel = own.fresnel > 0;
-        world.finishes.fresnel |= layer.fresnel;
+        world.finishes.fresnel |= layer.fresnel, world.finishes.film |= layer.irid > 0;
         layer.conserves = own.conserve > 0, layer.old_opacity = own.old_opacity > 0;
         layer.share = -1, layer.outside = layer.inside = 1, layer.bend = 0;
         if (&own != &material && material.bends_apart(own)) {
@@ -70,6 +70,7 @@ void WorldArrays<T>::add_finish(const Material& material, const Scene& scene, co
                              number(clear ? material.clarity : material.reflection + material.refraction),
                              number(material.clarity),
                              clear,
+                             scene.settings.passed_over > 0 && !material.transmits(),
                              material.shadow > 0,
                              material.seen > 0,
                              material.mirrored > 0,

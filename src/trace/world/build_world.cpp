@@ -132,10 +132,11 @@ FogKernel<T> fog_kernel(const Fog& fog, const Placement& placement) {
     return own;
 }
 
-/// Is the eye in an opaque body, in which there is no fog unless it is hollow?
-bool encloses_eye(const Scene& scene, const Primitive& body) {
+/// May rays of the eye start in an opaque body, which matters to fog, unless it is hollow, and to `fresnel`?
+bool encloses_eye(const Scene& scene, const Primitive& body, bool fresnel) {
     const Material& own = scene.materials[static_cast<std::size_t>(body.material)];
-    return scene.settings.passed_over > 0 && !own.hollow && !own.transmits() && contains(body, scene.camera.position);
+    return scene.settings.passed_over > 0 && (fresnel || (scene.fog && !own.hollow)) && !own.transmits() &&
+           (starts_apart(scene.camera.projection) || contains(body, scene.camera.position));
 }
 
 }  // namespace
@@ -188,11 +189,12 @@ void WorldArrays<T>::add_materials(const Scene& scene) {
 /// Lists the transparent bodies if rays have to know which they are in: if these may overlap, and with fog.
 template <class T>
 void WorldArrays<T>::list_transparent(const Scene& scene) {
-    const auto encloses = [&](const Primitive& body) { return encloses_eye(scene, body); };
+    const auto encloses = [&](const Primitive& body) { return encloses_eye(scene, body, world.finishes.fresnel); };
     const auto shares = [](const Material& m) { return m.transmits() && (m.bends() || m.interior > 0); };
-    world.nested = (world.fog.any && std::ranges::any_of(scene.primitives, encloses)) ||
-                   (world.transparent && (world.fog.any || transparent_bodies_overlap(scene) ||
-                                          std::ranges::any_of(scene.materials, shares)));
+    world.finishes.enclosed = std::ranges::any_of(scene.primitives, encloses);
+    world.nested =
+        world.finishes.enclosed || (world.transparent && (world.fog.any || transparent_bodies_overlap(scene) ||
+                                                          std::ranges::any_of(scene.materials, shares)));
     if (!world.nested) return;
     ItemCounts before;
     std::unordered_map<int, std::int32_t> shared;  // the first surfaces of interiors
@@ -225,7 +227,7 @@ void WorldArrays<T>::list_transparent(const Scene& scene) {
         });
         const int interior = scene.materials[primitive.material].interior;
         const auto around = interior > 0 ? shared.find(interior) : shared.end();
-        const bool fills = medium->transmits() || (world.fog.any && encloses_eye(scene, primitive));
+        const bool fills = medium->transmits() || encloses(primitive);
         if (fills)
             media.transparent.push_back({body, around == shared.end() ? media.bodies[body] : around->second,
                                          primitive.shape, glm::inverse(matrix(primitive.transformations))});

@@ -26,10 +26,11 @@ template <class T>
 struct FinishKernel {
     bool plain;  // the article's equation is all that it has
     std::int32_t first_layer, layers;
-    T refraction, ior;  // Kt of the lowest layer
-    T total;            // the share of light that is reflected totally
-    T clarity;          // factor of what comes through, but for shadows
-    bool clear;         // light comes through by the colours: it goes straight on without a new generation
+    T refraction, ior;   // Kt of the lowest layer
+    T total;             // the share of light that is reflected totally
+    T clarity;           // factor of what comes through, but for shadows
+    bool clear;          // light comes through by the colours: it goes straight on without a new generation
+    bool always_enters;  // as in POV-Ray rays meet both sides from outside, since nothing lets them in
     bool shadow, seen, mirrored;
     bool both_sides, behind;         // lights behind the surface light it as those before, or by its layers' `behind`
     bool common;                     // lights of no group shine on it
@@ -48,14 +49,16 @@ struct FinishTables {
     const LayerKernel<T>* layers = nullptr;
     const PatternKernel<T>* shares = nullptr;
     const BendKernel<T>* bends = nullptr;
-    int most_bends = 0;    // largest number of bends of a material
-    T bailout = 0;         // rays of less weight are black
-    bool carries = false;  // rays carry colours besides their weights, and counts of their own, see RayQueue
-    bool follows = false;  // shadow rays go from surface to surface: light fades in bodies, or their sides differ
-    bool hides = false;    // some body is not seen by all rays
-    bool behind = false;   // some surface is lit from behind
-    bool groups = false;   // some lights shine on some bodies only
-    bool fresnel = false;  // some surface reflects by the indices on its sides
+    int most_bends = 0;     // largest number of bends of a material
+    T bailout = 0;          // rays of less weight are black
+    bool carries = false;   // rays carry colours besides their weights, and counts of their own, see RayQueue
+    bool follows = false;   // shadow rays go from surface to surface: light fades in bodies, or their sides differ
+    bool hides = false;     // some body is not seen by all rays
+    bool behind = false;    // some surface is lit from behind
+    bool groups = false;    // some lights shine on some bodies only
+    bool fresnel = false;   // some surface reflects by the indices on its sides
+    bool film = false;      // some surface has a thin film
+    bool enclosed = false;  // rays may start in opaque bodies
 };
 
 }  // namespace strahl

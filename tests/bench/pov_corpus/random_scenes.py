@@ -19,7 +19,7 @@ RULES = {
     "global": "global_settings { assumed_gamma $gamma max_trace_level %5:9 $bailout? $ambient? }",
     "gamma": "3*1\n2.2",
     "bailout": "adc_bailout ~.001:.05",
-    "ambient": "ambient_light rgb <~.3:1.5,~.3:1.5,~.3:1.5>",
+    "ambient": "ambient_light rgb <~.3:1.5,~.3:1.5,~.3:1.5>\nambient_light 0\nnoise_generator %1:3",
     "camera": """
         6*camera { $eye $wide $aim angle ~35:75 }
         camera { $eye sky <~-.4:.4,1,~-.4:.4> $wide $aim angle ~35:75 }
@@ -40,17 +40,25 @@ RULES = {
         cylinder $target radius ~.5:1.5 falloff ~1.5:3 tightness ~0:10
         parallel $target
         area_light x*~.5:2, z*~.5:2, %2:4, %2:4 $circular? $fading?
-        shadowless""",
+        shadowless
+        fade_distance ~3:10 fade_power 2 looks_like { sphere { 0, ~.1:.3 $texture } }
+        area_light x*~.5:2, z*~.5:2, %2:4, %2:4 orient circular adaptive %0:1 spotlight $target falloff 40""",
     "target": "point_at <~-1:1,0,~0:2>",
     "fading": "fade_distance ~3:10 fade_power $power",
     "power": "1\n2\n1.5",
     "circular": "circular",
-    "sky": "\nbackground { $color }\nsky_sphere { $pigment }",
+    "sky": "\nbackground { $color }\nsky_sphere { $pigment }\nsky_sphere { $pigment $veil $move*0:2 }",
     "fog": """
         fog { distance ~5:30 color $clear }
-        fog { fog_type 2 distance ~5:30 color $color fog_offset ~-1:1 fog_alt ~.3:2 }""",
+        fog { distance ~5:30 color $color turbulence ~.1:.9 turb_depth ~.2:1 }
+        fog { fog_type 2 distance ~5:30 color $color fog_offset ~-1:1 fog_alt ~.3:2 }
+        fog { fog_type 2 distance ~5:30 color $color fog_offset ~-1:1 fog_alt ~.3:2 up <~-.5:.5,1,~-.5:.5> }""",
     "floor": "2*plane { y, ~-1.2:-.8 $texture }\n",
     "body": """
+        light_group { light_source { <~-8:8,~3:8,~-8:0> $color } $solid $look $place } global_lights $switch }
+        #declare Spline = spline { $spline_kind 0, $vector .4, $vector .8, $vector 1.2, $vector } \
+#for (I, .1, 1.1, .2) sphere { Spline(I), ~.1:.3 $look $place } #end
+        #macro Body(A, B) $solid rotate A*y scale B $look } #end object { Body(~0:360, ~.5:1.2) $move*0:2 $place }
         6*$solid $look $inside? $interior? $flag? $cut? $move*0:3 $place }
         3*$composite { $part*2:3 $look $interior? $flag? $cut? $move*0:3 $place }
         $sheet $look $inside? $move*0:3 $place }""",
@@ -59,8 +67,15 @@ RULES = {
     "look": "5*$texture\ntexture { $pigment $finish } texture { $veil $finish }\n$clear_texture",
     "veil": "pigment { $clear }",
     "place": "translate <~-2.2:2.2,~-.2:1.6,~-1:2.5>",
-    "flag": "no_shadow\nno_image\nno_reflection\n3*hollow\ndouble_illuminate",
-    "cut": "clipped_by { plane { $vector, ~-.2:.5 } }\nclipped_by { sphere { 0, ~.6:1.2 } }",
+    "flag": "no_shadow\nno_image\nno_reflection\n3*hollow\ndouble_illuminate\nphotons { target reflection on }\ninverse",
+    "switch": "on\noff",
+    "spline_kind": "linear_spline\nquadratic_spline\ncubic_spline\nnatural_spline",
+    "cut": """
+        clipped_by { plane { $vector, ~-.2:.5 } }
+        clipped_by { sphere { 0, ~.6:1.2 } }
+        clipped_by { box { -1, <~.1:1,~.1:1,~.1:1> } plane { $vector, .6 } }
+        bounded_by { sphere { 0, 4 } }
+        clipped_by { plane { y, ~-.3:.3 } } bounded_by { clipped_by }""",
     "inside": "interior_texture { $pigment $finish }",
     "interior": "interior { ior ~1:1.8 $fade? }",
     "fade": "fade_power 1 fade_distance ~.3:2 fade_color $color\nfade_power 1000 fade_distance ~.3:2 fade_color $color",
@@ -78,7 +93,15 @@ RULES = {
         triangle { $vector, $vector, $vector
         smooth_triangle { <-1,0,0>, <-.3,.2,-1>, <1,0,0>, <.4,.1,-1>, <0,1,.3>, <0,.5,-1>
         bicubic_patch { type 1 u_steps 3 v_steps 3 flatness .01, $row, $row, $row, $row
-        mesh2 { vertex_vectors { 3, <-1,-1,0>, <1,-1,.3>, <1,1,0> } face_indices { 1, <0,1,2> }""",
+        mesh2 { vertex_vectors { 3, <-1,-1,0>, <1,-1,.3>, <1,1,0> } face_indices { 1, <0,1,2> }
+        mesh2 { vertex_vectors { 4, <-1,-1,0>, <1,-1,.3>, <1,1,0>, <-.8,.9,~-.5:.5> } \
+normal_vectors { 4, <-.3,-.3,-1>, <.3,-.3,-1>, <.3,.3,-1>, <-.3,.3,-1> } \
+uv_vectors { 4, <0,0>, <1,0>, <1,1>, <0,1> } face_indices { 2, <0,1,2>, <0,2,3> } uv_mapping
+        mesh { triangle { <-1,-1,0>, <1,-1,.3>, <1,1,0> } smooth_triangle { <-1,-1,0>, -z, <1,1,0>, <.3,0,-1>, <-1,.8,.5>, -z }
+        bicubic_patch { type 0 u_steps 2 v_steps 3 flatness .01, $row, $row, $row, $row
+        height_field { function 12, 12 { $heights } $smooth? translate -.5 scale <2,~.5:1.5,2>""",
+    "heights": "f_noise3d(x*4,y*4,0)\n.5+.4*sin(x*7)*cos(y*5)\nx*y",
+    "smooth": "water_level ~.1:.3",
     "row": "$vector, $vector, $vector, $vector",
     "color": "rgb <~.05:1,~.05:1,~.05:1>",
     "clear": """
@@ -89,7 +112,10 @@ RULES = {
     "texture": """
         8*texture { $pigment $normal? $finish }
         texture { $pattern texture_map { [~0:.4 $pigment $finish] [~.4:1 $pigment $normal $finish] } $warped }
-        texture { checker texture { $pigment $finish }, texture { $pigment $normal } $move*0:2 }""",
+        texture { checker texture { $pigment $finish }, texture { $pigment $normal } $move*0:2 }
+        texture { $simple texture_map { [0 gradient $axis texture_map { [.3 $pigment] [.7 $pigment $finish] } scale .4] \
+[1 $pigment $normal $finish] } $warped }
+        texture { brick texture { $pigment $finish }, texture { $pigment $normal $finish } brick_size .5 mortar .1 }""",
     "clear_texture": """
         texture { $veil $finish }
         texture { pigment { $pattern color_map { [~0:.5 $clear] [~.5:1 $color] } $warped } $finish }""",
@@ -98,7 +124,13 @@ RULES = {
         2*pigment { $list $move*0:2 scale ~.2:1 }
         4*pigment { $pattern color_map { [~0:.3 $stain] [~.3:.7 $color] [~.7:1 $stain] } $warped }
         pigment { $pattern pigment_map { [~0:.4 $color] [~.4:1 $list scale ~.2:1] } $warped }
-        pigment { average pigment_map { [~.3:2 $color] [~.3:2 $list scale ~.2:1] } }""",
+        pigment { average pigment_map { [~.3:2 $color] [~.3:2 $list scale ~.2:1] } }
+        pigment { image_map { function 8, 8 { $function } map_type $map_type $once? interpolate $interpolate } $move*0:2 }
+        pigment { $pattern pigment_map { [0 $simple color_map { [0 $color] [1 $color] } $warped] [.5 $color] \
+[1 gradient $axis pigment_map { [0 $stain] [1 $list scale .3] } scale ~.3:1] } $warped }""",
+    "map_type": "0\n1\n2\n5",
+    "once": "once",
+    "interpolate": "2\n3\n4",
     "list": """
         checker $stain, $color
         hexagon $stain, $color, $color
@@ -117,6 +149,10 @@ RULES = {
         magnet 1 mandel %8:20
         quilted control0 ~0:1 control1 ~0:1
         spiral%1:2 %1:5
+        mandel %5:30 exterior %0:8 ~.2:2 interior %0:6 ~.2:1
+        julia <~-.8:.8,~-.8:.8>, %5:20 exterior %0:8 ~.2:2
+        onion noise_generator %1:3 turbulence ~.1:.6
+        image_pattern { function 6, 6 { $function } interpolate $interpolate }
         function { $function }
         pigment_pattern { $list scale ~.2:.8 }""",
     "simple": "\n".join("agate boxed bozo bumps cells crackle cylindrical dents granite leopard marble onion planar "
@@ -146,6 +182,11 @@ RULES = {
     "normal": """
         4*normal { $simple ~.05:.6 $warped }
         normal { facets coords ~.2:.8 }
+        normal { function { $function } ~.1:.5 scale ~.3:1 }
+        normal { $simple ~.1:.6 bump_size ~.1:.5 $warped }
+        normal { average normal_map { [~.3:2 $simple ~.2:.8 scale ~.2:.7] [~.3:2 $simple ~.2:.8 $warped] } }
+        normal { checker normal { $simple ~.1:.5 scale .2 }, normal { $simple ~.1:.5 } $move*0:2 scale ~.3:.8 }
+        normal { $pattern normal_map { [0 bozo ~.1:.4 slope_map { [0 <0,1>] [1 <1,0>] } scale .3] [1 waves .3] } $warped }
         normal { bozo normal_map { [~0:.4 bumps ~.1:.5] [~.5:1 $simple ~.1:.5 scale ~.2:.7] } $warped }
         normal { $simple slope_map { [0 <~0:1,~-1:1>] [~.3:.7 <~0:1,~-1:1>] [1 <~0:1,~-1:1>] } $warped }""",
     "finish": "finish { $own $diffuse $gloss? $metal? $mirror? $film? $conserve? }",
@@ -169,12 +210,24 @@ RULES = {
         superellipsoid { <~.2:1.5,~.2:1.5> scale ~.5:1
         prism { linear_sweep ~-.5:0, ~.1:.8, 5, <.8,0>, <0,~.3:1>, <~-1:-.3,0>, <0,~-1:-.3>, <.8,0>
         lathe { cubic_spline 5, <~.2:.8,-1>, <~.2:.9,-.4>, <~.2:.9,.1>, <~.2:.8,.6>, <~.1:.5,1>
+        lathe { linear_spline 5, <~.2:.8,-1>, <~.2:.9,-.4>, <~.2:.9,.1>, <~.2:.8,.6>, <0,1>
+        lathe { quadratic_spline 6, <.4,-1.2>, <~.2:.8,-1>, <~.2:.9,-.4>, <~.2:.9,.1>, <~.2:.8,.6>, <~.1:.5,1>
+        lathe { bezier_spline 4, <~.1:.8,-1>, <~.2:1.2,-.5>, <~.2:1.2,.5>, <~.1:.8,1>
+        prism { quadratic_spline ~-.5:0, ~.1:.8, 6, <.8,-1>, <.8,0>, <0,~.3:1>, <~-1:-.3,0>, <0,~-1:-.3>, <.8,0>
+        prism { conic_sweep linear_spline ~.2:.4, 1, 5, <.8,0>, <0,~.3:1>, <~-1:-.3,0>, <0,~-1:-.3>, <.8,0>
+        cylinder { -y*~.3:1, y*~.3:1, ~.4:.9 open
+        cone { -y, ~.4:.9, y*~.2:1, ~.1:.5 open
+        ovus { ~.5:.8, ~.2:.4
+        julia_fractal { <~-.3:.1,~.5:.9,~-.5:0,~-.2:.2> quaternion sqr max_iteration 6 precision 50
+        sphere_sweep { $sweep 4, $vector, ~.1:.4, $vector, ~.1:.4, $vector, ~.1:.4, $vector, ~.1:.4
+        blob { threshold .4 sphere { $vector, ~.7:1.2, 1 pigment { $color } } sphere { $vector, 1, ~-.6:1.2 pigment { $pattern } }
         sor { 6, <~.2:.8,-1.2>, <~.2:.8,-.8>, <~.2:.8,-.2>, <~.2:.8,.3>, <~.2:.8,.8>, <~.2:.8,1.1>
         blob { threshold ~.3:.6 sphere { $vector, ~.6:1.2, 1 } cylinder { $vector, $vector, ~.5:.8, ~.7:1.5 }
         quadric { <~.7:2,~.7:2,~.7:2>, 0, 0, ~-.9:-.3
         sphere_sweep { linear_spline 3, $vector, ~.1:.4, $vector, ~.1:.4, $vector, ~.1:.4
         text { ttf "timrom.ttf" "Ab" ~.2:.6, <~0:.2,~0:.2,0> translate <-.5,-.3,0>
         sphere { 0, ~.5:.9 scale <~.5:1.4,~.5:1.4,~.5:1.4>""",
+    "sweep": "b_spline\ncubic_spline",
 }
 SCENE = ("$global", "$camera", "$light*1:3", "$sky", "$fog?", "$floor", "$body*2:5")
 TOKEN = re.compile(r"\$([a-z_]+)(\?|\*(\d)(?::(\d))?)?|([~%])(-?[\d.]+):(-?[\d.]+)")

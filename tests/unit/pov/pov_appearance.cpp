@@ -472,6 +472,29 @@ TEST_CASE("POV-Ray: what scenes cannot hold is told with its line, once") {
     told("sphere { 0, 1 finish { reflection { .5 exponent 2 } } }", "approximated: 'exponent' of a reflection");
     told("sphere { 0, 1 pigment { rgbt <1, 1, 1, -1> } }", "approximated: filter and transmit below 0");
     told("sphere { 0, 1 pigment { pavement } }", "approximated: the pattern 'pavement' is its mean colour");
+    const auto thick = [](const std::string& fog, const std::string& body) {
+        return says(notes_of("fog { distance 9 rgb" + fog + " } " + body), "fog that lets light through is thicker");
+    };
+    const std::string tube = "cylinder { -y, y, 1 open }", unseen = "sphere { 0, 1 no_reflection }";
+    CHECK((thick("t <1,1,1,.2>", tube) && thick("f <1,1,1,.2>", tube) && !thick(" 1", tube)));
+    CHECK(
+        (thick("t <1,1,1,.2>", unseen) && !thick("f <1,1,1,.2>", unseen) && !thick("t <1,1,1,.2>", "sphere { 0, 1 }")));
+    const std::string fog = "fog { distance 9 rgb 1 } ";
+    CHECK(says(notes_of(fog + tube), "fog is seen from an open body"));
+    CHECK((notes_of(fog + "cylinder { -y, y, 1 open hollow }") == "" &&
+           notes_of(fog + "cylinder { 3*y, 5*y, 1 open }") == ""));
+    const auto fails = [](const std::string& plane, const std::string& fade) {
+        return says(notes_of("camera { location -9*z } plane { y, " + plane +
+                             " } light_source { 0 rgb 1 parallel "
+                             "point_at y fade_distance 2 fade_power " +
+                             fade + " }"),
+                    "parallel light does not fade behind the plane");
+    };
+    CHECK((fails("-1", "1.5") && fails("-1", "1") && !fails("-1", "2") && !fails("1", "1")));
+    const auto ends = [](const std::string& body) {
+        return says(notes_of("difference { " + body + " julia_fractal { <-.1,.8,-.5,.1> } }"), "at the fractal's box");
+    };
+    CHECK((ends("box { -5, 5 }") && ends("plane { y, 0 }") && !ends("box { -1, 1 }")));
     told("fog { distance 9 } light_source { 9 rgb 1 media_attenuation on }", "approximated: fog does not dim a light");
     CHECK(notes_of("sphere { 0, 1 pigment { crackle metric 2 form <-1, 1, 0> agate_turb 1 } }") == "");
     told("text { ttf \"no.ttf\" \"A\" 1, 0 }", "left out: a text: cannot find its font 'no.ttf'");

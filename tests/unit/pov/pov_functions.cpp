@@ -103,15 +103,15 @@ const std::vector<InternalValue> internal_values{
 TEST_CASE("the internal functions of functions.inc") {
     for (const auto& [number, arguments, expected] : internal_values) {
         CAPTURE(number);
-        const auto function = internal_function(number, 2);
+        const auto function = internal_function(number, std::make_shared<int>(2));
         REQUIRE(function);
         REQUIRE(function->arguments == static_cast<int>(arguments.size()));
         double result;
         function->evaluate(arguments.data(), &result);
         CHECK(result == doctest::Approx(expected).epsilon(1e-11));
     }
-    CHECK(!internal_function(-1, 2));
-    CHECK(!internal_function(79, 2));
+    CHECK(!internal_function(-1, nullptr));
+    CHECK(!internal_function(79, nullptr));
 }
 
 TEST_CASE("POV-Ray's noise") {

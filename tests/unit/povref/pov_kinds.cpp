@@ -363,6 +363,139 @@ const Kind kinds[]{
                 " color_map { [0 rgb x] [.5 rgb y] [1 rgb 1] } "
                 "scale 1.5 } finish { ambient 1 } }";
      }},
+    {"bodies that emit light, beside ambient light of a colour",
+     [](Texts& t) {
+         const std::string light = t.one_of({"0", "<0,.7,.4>", "<1.4,.5,1>"});
+         return "global_settings { ambient_light rgb " + light + " } " + t.camera() + lamp +
+                "sphere { 0, 1.5 pigment { rgb " + t.vector(.2, 1) + " } finish { ambient " +
+                t.one_of({"0", ".1", "<.2,0,.1>"}) + " emission " + t.one_of({"", "rgb "}) + t.number(.1, .9) +
+                " diffuse " + t.number(0, .5) + t.one_of({" phong .5", "", " reflection .3"}) + " } }";
+     }},
+    {"reflection by Fresnel's law on either side of what is open, and around the camera",
+     [](Texts& t) {
+         const auto body = [&](const std::string& place) {
+             const std::string bodies[]{"disc { 0, <.3,.2,-1>, 1.2",
+                                        "cylinder { -y, y, .9 open",
+                                        "lathe { cubic_spline 5, <.5,-1>, <.7,-.6>, <.8,.1>, <.6,.6>, <.9,1>",
+                                        "prism { -.5, .7, 5, <.8,0>, <0,1>, <-1,0>, <0,-.8>, <.8,0> open",
+                                        "sphere { 0, 1.2 clipped_by { plane { <.3,1,-.5>, .2 } }",
+                                        "difference { sphere { 0, 1.2 } sphere { <.3,.3,-.6>, .8 }"};
+             const std::string own = bodies[std::stoul(t.one_of({"0", "1", "2", "3", "4", "5"}))];
+             return own + " pigment { rgb .1 } finish { reflection { " + t.one_of({"", ".2, "}) +
+                    "1 fresnel } } interior { ior " + t.number(1.3, 2) + " } rotate " + t.vector(-180, 180) +
+                    " translate " + place + " } ";
+         };
+         const std::string room =
+             "box { -9, <9,9,8> pigment { rgb .1 } finish { reflection { 1 fresnel } } interior { "
+             "ior 1.5 } } ";
+         return t.camera() + rainbow + body("-1.2*x") + body("1.2*x") + (t.one_of({"", "r"}) == "r" ? room : "");
+     },
+     .02},
+    {"thin films on bumps that mirror",
+     [](Texts& t) {
+         return t.camera() + rainbow + "sphere { 0, 1.5 pigment { rgb .2 } normal { bumps " + t.number(.5, 2) +
+                " scale " + t.number(.2, .5) + " } finish { reflection " + t.number(.4, .9) + " irid { " +
+                t.number(.2, .6) + " thickness " + t.number(.3, 1) + " } } }";
+     },
+     .02},
+    {"fog before an orthographic camera some of whose rays begin in bodies",
+     [](Texts& t) {
+         return "camera { orthographic location <0," + t.number(-1, 1) +
+                ",-6> look_at 0 right 6*x up 4.5*y } plane { y, " + t.number(-1, 0) + t.one_of({" ", " hollow "}) +
+                "pigment { rgb .3 } finish { ambient 1 } } sphere { <1,1,-6>, 1 pigment { rgb y } "
+                "finish { ambient 1 } } sphere { " +
+                t.vector(-1, 1) +
+                ", .8 pigment { rgb x } finish { ambient 1 } } fog "
+                "{ distance " +
+                t.number(4, 20) + " rgb <.7,.7,.9> }";
+     },
+     .02},
+    {"layers that each mirror, in a room of mirrors",
+     [](Texts& t) {
+         const auto layer = [&](const std::string& color, double low, double high) {
+             return " texture { pigment { rgbt " + color + " } finish { ambient .1 diffuse .2 reflection " +
+                    t.number(low, high) + " } " + t.one_of({"", "normal { bumps .2 }"}) + " }";
+         };
+         return "global_settings { max_trace_level 12 } " + t.camera() + lamp + "box { <-3,-2,-9>, <3,3,4> hollow" +
+                layer("<.7,.5,.4,0>", .3, .6) + layer("<.6,.3,.2,.7>", .1, .3) + " }";
+     },
+     .02},
+    {"both sides of bodies that are turned inside out",
+     [](Texts& t) {
+         const std::string solid = t.one_of({"sphere { 0, 1.2 ", "quadric { <1,1.5,1>, 0, 0, -1 ", "torus { .9, .4 ",
+                                             "lathe { linear_spline 4, <0,-1>, <1,-.5>, <.5,.6>, <0,1> "});
+         const std::string look =
+             "texture { pigment { rgb x } finish { specular .9 } } interior_texture { pigment { "
+             "rgb y } finish { phong .9 } } rotate " +
+             t.vector(-90, 90);
+         const std::string bodies[]{solid + "inverse " + look + " }",
+                                    "difference { box { <-2,-1,0>, <2,1,2> } " + solid + "} " + look + " }"};
+         return t.camera() + lamp + bodies[std::stoul(t.one_of({"0", "1"}))];
+     }},
+    {"what is inside of bodies, turned inside out or not, and where rays meet them",
+     [](Texts& t) {
+         const auto solid = [&] {
+             const std::string inverse = t.one_of({"", "", "inverse "}), turn = "rotate " + t.vector(-90, 90) + " ";
+             return t.one_of({"sphere { <.3,.2,0>, .9 ", "box { -.7, .8 ", "cylinder { -y, y, .6 ", "plane { y, .2 ",
+                              "torus { .7, .3 ", "blob { threshold .4 sphere { 0, 1.2, 1 } "}) +
+                    turn + inverse + "} ";
+         };
+         std::string parts = solid() + solid();
+         if (t.one_of({"", "n"}) == "n") parts = t.one_of({"union", "difference"}) + " { " + parts + "} " + solid();
+         return "camera { location -20*z look_at 0 angle 22 }\n#declare Body = " +
+                t.one_of({"union", "merge", "intersection", "difference"}) + " { " + parts +
+                t.one_of({"", "inverse "}) +
+                "};\n#for (I, 0, 9) #for (J, 0, 9) #local N = 0*x; #local P = <I,J,0>/3.3-<" + t.number(1.2, 1.5) +
+                ",1.4,.3>; #local H = trace(Body, P-<.3,.2,4>, <.05,.04,1>, N);\n"
+                "box { -.13, .13 translate <P.x-1.6,P.y,0> pigment { rgb inside(Body, P) } finish { ambient 1 } }\n"
+                "box { -.13, .13 translate <P.x+1.6,P.y,0> pigment { rgb <N.x+1,N.y+1,H.z+5>/8 } finish { ambient 1 } "
+                "} "
+                "#end #end";
+     }},
+    {"noise of functions that are read before the noise is chosen",
+     [](Texts& t) {
+         return "#include \"functions.inc\"\nglobal_settings { noise_generator " + t.one_of({"1", "3"}) + " } " +
+                t.camera() + "plane { z, 1 pigment { function { f_noise3d(x*" + t.number(.5, 2) +
+                ",y,z) } } finish { " + "ambient 1 } }";
+     }},
+    {"normals that spirals with turbulence blend",
+     [](Texts& t) {
+         const auto part = [&] {
+             return t.one_of({"bozo ", "gradient x ", "spiral2 2 ", "wood "}) + t.number(.2, .6) +
+                    t.one_of({"", " turbulence .4"}) + " scale " + t.number(.3, .8);
+         };
+         return t.camera() + lamp + "box { -1.2, 1.2 pigment { rgb <1,.8,.6> } normal { " +
+                t.one_of({"spiral1 ", "spiral2 "}) + t.one_of({"1 ", "3 "}) + "normal_map { [0 " + part() + "] [1 " +
+                part() + "] } turbulence " + t.number(.2, .8) + t.one_of({"", " frequency 2 phase .3", " sine_wave"}) +
+                " scale .6 } rotate " + t.vector(-60, 60) + " }";
+     },
+     .01},
+    {"Julia sets that are taken away, or turned inside out",
+     [](Texts& t) {
+         const std::string julia = "julia_fractal { <" + t.number(-.3, .1) + "," + t.number(.4, .8) + "," +
+                                   t.number(-.5, 0) + ",.1> quaternion max_iteration 6 precision 60 pigment { rgb y } ";
+         const std::string box = "box { -1, <.3," + t.number(.2, .8) + ",.9> } ";
+         const std::string look = t.one_of({"", "rotate 40*y ", "translate .3 "}) + "pigment { rgb x } }";
+         const std::string bodies[]{"difference { " + box + julia + "} " + look,
+                                    "intersection { " + box + julia + "inverse } " + look,
+                                    "difference { " + box + julia + "inverse } " + look,
+                                    "intersection { " + box + "object { " + julia + "} inverse } " + look};
+         return t.camera() + lamp + bodies[std::stoul(t.one_of({"0", "1", "2", "3"}))];
+     },
+     .02},
+    {"normals of smooth triangles that are scaled",
+     [](Texts& t) {
+         const std::string move =
+             "scale " + t.vector(.4, 2) + t.one_of({"", " matrix <1,.3,0, .2,1,0, 0,.4,1, 0,0,0>"});
+         const std::string look = " pigment { checker rgb 1, rgb <1,.8,.2> scale .4 } finish { diffuse 1 phong .5 } ";
+         const std::string triangle =
+             "smooth_triangle { <-1.5,-1,0>, <-.6,-.3,-1>, <1.5,-1,.3>, <.8,.1,-1>, <0,1,0>, "
+             "<0," +
+             t.number(.3, .9) + ",-1>" + look;
+         return t.camera() + lamp +
+                (t.one_of({"", "u"}) == "" ? triangle + move + " }"
+                                           : "union { " + triangle + "rotate 20*z } sphere { 9, 1 } " + move + " }");
+     }},
     {"fog in hollow bodies, and around a camera in a body", [](Texts& t) {
          const std::string bodies[]{
              "sphere { " + t.vector(-.5, .5) + ", " + t.number(.8, 1.5) + " pigment { rgbt <1,.8,.6,.6> } " +
