@@ -148,8 +148,7 @@ class Batches {
             trace_spots(tile, x, y);
             if (layers) average_spots(pixels);
             for (int i = 0; i < pixels; ++i)
-                for (int c = 0; c < 3; ++c)
-                    sums[3 * i + c] += finite<double>(workspace.sums[order.numbers[i]].rgb[c]);
+                for (int c = 0; c < 3; ++c) sums[3 * i + c] += finite<double>(workspace.sums[order.numbers[i]].rgb[c]);
         };
         for (int j = 0; j < n && !limits.stopped(); ++j)
             for (int i = 0; i < n && !limits.stopped(); ++i) add((i + .5) / n - .5, (j + .5) / n - .5);
@@ -226,7 +225,7 @@ class Batches {
         return static_cast<To>(std::min(value, static_cast<From>(std::numeric_limits<To>::max())));
     }
 
-    /// Returns the largest of `count` numbers that are `step` apart, or 0. Four maxima grow side by side, since a maximum
+    /// Returns the largest of `count` numbers that are `step` apart, or 0. Four maxima grow side by side, since each
     /// waits for the one before.
     static T largest(const T* numbers, int count, int step) {
         T most[4] = {};

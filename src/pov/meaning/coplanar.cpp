@@ -37,8 +37,8 @@ struct SlantedFace {
     bool reaches(const SlantedFace& other) const {
         const DVec3 way = other.middle - middle;
         const auto along = [&](const DVec3& own) {
-            return std::fabs(dot_product(way, own)) <= dot_product(own, own) + std::fabs(dot_product(other.u, own)) +
-                                                           std::fabs(dot_product(other.v, own));
+            return std::fabs(dot_product(way, own)) <=
+                   dot_product(own, own) + std::fabs(dot_product(other.u, own)) + std::fabs(dot_product(other.v, own));
         };
         return along(u) && along(v);
     }

@@ -55,6 +55,8 @@ class PovReader : public SceneLayer {
     void read_finish(Interpreter& in, FinishThing& finish);
     void read_interior(Interpreter& in, InteriorThing& interior);
     std::shared_ptr<const TextureThing> read_texture(Interpreter& in);
+    /// Reads a texture's name, or texture { ... }.
+    std::shared_ptr<const TextureThing> next_texture(Interpreter& in);
     std::shared_ptr<const TextureThing> read_texture_body(Interpreter& in);
     bool read_old_texture_word(Interpreter& in, LayerValues& layer);
     void read_tiles(Interpreter& in, Blend& blend);

@@ -253,6 +253,8 @@ void add_triangle(MeshPart& part, const DVec3 (&points)[3], const DVec3 (&normal
 /// The numbers of the textures of a triangle's corners, from 1 on; 0 for that of the mesh.
 using TextureNumbers = std::array<std::size_t, 3>;
 
+constexpr const char* uv_blends = "textures by uv that blend across a triangle: that of its first corner";
+
 /// Returns a texture that blends from corner to corner, or null if one of them is by uv.
 std::shared_ptr<const TextureThing> blended(std::vector<std::shared_ptr<const TextureThing>> corners) {
     auto all = std::make_shared<TextureThing>(*corners[0]);
@@ -308,11 +310,28 @@ bool is_flat(const DVec3 (&p)[3]) { return !Triangle{p[0], p[1], p[2]}.fault(); 
 
 }  // namespace
 
+std::shared_ptr<const TextureThing> PovReader::next_texture(Interpreter& in) {
+    if (auto known = in.accept_thing<TextureThing>(ValueKind::texture)) return known;
+    in.expect("texture");
+    return read_texture(in);
+}
+
 /// Reads mesh { triangle { ... } ... } after '{'.
 void PovReader::read_mesh(Interpreter& in, ObjectThing& object) {
     std::vector<MeshPart> parts(1);
     std::vector<std::shared_ptr<const TextureThing>> textures;
     std::map<const TextureThing*, std::size_t> numbers;  // of textures, from 1 on
+    std::map<TextureNumbers, std::size_t> blends;        // the textures that blend across triangles, 0 if they cannot
+    const auto add_texture = [&](std::shared_ptr<const TextureThing> texture) {
+        in.count_bytes(sizeof(MeshPart) + sizeof(TextureThing) + sizeof(LayerValues), in.last_place());
+        textures.push_back(std::move(texture)), parts.emplace_back();
+        return textures.size();
+    };
+    const auto number_of = [&](const std::shared_ptr<const TextureThing>& texture) {
+        const auto [known, is_new] = numbers.try_emplace(texture.get());
+        if (is_new) known->second = add_texture(texture);
+        return known->second;
+    };
     while (in.at("triangle") || in.at("smooth_triangle")) {
         const bool smooth = in.at("smooth_triangle");
         in.take();
@@ -324,26 +343,36 @@ void PovReader::read_mesh(Interpreter& in, ObjectThing& object) {
             points[k] = next_vector(in);
             if (smooth) in.skip_comma(), normals[k] = read_corner_normal(in);
         }
+        std::vector<std::shared_ptr<const TextureThing>> corners(3);
         std::size_t number = 0;
         bool mapped = false;
         while (!in.at('}')) {
             if (in.accept("uv_vectors")) {
                 for (auto& place : places) place = in.read_uv(), in.skip_comma();
                 mapped = true;
+            } else if (in.accept("texture_list")) {
+                in.begin_block();
+                for (auto& corner : corners) corner = next_texture(in), in.skip_comma();
+                in.end_block();
             } else if (in.at("texture") || in.kind() == ValueKind::texture) {
-                const auto texture =
-                    in.accept("texture") ? read_texture(in) : in.accept_thing<TextureThing>(ValueKind::texture);
-                number = numbers.emplace(texture.get(), textures.size() + 1).first->second;
-                if (number > textures.size()) {
-                    in.count_bytes(sizeof(MeshPart) + sizeof(TextureThing) + sizeof(LayerValues), in.last_place());
-                    textures.push_back(texture), parts.emplace_back();
-                }
+                number = number_of(next_texture(in));
             } else {
-                in.expected("'uv_vectors', 'texture' or '}'");
+                in.expected("'uv_vectors', 'texture', 'texture_list' or '}'");
             }
         }
         in.end_block();
         if (!is_flat(points)) continue;
+        if (corners[0]) {
+            const auto [known, is_new] =
+                blends.try_emplace({number_of(corners[0]), number_of(corners[1]), number_of(corners[2])});
+            if (is_new)
+                if (const auto texture = blended(corners)) known->second = add_texture(texture);
+            number = known->second ? known->second : known->first[0];
+            if (known->second)
+                places[0] = {0, 0}, places[1] = {1, 0}, places[2] = {0, 1}, mapped = true;
+            else
+                object.approximated(uv_blends);
+        }
         set_normals(points, normals, smooth);
         parts[number].smooth |= smooth, parts[number].mapped |= mapped;
         add_triangle(parts[number], points, normals, places);
@@ -396,11 +425,7 @@ void PovReader::read_mesh2(Interpreter& in, ObjectThing& object) {
         } else if (in.accept("uv_vectors")) {
             read_list(places, [&] { return in.read_uv(); });
         } else if (in.accept("texture_list")) {
-            read_list(textures, [&] {
-                if (auto known = in.accept_thing<TextureThing>(ValueKind::texture)) return known;
-                in.expect("texture");
-                return read_texture(in);
-            });
+            read_list(textures, [&] { return next_texture(in); });
         } else if (in.accept("face_indices")) {
             read_corners(faces);
         } else if (in.accept("normal_indices")) {
@@ -450,7 +475,7 @@ void PovReader::read_mesh2(Interpreter& in, ObjectThing& object) {
             if (textures[known->second - 1])
                 which = known->second, own[0] = {0, 0}, own[1] = {1, 0}, own[2] = {0, 1}, mapped = true;
             else
-                object.approximated("textures by uv that blend across a triangle: that of its first corner");
+                object.approximated(uv_blends);
         }
         MeshPart& part = parts[which];
         set_normals(points, normals, smooth);

@@ -86,6 +86,17 @@ const Kind kinds[]{
                 t.vector(-30, 30) + " }";
      },
      .01},
+    {"textures that blend across the triangles of a mesh",
+     [](Texts& t) {
+         std::string text = t.camera() + lamp + "#declare A = texture { pigment { rgb " + t.vector(0, 1) +
+                            " } } #declare B = texture { pigment { checker rgb x, rgb z scale " + t.number(.2, .5) +
+                            " } } mesh { ";
+         for (int i = 0; i < 4; ++i)
+             text += "triangle { " + t.vector(-1.5, 1.5) + ", " + t.vector(-1.5, 1.5) + ", " + t.vector(-1.5, 1.5) +
+                     " texture_list { " + t.one_of({"A", "B"}) + " " + t.one_of({"A,", "B"}) + " B } } ";
+         return text + "}";
+     },
+     .02},
     {"boxes around bodies",
      [](Texts& t) {
          const auto body = [&] {
