@@ -5,7 +5,7 @@
 // attack_parser --words    prints the words of the language as lines of a dictionary
 // While it runs, and after a crash, the file attack-parser-seed in the working directory holds the number of the input:
 // pass it as --seed to reproduce the crash.
-#include <unistd.h>
+#include <sys/time.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -159,7 +159,8 @@ int main(int count, char** arguments) {
     for (const double end = attack::now() + options.seconds; attack::now() < end; ++number) {
         const std::string input = Mutator(ingredients, number).input();
         progress.note(number);
-        ::alarm(10);  // a reader that does not end is killed
+        const itimerval most{{}, {10, 0}};  // of the processor's time: a busy machine kills no reader that ends
+        ::setitimer(ITIMER_PROF, &most, nullptr);
         LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(input.data()), input.size());
     }
     std::printf("%llu inputs, --seed %llu to %llu\n", static_cast<unsigned long long>(number - first),
