@@ -45,6 +45,29 @@ struct PanelLayout {
     }
 };
 
+/// Tells ImGui of keys and of the pointer: as events, or as states where its version has no queue of events.
+class InputEvents {
+  public:
+#if IMGUI_VERSION_NUM >= 18900
+    explicit InputEvents(ImGuiIO& io) : io(io) { io.ConfigInputTrickleEventQueue = false; }
+    void key(ImGuiKey key, bool down) const { io.AddKeyEvent(key, down); }
+    void control(bool down) const { io.AddKeyEvent(ImGuiMod_Ctrl, down); }
+    void move(float x, float y) const { io.AddMousePosEvent(x, y); }
+    void button(bool down) const { io.AddMouseButtonEvent(0, down); }
+#else
+    explicit InputEvents(ImGuiIO& io) : io(io) {
+        for (const ImGuiKey key : {ImGuiKey_Tab, ImGuiKey_Enter, ImGuiKey_Escape}) io.KeyMap[key] = key;
+    }
+    void key(ImGuiKey key, bool down) const { io.KeysDown[key] = down; }
+    void control(bool down) const { io.KeyCtrl = down; }
+    void move(float x, float y) const { io.MousePos = {x, y}; }
+    void button(bool down) const { io.MouseDown[0] = down; }
+#endif
+
+  private:
+    ImGuiIO& io;
+};
+
 std::string moving_line(const Session& session, const Pace& pace, const WindowPicture& picture) {
     for (const auto& [name, value] : info_lines(session, pace, picture))
         if (name == "moving") return value;
@@ -190,8 +213,7 @@ TEST_CASE("what is typed for a number is one in its range, also with a comma; el
 TEST_CASE("typed numbers apply at Enter, Tab and when the field is left, and not after Escape") {
     const PanelLayout layout(400, 300);
     ImGuiIO& io = ImGui::GetIO();
-    enum { tab = 1, enter, escape };
-    io.KeyMap[ImGuiKey_Tab] = tab, io.KeyMap[ImGuiKey_Enter] = enter, io.KeyMap[ImGuiKey_Escape] = escape;
+    const InputEvents events(io);
     NumberFields fields;
     std::array<double, 3> numbers{1, 2, 3};
     const auto frame = [&] {
@@ -203,27 +225,27 @@ TEST_CASE("typed numbers apply at Enter, Tab and when the field is left, and not
         ImGui::End();
         ImGui::Render();
     };
-    const auto press = [&](int key) {
-        io.KeysDown[key] = true, frame();
-        io.KeysDown[key] = false, frame();
+    const auto press = [&](ImGuiKey key) {
+        events.key(key, true), frame();
+        events.key(key, false), frame();
     };
     const auto click = [&](float x, bool control) {
-        io.MousePos = {x, 15}, frame();
-        io.KeyCtrl = control, io.MouseDown[0] = true, frame();
-        io.KeyCtrl = false, io.MouseDown[0] = false, frame();
+        events.move(x, 15), frame();
+        events.control(control), events.button(true), frame();
+        events.control(false), events.button(false), frame();
     };
     const auto type = [&](const char* text) { io.AddInputCharactersUTF8(text), frame(); };
     frame();
     click(30, true), type("1,5");
     CHECK(numbers[0] == 1);  // not before it is typed whole
-    press(tab), type("7"), press(tab), type("8"), press(enter);
+    press(ImGuiKey_Tab), type("7"), press(ImGuiKey_Tab), type("8"), press(ImGuiKey_Enter);
     CHECK(numbers == std::array{1.5, 7., 8.});
-    click(30, true), type("9"), press(escape);
+    click(30, true), type("9"), press(ImGuiKey_Escape);
     CHECK(numbers[0] == 1.5);
-    click(30, true), type("-4"), io.KeysDown[enter] = true, frame();
+    click(30, true), type("-4"), events.key(ImGuiKey_Enter, true), frame();
     CHECK(numbers[0] == 1.5);
     CHECK(fields.reason() != "");
-    io.KeysDown[enter] = false, frame();
+    events.key(ImGuiKey_Enter, false), frame();
     click(30, true), type("4"), click(390, false);
     CHECK(numbers == std::array{4., 7., 8.});
 }
