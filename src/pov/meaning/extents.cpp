@@ -7,20 +7,14 @@
 #include <span>
 
 #include "num/vec_math.h"
+#include "scene/kinds/world_transform.h"
 #include "scene/overlap.h"
 
 namespace strahl::pov {
 namespace {
 
-/// Returns a box around the moved corners; an endless one stays as it is.
-Box moved(const Box& box, const glm::dmat4& m) {
-    if (!box.finite()) return box;
-    Box all;
-    for (int corner = 0; corner < 8; ++corner)
-        all.add(transform_point(m, {(corner & 1 ? box.high : box.low).x, (corner & 2 ? box.high : box.low).y,
-                                    (corner & 4 ? box.high : box.low).z}));
-    return all;
-}
+/// Returns a box around the moved box; an endless one stays as it is.
+Box moved(const Box& box, const glm::dmat4& m) { return box.finite() ? transformed(box, m) : box; }
 
 /// Returns a box around the box around the box, a step each.
 Box moved_by_steps(Box box, const Steps& steps) {
